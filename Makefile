@@ -6,7 +6,7 @@ ifeq ($(OS),Windows_NT)
 BIN := $(VENV)/Scripts
 endif
 PY := $(BIN)/python
-WEB := $(PY) tools/web.py
+PAGE := $(PY) tools/page.py
 STAMP := $(VENV)/.installed
 SOURCES := $(wildcard src tests tools benchmarks hatch_build.py)
 
@@ -20,13 +20,13 @@ help: ## list the tasks
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 install: $(STAMP) ## install everything into .venv, the page's tools into web/node_modules
-	@$(WEB) install
+	@$(PAGE) install
 
 run: $(STAMP) page ## install, build the page, open the studio with an example that runs
 	$(BIN)/kitrobot examples/transport/transport.krt
 
 test: install page ## run every test: the page's, Python's and those in a browser
-	$(WEB) npm run test
+	$(PAGE) npm run test
 	@$(PY) tools/chromium.py --install
 	@if $(PY) tools/chromium.py > /dev/null; then $(BIN)/pytest -n auto; else $(BIN)/pytest -n auto -m 'not browser'; fi
 
@@ -35,18 +35,18 @@ check: install ## format, lint, types, the stairs; changes nothing
 	$(BIN)/ruff check $(SOURCES)
 	$(BIN)/mypy $(SOURCES)
 	$(BIN)/lint-imports
-	$(WEB) npm run check
+	$(PAGE) npm run check
 
 format: install ## lay out every file, mend what can be mended by rule
 	$(BIN)/ruff check --fix-only $(SOURCES)
 	$(BIN)/ruff format $(SOURCES)
-	$(WEB) npm run format
+	$(PAGE) npm run format
 
 bench: install ## measure, each subject beside its peer
 	$(PY) -m benchmarks
 
 page: $(STAMP)
-	@$(WEB) build
+	@$(PAGE) build
 
 lock: ## choose the newest versions that pyproject.toml allows: constraints.txt
 	sh tools/lock.sh $(PYTHON)

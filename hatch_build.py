@@ -12,9 +12,9 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-sys.path.insert(0, str(Path(__file__).resolve().parent / "tools"))
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-import web
+from tools import page
 
 
 class PageBuildHook(BuildHookInterface):  # type: ignore[type-arg]
@@ -22,8 +22,8 @@ class PageBuildHook(BuildHookInterface):  # type: ignore[type-arg]
 
     def dependencies(self) -> list[str]:
         """What the build needs besides hatchling; asked before `initialize`."""
-        return [] if web.page_is_current() else [web.NODE_REQUIREMENT]
+        return [] if page.is_current() else [page.NODE_REQUIREMENT]
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Build the page if it is stale."""
-        web.build_page()
+        page.build()

@@ -13,6 +13,8 @@ export default defineConfig({
     // The page travels inside a Python wheel: fonts and icons stay files, nothing is inlined as base64.
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 1500,
+    // The licences of everything that the page carries travel with it.
+    license: { fileName: "licenses.md" },
   },
   server: {
     proxy: {

