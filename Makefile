@@ -45,7 +45,7 @@ format: install ## lay out every file, mend what can be mended by rule
 bench: install ## measure, each subject beside its peer
 	$(PY) -m benchmarks
 
-page: $(STAMP)
+page: $(STAMP) ## build the page into the package, if it is stale
 	@$(PAGE) build
 
 lock: ## choose the newest versions that pyproject.toml allows: constraints.txt
