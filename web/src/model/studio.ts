@@ -1,0 +1,171 @@
+/**
+ * The open document: mission, parts, selection, and the undo and redo stacks.
+ *
+ * The one file of the model that knows zustand. Every change of the mission is a `Command` given to `execute`; the stacks
+ * have no limit, and undo gives back exactly what was there. The server's words about the mission (`report`) are kept
+ * beside it and may lag behind by one check.
+ */
+import { create } from "zustand";
+
+import type { Command } from "./command";
+import type { Catalogue, Mission, MissionFile, Program, Report, World } from "./types";
+
+interface Done {
+  command: Command;
+  /** The selection and the program in view before the command, for undo. */
+  selection: string[];
+  program: string;
+}
+
+interface File {
+  path: string;
+  name: string;
+  revision: string;
+}
+
+export interface StudioState {
+  file: File;
+  mission: Mission;
+  catalogue: Catalogue;
+  world: World | null;
+  activeProgram: string;
+  /** Vertex ids of the active program. */
+  selection: string[];
+  report: Report | null;
+  dirty: boolean;
+  canUndo: boolean;
+  canRedo: boolean;
+  /** Labels for the menu: what undo would take back, what redo would do again. */
+  undoLabel: string;
+  redoLabel: string;
+  openMission: (file: MissionFile) => void;
+  execute: (command: Command) => void;
+  undo: () => void;
+  redo: () => void;
+  select: (ids: string[]) => void;
+  setActiveProgram: (name: string) => void;
+  setReport: (report: Report | null) => void;
+  markSaved: (path: string, revision: string, name?: string) => void;
+  loadParts: (catalogue: Catalogue) => void;
+}
+
+const NO_MISSION: Mission = { version: 1, programs: [], agents: [], goals: [], world: "" };
+const NO_PARTS: Catalogue = { groups: [], robots: [], problems: [] };
+
+function stillThere(mission: Mission, program: string, ids: string[]): string[] {
+  const known = new Set(mission.programs.find((one) => one.name === program)?.vertices.map((vertex) => vertex.id));
+  return ids.every((id) => known.has(id)) ? ids : ids.filter((id) => known.has(id));
+}
+
+/** The program that stays in view: the same one, or the one that took its place. */
+function inView(mission: Mission, name: string, place: number): string {
+  if (mission.programs.some((one) => one.name === name)) return name;
+  return mission.programs[Math.min(Math.max(place, 0), mission.programs.length - 1)]?.name ?? "";
+}
+
+export const useStudio = create<StudioState>((set, get) => {
+  let past: Done[] = [];
+  let future: Done[] = [];
+  /** The depth of `past` at which the file on disk was written; -1 when that state cannot be reached any more. */
+  let saved = 0;
+
+  const stacks = () => ({
+    dirty: past.length !== saved,
+    canUndo: past.length > 0,
+    canRedo: future.length > 0,
+    undoLabel: past.at(-1)?.command.label ?? "",
+    redoLabel: future.at(-1)?.command.label ?? "",
+  });
+
+  const place = (mission: Mission, wanted: string, selection: string[]) => {
+    const before = get();
+    const at = before.mission.programs.findIndex((one) => one.name === before.activeProgram);
+    const activeProgram = inView(mission, wanted, at);
+    return { mission, activeProgram, selection: stillThere(mission, activeProgram, selection), ...stacks() };
+  };
+
+  return {
+    file: { path: "", name: "", revision: "" },
+    mission: NO_MISSION,
+    catalogue: NO_PARTS,
+    world: null,
+    activeProgram: "",
+    selection: [],
+    report: null,
+    dirty: false,
+    canUndo: false,
+    canRedo: false,
+    undoLabel: "",
+    redoLabel: "",
+
+    openMission: ({ path, name, revision, mission, catalogue, world }) => {
+      past = [];
+      future = [];
+      saved = 0;
+      set({
+        file: { path, name, revision },
+        mission,
+        catalogue,
+        world,
+        activeProgram: mission.programs[0]?.name ?? "",
+        selection: [],
+        report: null,
+        ...stacks(),
+      });
+    },
+
+    execute: (command) => {
+      const { mission, selection, activeProgram } = get();
+      const after = command.execute(mission);
+      if (after === mission) return;
+      if (saved > past.length) saved = -1;
+      past.push({ command, selection, program: activeProgram });
+      future = [];
+      set(place(after, activeProgram, command.selects ?? selection));
+    },
+
+    undo: () => {
+      const last = past.pop();
+      if (last === undefined) return;
+      future.push(last);
+      set(place(last.command.revert(get().mission), last.program, last.selection));
+    },
+
+    redo: () => {
+      const next = future.pop();
+      if (next === undefined) return;
+      past.push(next);
+      set(place(next.command.execute(get().mission), next.program, next.command.selects ?? next.selection));
+    },
+
+    select: (ids) => {
+      const { mission, activeProgram, selection } = get();
+      const next = stillThere(mission, activeProgram, ids);
+      if (next.length === selection.length && next.every((id, at) => id === selection[at])) return;
+      set({ selection: next });
+    },
+
+    setActiveProgram: (name) => {
+      if (name === get().activeProgram || !get().mission.programs.some((one) => one.name === name)) return;
+      set({ activeProgram: name, selection: [] });
+    },
+
+    setReport: (report) => {
+      set({ report });
+    },
+
+    markSaved: (path, revision, name) => {
+      saved = past.length;
+      set({ file: { path, revision, name: name ?? path.split("/").at(-1) ?? path }, ...stacks() });
+    },
+
+    loadParts: (catalogue) => {
+      set({ catalogue });
+    },
+  };
+});
+
+/** The program in view, or undefined while nothing is open. */
+export function programInView(state: StudioState): Program | undefined {
+  return state.mission.programs.find((one) => one.name === state.activeProgram);
+}
