@@ -1,0 +1,64 @@
+/**
+ * The run's WebSocket: JSON both ways, binary pose frames in.
+ *
+ * A lost connection is said once and not mended in secret: the run it carried is gone, so the person decides.
+ */
+import { token } from "./token";
+import { decodeFrame, type PoseFrame, type RunMessage, type RunRequest } from "./wire";
+
+export interface Failure {
+  message: string;
+  help: string;
+}
+
+export interface RunSocket {
+  send: (request: RunRequest) => void;
+  close: () => void;
+}
+
+interface Listener {
+  onOpen: (socket: RunSocket) => void;
+  onMessage: (message: RunMessage) => void;
+  onFrame: (frame: PoseFrame) => void;
+  onLost: (failure: Failure) => void;
+}
+
+export function runAddress(place: { protocol: string; host: string; pathname: string }, secret: string): string {
+  const folder = place.pathname.replace(/[^/]*$/, "");
+  const scheme = place.protocol === "https:" ? "wss:" : "ws:";
+  return `${scheme}//${place.host}${folder}api/run?token=${encodeURIComponent(secret)}`;
+}
+
+export function openRunSocket(listener: Listener): RunSocket {
+  const socket = new WebSocket(runAddress(window.location, token()));
+  socket.binaryType = "arraybuffer";
+  let ours = false;
+  const hand: RunSocket = {
+    send: (request) => {
+      if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(request));
+    },
+    close: () => {
+      ours = true;
+      socket.close();
+    },
+  };
+  socket.addEventListener("open", () => listener.onOpen(hand));
+  socket.addEventListener("message", (event: MessageEvent<string | ArrayBuffer>) => {
+    if (ours) return;
+    if (typeof event.data === "string") {
+      listener.onMessage(JSON.parse(event.data) as RunMessage);
+    } else {
+      const frame = decodeFrame(event.data);
+      if (frame !== null) listener.onFrame(frame);
+    }
+  });
+  socket.addEventListener("close", () => {
+    if (ours) return;
+    ours = true;
+    listener.onLost({
+      message: "The connection to the simulator was lost, so the run has ended.",
+      help: "Check that kitrobot still runs in its terminal, then press Run again.",
+    });
+  });
+  return hand;
+}

@@ -1,0 +1,174 @@
+/**
+ * What travels over the run's WebSocket, and the world that a run takes place in.
+ *
+ * Lengths in mm, angles in radians, x to the right, y up, heading 0 along +x and counter-clockwise. Poses come as binary
+ * frames (see `decodeFrame`), everything else as JSON with a `type`.
+ */
+import type { Mission, Problem } from "./types";
+
+export interface Wall {
+  x1: number;
+  y1: number;
+  x2: number;
+  y2: number;
+}
+
+export interface Section {
+  sign: number;
+  from_mm: number;
+  to_mm: number;
+}
+
+export interface Road {
+  name: string;
+  width_mm: number;
+  closed: boolean;
+  /** Sampled finely enough to be stroked as it is. */
+  points: [number, number][];
+  sections: Section[];
+}
+
+export interface Dock {
+  name: string;
+  road: string;
+  at_mm: number;
+  reach_mm: number;
+  storehouse: string;
+  kind: "load" | "unload";
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+}
+
+export interface Storehouse {
+  name: string;
+  x_mm: number;
+  y_mm: number;
+  width_mm: number;
+  height_mm: number;
+  capacity: number;
+  stock: number;
+}
+
+export interface StartPose {
+  name: string;
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+}
+
+export interface World {
+  name: string;
+  width_mm: number;
+  height_mm: number;
+  walls: Wall[];
+  roads: Road[];
+  docks: Dock[];
+  storehouses: Storehouse[];
+  starts: StartPose[];
+}
+
+export type AgentActivity = "running" | "waiting" | "idle" | "failed";
+export type RunOutcome = "done" | "failed" | "stuck" | "time" | "stopped";
+
+export interface StartedAgent {
+  name: string;
+  program: string;
+  robot: string;
+  number: number;
+  kind: string;
+}
+
+export interface AgentReport {
+  active: [slot: number, vertex: string][];
+  state: AgentActivity;
+  values: Record<string, number>;
+  inputs: Record<string, number>;
+  fault: number;
+}
+
+export type RunEventKind = "load" | "unload" | "message" | "collision" | "end";
+
+export interface RunEvent {
+  tick: number;
+  kind: RunEventKind;
+  agent: string;
+  text: string;
+}
+
+export type RunMessage =
+  | {
+      type: "started";
+      run: string | number;
+      tick_ms: number;
+      seed: number;
+      world: World | null;
+      agents: StartedAgent[];
+      stock: Record<string, number>;
+      total: number;
+    }
+  | { type: "state"; status: "running" | "paused" | RunOutcome; tick: number; seconds: number; sentence: string }
+  | {
+      type: "tick";
+      tick: number;
+      seconds: number;
+      agents: Record<string, AgentReport>;
+      stock: Record<string, number>;
+      delivered: Record<string, number>;
+      collisions: number;
+      events: RunEvent[];
+    }
+  | { type: "problems"; problems: Problem[] }
+  | { type: "error"; message: string; help: string };
+
+export type RunRequest =
+  | { type: "start"; mission: Mission; path: string; seed: number; speed: number }
+  | { type: "pause" }
+  | { type: "resume" }
+  | { type: "stop" }
+  | { type: "step" }
+  | { type: "speed"; value: number };
+
+/** One robot as a frame shows it. */
+export interface Pose {
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+  load: number;
+  flags: number;
+}
+
+export const LAMP = 1;
+export const FAILED = 2;
+export const COLLISION = 4;
+export const ARM_OUT = 8;
+export const MOVING = 16;
+
+export interface PoseFrame {
+  tick: number;
+  poses: Pose[];
+}
+
+const FIELDS = 5;
+const HEAD = 2;
+
+/** A binary frame, or null when its length does not fit what it says. */
+export function decodeFrame(data: ArrayBuffer): PoseFrame | null {
+  if (data.byteLength % 4 !== 0 || data.byteLength < HEAD * 4) return null;
+  const view = new DataView(data);
+  const read = (index: number) => view.getFloat32(index * 4, true);
+  const count = read(1);
+  if (!Number.isInteger(count) || count < 0 || data.byteLength !== (HEAD + count * FIELDS) * 4) return null;
+  const poses: Pose[] = [];
+  for (let robot = 0; robot < count; robot++) {
+    const at = HEAD + robot * FIELDS;
+    poses.push({
+      x_mm: read(at),
+      y_mm: read(at + 1),
+      heading_rad: read(at + 2),
+      load: read(at + 3),
+      flags: read(at + 4),
+    });
+  }
+  return { tick: read(0), poses };
+}

@@ -1,0 +1,74 @@
+/**
+ * Where the robots are: the last two frames of a run, outside React's state because they change thirty times a second.
+ *
+ * The arena draws one frame late and in between: at `poseAt(now)` each robot is on its way from the last frame but one to
+ * the last one. Frames that come slowly (single steps) are walked through in at most `LONGEST_MS`.
+ */
+import type { Pose, PoseFrame } from "../api/wire";
+
+interface Arrived extends PoseFrame {
+  at: number;
+}
+
+const LONGEST_MS = 120;
+/** Further than this in one frame is a jump, not a movement. */
+const JUMP_MM = 600;
+
+let before: Arrived | null = null;
+let last: Arrived | null = null;
+let version = 0;
+
+export function pushFrame(frame: PoseFrame, now: number): void {
+  before = last !== null && last.poses.length === frame.poses.length && frame.tick >= last.tick ? last : null;
+  last = { ...frame, at: now };
+  version += 1;
+}
+
+export function clearFrames(): void {
+  before = null;
+  last = null;
+  version += 1;
+}
+
+/** Grows with every frame: the arena draws again when it has changed. */
+export function framesVersion(): number {
+  return version;
+}
+
+function turn(from: number, to: number, share: number): number {
+  const difference = Math.atan2(Math.sin(to - from), Math.cos(to - from));
+  return from + difference * share;
+}
+
+function between(a: Pose, b: Pose, share: number): Pose {
+  if (Math.hypot(b.x_mm - a.x_mm, b.y_mm - a.y_mm) > JUMP_MM) return b;
+  return {
+    ...b,
+    x_mm: a.x_mm + (b.x_mm - a.x_mm) * share,
+    y_mm: a.y_mm + (b.y_mm - a.y_mm) * share,
+    heading_rad: turn(a.heading_rad, b.heading_rad, share),
+  };
+}
+
+export interface Shown {
+  poses: readonly Pose[];
+  /** False while robots are still on their way between two frames. */
+  still: boolean;
+}
+
+/** The robots as they are to be drawn at `now` (ms); null before the first frame. */
+export function posesAt(now: number, smooth: boolean): Shown | null {
+  if (last === null) return null;
+  if (before === null || !smooth) return { poses: last.poses, still: true };
+  const span = Math.min(Math.max(last.at - before.at, 1), LONGEST_MS);
+  const share = (now - last.at) / span;
+  if (share >= 1) return { poses: last.poses, still: true };
+  const from = before.poses;
+  return {
+    poses: last.poses.map((pose, index) => {
+      const start = from[index];
+      return start === undefined ? pose : between(start, pose, Math.max(share, 0));
+    }),
+    still: false,
+  };
+}

@@ -1,0 +1,227 @@
+/**
+ * The run that is on, as the page knows it: status, clock, what each agent does, stock and deliveries.
+ *
+ * One run at a time. Agents are in the server's order, the order of the binary pose frames too; an agent's `active` keeps
+ * its identity while the same vertices are active, so that a canvas redraws only when something changed. Poses are not
+ * here but in `poses.ts`. The mission that runs is the one that was given to `start`; later edits do not reach it.
+ */
+import { useMemo } from "react";
+import { create } from "zustand";
+
+import type { Mission, Problem } from "../api/types";
+import { type Failure, openRunSocket, type RunSocket } from "../api/socket";
+import type { AgentReport, RunEvent, RunMessage, StartedAgent, World } from "../api/wire";
+import { clearFrames, pushFrame } from "./poses";
+
+export type RunStatus =
+  "idle" | "connecting" | "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped";
+
+export interface RunAgent extends StartedAgent, AgentReport {}
+
+export interface RunState {
+  status: RunStatus;
+  tick: number;
+  seconds: number;
+  tickMs: number;
+  sentence: string;
+  agents: RunAgent[];
+  world: World | null;
+  stock: Record<string, number>;
+  delivered: Record<string, number>;
+  total: number;
+  collisions: number;
+  events: RunEvent[];
+  seed: number;
+  /** How many times real time; 0 is as fast as it goes. */
+  speed: number;
+  /** program → name of the agent that is watched; the first one of that program where nothing is chosen. */
+  selectedAgent: Record<string, string>;
+  error: Failure | null;
+  /** Why a run could not start: problems of the mission as the server found them. */
+  problems: Problem[];
+  start: (what: { mission: Mission; path: string }) => void;
+  pause: () => void;
+  resume: () => void;
+  stop: () => void;
+  step: () => void;
+  setSpeed: (speed: number) => void;
+  selectAgent: (name: string) => void;
+  /** Forgets the run: the arena shows the mission's own world again. */
+  reset: () => void;
+  dismissError: () => void;
+}
+
+const MOST_EVENTS = 5000;
+
+const NOTHING = {
+  status: "idle" as RunStatus,
+  tick: 0,
+  seconds: 0,
+  tickMs: 20,
+  sentence: "",
+  agents: [] as RunAgent[],
+  world: null,
+  stock: {},
+  delivered: {},
+  total: 0,
+  collisions: 0,
+  events: [] as RunEvent[],
+  error: null,
+  problems: [] as Problem[],
+};
+
+let socket: RunSocket | null = null;
+
+function sameActive(a: RunAgent["active"], b: RunAgent["active"]): boolean {
+  return a.length === b.length && a.every(([slot, vertex], i) => b[i]?.[0] === slot && b[i][1] === vertex);
+}
+
+function merge(agents: RunAgent[], reports: Record<string, AgentReport>): RunAgent[] {
+  if (Object.keys(reports).length === 0) return agents;
+  return agents.map((agent) => {
+    const report = reports[agent.name];
+    if (report === undefined) return agent;
+    const active = sameActive(agent.active, report.active) ? agent.active : report.active;
+    return { ...agent, ...report, active };
+  });
+}
+
+/** What a message of the server changes. */
+export function applyMessage(state: RunState, message: RunMessage): Partial<RunState> {
+  switch (message.type) {
+    case "started":
+      return {
+        ...NOTHING,
+        status: "running",
+        tickMs: message.tick_ms,
+        seed: message.seed,
+        world: message.world,
+        stock: message.stock,
+        total: message.total,
+        agents: message.agents.map((agent) => ({
+          ...agent,
+          active: [],
+          state: "idle",
+          values: {},
+          inputs: {},
+          fault: 0,
+        })),
+      };
+    case "state":
+      return { status: message.status, tick: message.tick, seconds: message.seconds, sentence: message.sentence };
+    case "tick":
+      return {
+        tick: message.tick,
+        seconds: message.seconds,
+        agents: merge(state.agents, message.agents),
+        stock: message.stock,
+        delivered: message.delivered,
+        collisions: message.collisions,
+        events: message.events.length === 0 ? state.events : [...state.events, ...message.events].slice(-MOST_EVENTS),
+      };
+    case "problems":
+      return { status: "idle", problems: message.problems };
+    case "error":
+      return {
+        status: isLive(state.status) ? "stopped" : state.status,
+        error: { message: message.message, help: message.help },
+      };
+  }
+}
+
+export function isLive(status: RunStatus): boolean {
+  return status === "connecting" || status === "running" || status === "paused";
+}
+
+function hangUp(): void {
+  socket?.close();
+  socket = null;
+}
+
+export const useRun = create<RunState>((set, get) => ({
+  ...NOTHING,
+  seed: 1,
+  speed: 1,
+  selectedAgent: {},
+
+  start: ({ mission, path }) => {
+    hangUp();
+    clearFrames();
+    set({ ...NOTHING, status: "connecting" });
+    const { seed, speed } = get();
+    socket = openRunSocket({
+      onOpen: (opened) => opened.send({ type: "start", mission, path, seed, speed }),
+      onMessage: (message) => {
+        set((state) => applyMessage(state, message));
+        if (message.type === "problems" || message.type === "error") hangUp();
+      },
+      onFrame: (frame) => pushFrame(frame, performance.now()),
+      onLost: (failure) => {
+        socket = null;
+        if (isLive(get().status)) set({ status: get().status === "connecting" ? "idle" : "stopped", error: failure });
+      },
+    });
+  },
+  pause: () => {
+    if (get().status === "running") socket?.send({ type: "pause" });
+  },
+  resume: () => {
+    if (get().status === "paused") socket?.send({ type: "resume" });
+  },
+  stop: () => {
+    if (socket === null || !isLive(get().status)) return;
+    if (get().status === "connecting") {
+      hangUp();
+      set({ status: "idle" });
+    } else {
+      socket.send({ type: "stop" });
+    }
+  },
+  step: () => {
+    if (get().status === "paused") socket?.send({ type: "step" });
+  },
+  setSpeed: (speed) => {
+    set({ speed });
+    if (isLive(get().status)) socket?.send({ type: "speed", value: speed });
+  },
+  selectAgent: (name) =>
+    set((state) => {
+      const agent = state.agents.find((one) => one.name === name);
+      return agent === undefined ? {} : { selectedAgent: { ...state.selectedAgent, [agent.program]: name } };
+    }),
+  reset: () => {
+    hangUp();
+    clearFrames();
+    set({ ...NOTHING, selectedAgent: {} });
+  },
+  dismissError: () => set({ error: null, problems: [] }),
+}));
+
+/** The agent that is watched for a program: the chosen one, else the first. */
+export function watchedAgent(state: Pick<RunState, "agents" | "selectedAgent">, program: string): RunAgent | undefined {
+  const chosen = state.selectedAgent[program];
+  let first: RunAgent | undefined;
+  for (const agent of state.agents) {
+    if (agent.program !== program) continue;
+    if (agent.name === chosen) return agent;
+    first ??= agent;
+  }
+  return first;
+}
+
+const NOBODY: RunAgent["active"] = [];
+
+/** Where the watched agent of a program stands: vertex → numbers of the threads there. Empty when nothing runs. */
+export function useActiveVertices(program: string): Map<string, number[]> {
+  const active = useRun((state) => watchedAgent(state, program)?.active ?? NOBODY);
+  return useMemo(() => {
+    const map = new Map<string, number[]>();
+    for (const [slot, vertex] of active) map.set(vertex, [...(map.get(vertex) ?? []), slot]);
+    return map;
+  }, [active]);
+}
+
+/** The watched agent of a program, for live values beside the graph; undefined without a run. */
+export function useWatchedAgent(program: string): RunAgent | undefined {
+  return useRun((state) => watchedAgent(state, program));
+}

@@ -1,0 +1,65 @@
+/**
+ * An icon by its lucide name, as robots and constructors name theirs in XML.
+ *
+ * Names of the bounded set are drawn at once. For another one the whole set is fetched (once, from our own server); until
+ * it is there, and for a name that nobody knows, a plain square stands in.
+ */
+import type { LucideIcon } from "lucide-react";
+import { useEffect, useState } from "react";
+
+import { ICONS } from "./icons";
+
+interface IconProps {
+  name: string;
+  size?: number;
+  /** Words for those who cannot see; without them the icon is decoration. */
+  label?: string;
+  className?: string;
+}
+
+const FALLBACK = "square-dashed";
+
+let all: Readonly<Record<string, LucideIcon>> | null = null;
+let loading: Promise<void> | null = null;
+
+function pascal(name: string): string {
+  return name.replace(/(?:^|-)([a-z0-9])/g, (_, letter: string) => letter.toUpperCase());
+}
+
+/** Every lucide icon by its PascalCase name, from a chunk of its own. */
+function loadAll(): Promise<void> {
+  loading ??= import("./all-icons").then(
+    (module) => {
+      all = module.ALL_ICONS;
+    },
+    () => {
+      // Offline or cut off: the fallback stays.
+      loading = null;
+    },
+  );
+  return loading;
+}
+
+function known(name: string): LucideIcon | undefined {
+  return Object.hasOwn(ICONS, name) ? ICONS[name] : all?.[pascal(name)];
+}
+
+export function Icon({ name, size = 16, label, className }: IconProps) {
+  const [, setLoaded] = useState(0);
+  const Found = known(name);
+  const missing = Found === undefined && name !== "" && all === null;
+  useEffect(() => {
+    if (!missing) return;
+    let alive = true;
+    void loadAll().then(() => {
+      if (alive) setLoaded((n) => n + 1);
+    });
+    return () => {
+      alive = false;
+    };
+  }, [missing]);
+  const Drawn = Found ?? ICONS[FALLBACK];
+  if (Drawn === undefined) return null;
+  const spoken = label === undefined ? { "aria-hidden": true } : { role: "img", "aria-label": label };
+  return <Drawn size={size} strokeWidth={size >= 20 ? 1.75 : 2} className={className ?? ""} data-icon={name} {...spoken} />;
+}
