@@ -1,0 +1,30 @@
+"""How KitRobot says what is wrong."""
+
+from kitrobot.diagnostics.model import (
+    ArcName,
+    Diagnostic,
+    KitRobotError,
+    Place,
+    Rule,
+    Severity,
+    Source,
+    rule,
+    rules,
+)
+from kitrobot.diagnostics.rendering import render, render_one, to_json, to_page_json
+
+__all__ = [
+    "ArcName",
+    "Diagnostic",
+    "KitRobotError",
+    "Place",
+    "Rule",
+    "Severity",
+    "Source",
+    "render",
+    "render_one",
+    "rule",
+    "rules",
+    "to_json",
+    "to_page_json",
+]

@@ -1,0 +1,149 @@
+"""How KitRobot says what is wrong: places, rules, diagnostics, and the root of raised errors.
+
+A user's mistake is a `Diagnostic`: a value that is collected and shown, never raised. An operation that failed raises a
+`KitRobotError`. Every diagnostic comes from a `Rule`, whose code is permanent and whose explanation is its page in the
+documents; rules register themselves where they are made, nobody keeps a list.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+
+
+class Severity(StrEnum):
+    """How bad it is: an error stops a program from running, a warning may surprise, a hint is advice."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    HINT = "hint"
+
+
+@dataclass(frozen=True)
+class Place:
+    """A stretch of a file: lines and columns count from 1, columns in characters, the end is exclusive."""
+
+    file: str
+    line: int = 1
+    column: int = 1
+    end_line: int = 1
+    end_column: int = 1
+
+
+@dataclass(frozen=True)
+class Source:
+    """A text and the name people know it by; turns offsets into places."""
+
+    name: str
+    text: str
+
+    @cached_property
+    def _line_starts(self) -> list[int]:
+        starts = [0]
+        find = self.text.find
+        at = find("\n")
+        while at >= 0:
+            starts.append(at + 1)
+            at = find("\n", at + 1)
+        return starts
+
+    def position(self, offset: int) -> tuple[int, int]:
+        """Line and column (from 1) of a character offset."""
+        line = bisect_right(self._line_starts, offset)
+        return line, offset - self._line_starts[line - 1] + 1
+
+    def place(self, start: int, end: int) -> Place:
+        """The place between two offsets."""
+        line, column = self.position(start)
+        end_line, end_column = self.position(max(start, end))
+        return Place(self.name, line, column, end_line, end_column)
+
+    def line(self, number: int) -> str:
+        """The text of a line (from 1) without its line break; empty when there is no such line."""
+        starts = self._line_starts
+        if not 1 <= number <= len(starts):
+            return ""
+        end = starts[number] if number < len(starts) else len(self.text)
+        return self.text[starts[number - 1] : end].rstrip("\r\n")
+
+
+ArcName = tuple[str, str, str, str]
+"""An arc as diagnostics name it: from, out-port, to, in-port."""
+
+
+@dataclass(frozen=True)
+class Diagnostic:
+    """One thing to tell the user: a sentence, where, and what to do (`help`).
+
+    `program`, `vertices` and `arcs` say where in a graph; `fix` is a replacement text for `place` where there is one
+    right answer.
+    """
+
+    code: str
+    severity: Severity
+    message: str
+    place: Place | None = None
+    help: str = ""
+    program: str = ""
+    vertices: tuple[str, ...] = ()
+    arcs: tuple[ArcName, ...] = ()
+    fix: str | None = None
+
+    @property
+    def is_error(self) -> bool:
+        """Whether this one stops the program from running."""
+        return self.severity is Severity.ERROR
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A kind of diagnostic: calling it makes one."""
+
+    code: str
+    severity: Severity
+    title: str
+    explanation: str
+
+    def __call__(
+        self,
+        message: str,
+        place: Place | None = None,
+        *,
+        help: str = "",
+        program: str = "",
+        vertices: Iterable[str] = (),
+        arcs: Iterable[ArcName] = (),
+        fix: str | None = None,
+    ) -> Diagnostic:
+        """A diagnostic of this rule."""
+        return Diagnostic(self.code, self.severity, message, place, help, program, tuple(vertices), tuple(arcs), fix)
+
+
+_RULES: dict[str, Rule] = {}
+
+
+def rule(code: str, severity: Severity, title: str, explanation: str) -> Rule:
+    """Makes and registers a rule; a code is used once, for ever."""
+    assert code not in _RULES, f"the code {code} is taken"
+    made = _RULES[code] = Rule(code, severity, title, explanation)
+    return made
+
+
+def rules() -> Mapping[str, Rule]:
+    """All rules of the rooms imported so far, by code."""
+    return dict(sorted(_RULES.items()))
+
+
+@dataclass
+class KitRobotError(Exception):
+    """The root of what KitRobot raises when an operation failed: one sentence, a way out, and what was found."""
+
+    message: str
+    help: str = ""
+    diagnostics: tuple[Diagnostic, ...] = field(default=())
+
+    def __str__(self) -> str:
+        return f"{self.message}\nhelp: {self.help}" if self.help else self.message

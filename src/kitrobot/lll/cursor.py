@@ -1,0 +1,135 @@
+"""The parser's hand on the tokens: taking, expecting, reporting, skipping, and the comments between them."""
+
+from __future__ import annotations
+
+from kitrobot.diagnostics import Diagnostic, Rule, Source
+from kitrobot.lll import rules
+from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, SYMBOL, Comment, Token, tokenise
+from kitrobot.lll.tree import MAX_NESTING, Instr
+
+PARTNER = {"(": ")", "[": "]", "<": ">"}
+_NAMES = {CALL: "a call", NAME: "a name", NUMBER: "a number", HOLE: "a hole", END: "the end of the text"}
+
+
+class Mistake(Exception):
+    """Leaves the construct being read for the nearest place that recovers; already reported."""
+
+
+class Cursor:
+    """Where the reader stands in a text, how deep, and what it has found wrong so far."""
+
+    def __init__(self, text: str, name: str, *, template: bool) -> None:
+        self.source = Source(name, text)
+        self.text = text
+        self.template = template
+        self.tokens, self.comments = tokenise(text)
+        self.next_comment = 0
+        self.at = 0
+        self.depth = 0
+        self.height = 0
+        self.last_end = 0
+        self.found_unclosed = False
+        self.diagnostics: list[Diagnostic] = []
+
+    # -- tokens
+
+    def is_symbol(self, symbol: str) -> bool:
+        token = self.tokens[self.at]
+        return token[0] == SYMBOL and token[3] == symbol
+
+    def take(self) -> Token:
+        token = self.tokens[self.at]
+        if token[0] != END:
+            self.at += 1
+        self.last_end = token[2]
+        return token
+
+    def report(self, rule: Rule, message: str, start: int, end: int, help: str = "", fix: str | None = None) -> None:
+        self.diagnostics.append(rule(message, self.source.place(start, end), help=help, fix=fix))
+
+    def found(self) -> str:
+        kind, start, end, _ = self.tokens[self.at]
+        if kind in (END, CALL):
+            return _NAMES[kind]
+        shown = self.text[start : min(end, start + 24)]
+        return f"{_NAMES.get(kind, '')} `{shown}`".strip()
+
+    def mistake(self, expected: str, help: str = "") -> Mistake:
+        _, start, end, _ = self.tokens[self.at]
+        self.report(rules.SYNTAX, f"expected {expected}, found {self.found()}", start, max(end, start + 1), help)
+        return Mistake()
+
+    def expect(self, symbol: str, opened: Token | None = None) -> None:
+        if self.is_symbol(symbol):
+            self.take()
+            return
+        if opened is not None and self.tokens[self.at][0] == END:
+            if not self.found_unclosed:
+                what = self.text[opened[1] : opened[2]]
+                help = f"put a `{symbol}` where it ends"
+                self.report(rules.NOT_CLOSED, f"this `{what}` is never closed", opened[1], opened[2], help)
+            self.found_unclosed = True
+            raise Mistake
+        raise self.mistake(f"`{symbol}`")
+
+    def skip(self, stops: str) -> None:
+        """Goes to the next of `stops` at this level, over whole bracketed stretches; an alien closer ends it too."""
+        level = 0
+        while True:
+            kind, _, _, value = self.tokens[self.at]
+            if kind == END:
+                return
+            if kind == SYMBOL:
+                if level == 0 and (value in stops or value == ")"):
+                    return
+                if value in "([":
+                    level += 1
+                elif value in ")]":
+                    level = max(0, level - 1)
+            self.take()
+
+    def recover(self, closer: str) -> None:
+        """After a mistake between brackets: goes on behind `closer` where it can be found, else stays before `;`."""
+        self.skip(f"{closer};")
+        if self.is_symbol(closer):
+            self.take()
+
+    # -- comments
+
+    def comments_before(self, index: int) -> list[Comment]:
+        first = self.next_comment
+        while self.next_comment < len(self.comments) and self.comments[self.next_comment].before <= index:
+            self.next_comment += 1
+        return self.comments[first : self.next_comment]
+
+    def take_comment_after(self, node: Instr) -> None:
+        """Gives an instruction the comment that follows it on its line."""
+        if self.next_comment == len(self.comments) or node.after is not None:
+            return
+        index = self.next_comment
+        while index < len(self.comments) and self.comments[index].before <= self.at:
+            comment = self.comments[index]
+            if comment.before == self.at and comment.start >= node.end:
+                if "\n" not in self.text[self.last_end : comment.start]:
+                    node.after = comment.text
+                    del self.comments[index]
+                return
+            index += 1
+
+    def deeper(self, opened: Token) -> None:
+        self.depth += 1
+        if self.depth + self.height <= MAX_NESTING:
+            return
+        self.depth -= 1
+        self.report(
+            rules.TOO_DEEP,
+            f"the program nests more than {MAX_NESTING} levels deep here",
+            opened[1],
+            opened[2],
+            "split it into parts",
+        )
+        self.skip("")
+        if self.tokens[self.at][0] != END:
+            self.take()
+        self.found_unclosed = True  # whatever stays open now was open on the way down here
+        raise Mistake

@@ -1,0 +1,233 @@
+"""Conditions, parameters and calls: the part of the grammar inside the brackets."""
+
+from __future__ import annotations
+
+from kitrobot.lll import rules
+from kitrobot.lll.cursor import PARTNER, Cursor, Mistake
+from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, RESERVED, SYMBOL, Token
+from kitrobot.lll.tree import MAX_NESTING, MAX_NUMBER, And, Call, Condition, Conditional, Hole, Not, Number, Or, Param
+
+
+class Expressions(Cursor):
+    """Reads what stands in `[ ]`, `< >` and `( )` of calls; each method is a line of the grammar."""
+
+    def conditional(self) -> Conditional:
+        """The instruction; here only because people write one where a condition belongs."""
+        raise NotImplementedError  # given by the parser
+
+    # -- conditions
+
+    def whole_condition(self) -> Condition | None:
+        try:
+            condition = self.condition()
+            if self.tokens[self.at][0] != END:
+                raise self.mistake("the end of the condition")
+        except Mistake:
+            return None
+        return condition
+
+    def guard(self, opener: str) -> Condition:
+        opened = self.tokens[self.at]
+        self.expect(opener)
+        depth, closer = self.depth, PARTNER[opener]
+        try:
+            condition = self.condition()
+            self.height = 0
+            if not self.is_symbol(closer) and self.tokens[self.at][0] != END:
+                raise self.mistake(f"`&`, `|` or `{closer}`")
+        except Mistake:
+            self.depth, self.height = depth, 0
+            self.skip(f"{closer};")
+            if not self.is_symbol(closer):
+                raise
+            condition = Call("", "", start=opened[1], end=self.last_end)
+        self.expect(closer, opened)
+        return condition
+
+    def condition(self) -> Condition:
+        return self.chain("|")
+
+    def chain(self, operator: str) -> Condition:
+        left = self.chain("&") if operator == "|" else self.unary()
+        height = self.height
+        while self.is_symbol(operator):
+            opened = self.take()
+            right = self.chain("&") if operator == "|" else self.unary()
+            height = max(height, self.height) + 1
+            self.height = 0
+            if self.depth + height > MAX_NESTING:
+                self.deeper_condition(opened)
+            made = Or if operator == "|" else And
+            left = made(left, right, start=left.start, end=self.last_end)
+        self.height = height
+        return left
+
+    def deeper_condition(self, opened: Token) -> None:
+        self.report(
+            rules.TOO_DEEP,
+            f"this condition joins tests more than {MAX_NESTING} levels deep",
+            opened[1],
+            opened[2],
+            "split it, or keep a part of it in a variable",
+        )
+        raise Mistake
+
+    def unary(self) -> Condition:
+        self.height = 0
+        kind, start, _, value = self.tokens[self.at]
+        if kind in (CALL, NAME):
+            return self.call()
+        if kind == HOLE:
+            return self.hole()
+        if kind == SYMBOL:
+            if value in ("!", "("):
+                if value == "!":
+                    self.take()
+                opened = self.tokens[self.at]
+                self.expect("(")
+                self.deeper(opened)
+                condition = self.condition()
+                self.depth -= 1
+                self.expect(")", opened)
+                if value == "(":
+                    return condition
+                self.height += 1
+                return Not(condition, start=start, end=self.last_end)
+            if value == "[":
+                return self.conditional_as_condition()
+        raise self.mistake("a condition", "a condition is a test such as Button.IsPressed(), joined with & and |")
+
+    def conditional_as_condition(self) -> Condition:
+        """Table 1 uses one name for two things, so people may try this; the test inside is what they meant."""
+        whole = self.conditional()
+        self.report(
+            rules.CONDITIONAL_AS_CONDITION,
+            "a whole conditional `[…](…)` cannot be a condition",
+            whole.start,
+            whole.end,
+            "write only the test that stands in its [ ]",
+        )
+        return whole.condition
+
+    # -- calls
+
+    def call(self) -> Call:
+        kind, start, end, value = self.tokens[self.at]
+        if kind == CALL:
+            self.at += 1
+            self.last_end = end
+            name, method, numbers = value
+            call = Call(name, method, start=start, end=end)
+            call.method_start = self.text.index(method, self.text.index(".", start))
+            if numbers is not None:
+                self.simple_numbers(call, numbers)
+            if name in RESERVED or method in RESERVED:
+                self.reserved(name if name in RESERVED else method, start, end)
+            return call
+        if kind != NAME:
+            raise self.mistake("a call", "a call is Object.Method(parameters)")
+        self.take()
+        if value in RESERVED:
+            self.reserved(value, start, end)
+        if not self.is_symbol("."):
+            raise self.mistake("`.` and a method", f"write {value}.Method()")
+        self.take()
+        if self.tokens[self.at][0] == CALL:  # `A.B.c()`: what follows the dot was read as a call of its own
+            raise self.mistake("a method's name and its parameters", "a call has one dot: Object.Method()")
+        _, method_start, method_end, method = self.tokens[self.at]
+        if self.tokens[self.at][0] != NAME:
+            raise self.mistake("a method's name")
+        self.take()
+        if method in RESERVED:
+            self.reserved(method, method_start, method_end)
+        params = self.params()
+        if params is None:
+            return Call("", "", start=start, end=self.last_end, method_start=start)
+        return Call(value, method, params, start=start, end=self.last_end, method_start=method_start)
+
+    def reserved(self, word: str, start: int, end: int) -> None:
+        self.report(
+            rules.RESERVED_WORD, f"`{word}` is a word of the language, not a name", start, end, "choose another name"
+        )
+
+    def simple_numbers(self, call: Call, numbers: str) -> None:
+        at = self.text.index("(", call.method_start) + 1
+        if numbers.isdigit():
+            at = self.text.index(numbers, at)
+            call.params.append(self.literal(numbers, at))
+            return
+        for number in numbers.split(","):
+            digits = number.strip()
+            at = self.text.index(digits, at)
+            call.params.append(self.literal(digits, at))
+            at += len(digits)
+
+    def literal(self, digits: str, start: int) -> Number:
+        end = start + len(digits)
+        return Number(self.value(digits, start, end), start=start, end=end)
+
+    def value(self, digits: str, start: int, end: int) -> int:
+        significant = digits.lstrip("0")
+        if len(significant) <= 5 and (value := int(significant or "0")) <= MAX_NUMBER:
+            return value
+        shown = digits if len(digits) <= 20 else digits[:17] + "…"
+        self.report(rules.NUMBER_TOO_LARGE, f"expected a number from 0 to {MAX_NUMBER}, found {shown}", start, end)
+        return MAX_NUMBER
+
+    def number(self) -> int:
+        kind, start, end, value = self.tokens[self.at]
+        if kind != NUMBER:
+            raise self.mistake("a number")
+        self.take()
+        return self.value(value, start, end)
+
+    def params(self) -> list[Param] | None:
+        """None when they could not be read (already reported)."""
+        opened = self.tokens[self.at]
+        self.expect("(")
+        params: list[Param] = []
+        if self.is_symbol(")"):
+            self.take()
+            return params
+        self.deeper(opened)
+        depth = self.depth
+        try:
+            while True:
+                params.append(self.param())
+                if not self.is_symbol(","):
+                    break
+                self.take()
+            if not self.is_symbol(")") and self.tokens[self.at][0] != END:
+                raise self.mistake("`,` or `)` after a parameter")
+        except Mistake:
+            if self.tokens[self.at][0] == END:
+                raise
+            self.depth = depth - 1
+            self.recover(")")
+            return None
+        self.depth -= 1
+        self.expect(")", opened)
+        return params
+
+    def param(self) -> Param:
+        kind, start, _, value = self.tokens[self.at]
+        if kind == NUMBER:
+            self.take()
+            return self.literal(value, start)
+        if kind in (CALL, NAME):
+            return self.call()
+        if kind == HOLE:
+            return self.hole()
+        raise self.mistake("a parameter", "a parameter is a number from 0 to 65535 or a call such as Captor.Value()")
+
+    def hole(self) -> Hole:
+        _, start, end, name = self.take()
+        if not self.template:
+            self.report(
+                rules.HOLE_IN_PROGRAM,
+                f"`{{{name}}}` is a hole, and only a constructor's template has holes",
+                start,
+                end,
+                "write what should stand here",
+            )
+        return Hole(name, start=start, end=end)

@@ -1,0 +1,296 @@
+"""Text → tree: recursive descent over the tokens, going on after every mistake.
+
+The grammar is LL(1) and each method below is one of its lines. Three things make the parser more than the grammar:
+
+- *Recovery.* A mistake is reported where it stands and reading goes on at the next `;`, `,` or `)` of the same level.
+- *Comments.* One that follows an instruction on its line belongs to that instruction, any other to the next one, one
+  with nothing after it to the body it stands in.
+- *Depth.* `depth` counts open bodies, parentheses and parameters; `height` is that of the condition just read.
+  Together they stay within `MAX_NESTING`, so recursion here and in every later walk over a tree is bounded by us, not
+  by the host.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from kitrobot.diagnostics import Diagnostic, Source
+from kitrobot.lll import rules
+from kitrobot.lll.cursor import Mistake
+from kitrobot.lll.expressions import Expressions
+from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, SYMBOL, Token
+from kitrobot.lll.tree import (
+    Break,
+    Call,
+    Condition,
+    Conditional,
+    Event,
+    Hole,
+    Instr,
+    Interrupt,
+    Parallel,
+    Repeat,
+    Seq,
+    Wait,
+    While,
+)
+
+
+@dataclass(frozen=True)
+class Parsed:
+    """What was read: the program (what could be understood of it), the mistakes, and the text they point into."""
+
+    program: Seq
+    diagnostics: list[Diagnostic]
+    source: Source
+
+    @property
+    def ok(self) -> bool:
+        """Whether the text is free of errors."""
+        return not any(item.is_error for item in self.diagnostics)
+
+
+def parse(text: str, name: str = "program.lll") -> Parsed:
+    """Reads an LLL program. `name` is the file name that diagnostics show. Never raises for a mistake in the text."""
+    parser = _Parser(text, name, template=False)
+    return Parsed(parser.program(), parser.diagnostics, parser.source)
+
+
+def parse_template(text: str, name: str = "template") -> tuple[Instr | Condition | Seq | None, list[Diagnostic]]:
+    """Reads a constructor's `<code>`: one instruction, several (a `Seq`), or a condition, with holes.
+
+    None when the text is not LLL; then the diagnostics say why.
+    """
+    if not text.strip():
+        return None, [rules.SYNTAX("a template cannot be empty", Source(name, text).place(0, 0))]
+    parser = _Parser(text, name, template=True)
+    program = parser.program()
+    if not any(item.is_error for item in parser.diagnostics):
+        only_call = len(program.items) == 1 and isinstance(program.items[0], Call)
+        if not only_call and (program.hole is None):
+            return (program.items[0] if len(program.items) == 1 else program), parser.diagnostics
+    other = _Parser(text, name, template=True)
+    condition = other.whole_condition()
+    if not other.diagnostics:
+        return condition, []
+    if any(item.is_error for item in parser.diagnostics):
+        looks_like_condition = any(kind == SYMBOL and text in "&|" for kind, _, _, text in other.tokens)
+        return None, other.diagnostics if looks_like_condition else parser.diagnostics
+    return program.items[0] if program.items else program, parser.diagnostics
+
+
+class _Parser(Expressions):
+    # -- program, seq
+
+    def program(self) -> Seq:
+        seq = self.seq("")
+        while self.tokens[self.at][0] != END:
+            _, start, end, value = self.take()
+            self.report(
+                rules.SYNTAX,
+                f"`{value}` closes or separates nothing here",
+                start,
+                end,
+                "take it away, or open what it should close",
+            )
+            more = self.seq("")
+            seq.items += more.items
+            seq.below += more.below
+        seq.start, seq.end = 0, len(self.text)
+        return seq
+
+    def seq(self, separators: str) -> Seq:
+        """Instructions up to `)`, a separator of the construct around, or the end. Recovers at `;` by itself."""
+        start = self.tokens[self.at][1]
+        items: list[Instr] = []
+        seq = Seq(items)
+        depth = self.depth
+        while True:
+            kind, _, _, value = self.tokens[self.at]
+            if kind == CALL:
+                above = self.comments_before(self.at) if self.comments else ()
+                call = self.call()
+                if self.comments:
+                    self.finish(call, above)
+                items.append(call)
+                if (after := self.tokens[self.at])[0] == SYMBOL and after[3] == ";":
+                    self.at += 1
+                    self.last_end = after[2]
+                    if self.comments:
+                        self.take_comment_after(call)
+                    continue
+            elif kind == SYMBOL and value == ";":
+                self.take()
+                if items:
+                    self.take_comment_after(items[-1])
+                continue
+            elif kind == END or (kind == SYMBOL and value in "),"):
+                break
+            elif kind == HOLE and not (self.tokens[self.at + 1][0] == SYMBOL and self.tokens[self.at + 1][3] == "*"):
+                seq.hole = self.hole()
+            else:
+                above = self.comments_before(self.at)
+                try:
+                    node = self.instruction()
+                except Mistake:
+                    self.depth, self.height = depth, 0
+                    self.skip(";,")
+                    seq.below += [comment.text for comment in above]
+                    continue
+                self.finish(node, above)
+                items.append(node)
+            self.hint_semicolon()
+        seq.below += [comment.text for comment in self.comments_before(self.at)]
+        seq.start, seq.end = start, self.tokens[self.at][1]
+        return seq
+
+    def finish(self, node: Instr, above: Any) -> None:
+        if above:
+            node.above = [comment.text for comment in above] + node.above
+        self.take_comment_after(node)
+
+    def hint_semicolon(self) -> None:
+        kind, _, _, value = self.tokens[self.at]
+        if kind == END or (kind == SYMBOL and value in ";),"):
+            return
+        if kind in (CALL, NAME, NUMBER, HOLE) or value in ("*", "[", "<", "//", MARK):
+            self.report(
+                rules.MISSING_SEMICOLON,
+                "expected `;` between two instructions",
+                self.last_end,
+                self.last_end,
+                "put a `;` here",
+                fix=";",
+            )
+
+    # -- instructions
+
+    def instruction(self) -> Instr:
+        kind, start, end, value = self.tokens[self.at]
+        if kind == NAME:
+            if value == "WAIT":
+                return self.wait()
+            if value == "BREAK":
+                self.take()
+                return Break(start=start, end=end)
+            return self.call()
+        if kind in (NUMBER, HOLE):
+            return self.repeat()
+        if kind == SYMBOL:
+            if value == MARK:
+                return self.interrupt()
+            if value == "*":
+                return self.while_()
+            if value == "[":
+                return self.conditional()
+            if value == "<":
+                return self.event()
+            if value == "//":
+                return self.parallel()
+        if value == "!":
+            raise self.mistake("an instruction", "`!( )` follows the body of a conditional: [test]( … )!( … )")
+        raise self.mistake("an instruction", "an instruction begins with a name, a number, or one of * [ < // °")
+
+    def interrupt(self) -> Interrupt:
+        opened = self.take()
+        action: Call | Hole = self.hole() if self.tokens[self.at][0] == HOLE else self.call()
+        if not self.is_symbol(MARK):
+            self.report(
+                rules.NOT_CLOSED,
+                "this `°` has no partner",
+                opened[1],
+                opened[2],
+                "write °Object.Method()° around the call",
+            )
+            return Interrupt(action, start=opened[1], end=self.last_end)
+        self.take()
+        return Interrupt(action, start=opened[1], end=self.last_end)
+
+    def repeat(self) -> Repeat:
+        start = self.tokens[self.at][1]
+        count: int | Hole = self.hole() if self.tokens[self.at][0] == HOLE else self.number()
+        if not self.is_symbol("*"):
+            raise self.mistake("`*` after the number of times", "write 3*( … ) to do something three times")
+        self.take()
+        body = self.body()
+        return Repeat(count, body, start=start, end=self.last_end)
+
+    def while_(self) -> While:
+        start = self.take()[1]
+        condition = self.guard("[")
+        body = self.body()
+        return While(condition, body, start=start, end=self.last_end)
+
+    def conditional(self) -> Conditional:
+        start = self.tokens[self.at][1]
+        condition = self.guard("[")
+        then = self.body()
+        orelse = None
+        if self.is_symbol("!"):
+            self.take()
+            orelse = self.body()
+        return Conditional(condition, then, orelse, start=start, end=self.last_end)
+
+    def event(self) -> Event:
+        start = self.tokens[self.at][1]
+        condition = self.guard("<")
+        body = self.body()
+        return Event(condition, body, start=start, end=self.last_end)
+
+    def parallel(self) -> Parallel:
+        start = self.take()[1]
+        opened = self.tokens[self.at]
+        self.expect("(")
+        self.deeper(opened)
+        branches: list[Seq] = []
+        above: list[str] = []
+        while True:
+            branch = self.seq(",")
+            if branch.items or branch.hole:
+                branches.append(branch)
+            else:
+                above += branch.below
+            if not self.is_symbol(","):
+                break
+            self.take()
+            if branch.items:
+                self.take_comment_after(branch.items[-1])
+        self.depth -= 1
+        self.close(")", opened)
+        return Parallel(branches, start=start, end=self.last_end, above=above)
+
+    def wait(self) -> Wait:
+        start = self.take()[1]
+        opened = self.tokens[self.at]
+        self.expect("(")
+        if self.tokens[self.at][0] not in (NUMBER, HOLE):
+            self.mistake("a number of time units", "write WAIT(10)")
+            self.recover(")")
+            return Wait(0, start=start, end=self.last_end)
+        duration: int | Hole = self.hole() if self.tokens[self.at][0] == HOLE else self.number()
+        self.expect(")", opened)
+        return Wait(duration, start=start, end=self.last_end)
+
+    def body(self) -> Seq:
+        opened = self.tokens[self.at]
+        self.expect("(")
+        self.deeper(opened)
+        seq = self.seq("")
+        while self.is_symbol(","):
+            _, start, end, _ = self.take()
+            self.report(rules.SYNTAX, "`,` separates branches, and this is not a parallel", start, end, "write `;`")
+            more = self.seq("")
+            seq.items += more.items
+            seq.below += more.below
+        self.depth -= 1
+        self.close(")", opened)
+        return seq
+
+    def close(self, symbol: str, opened: Token) -> None:
+        """Closes a body that was read; at the end of the text this is reported, and what was read is kept."""
+        try:
+            self.expect(symbol, opened)
+        except Mistake:
+            if self.tokens[self.at][0] != END:
+                raise

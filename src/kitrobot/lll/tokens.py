@@ -1,0 +1,101 @@
+"""Text → tokens, in one pass of one regular expression.
+
+A token is a tuple (kind, start, end, text): a kind is one of the constants below. A call with nothing but numbers
+(`Wheel.Advance(50)`) is one token of its own, CALL, because most of every program is made of them; its text is the
+triple (object, method, numbers). Comments are kept apart, each with the index of the token that follows it.
+
+Left to others: what may follow what (parser).
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from functools import cache
+from typing import Any, NamedTuple
+
+CALL, NAME, NUMBER, HOLE, SYMBOL, OTHER, END = range(7)
+
+Token = tuple[int, int, int, Any]
+
+MARK = "°"
+_MARKS_READ = "\u00b0\u00ba\u02da"
+_NO_MARKS = dict.fromkeys(map(ord, _MARKS_READ))
+
+
+class Comment(NamedTuple):
+    """A comment: where its `#` stands, its text without it, and which token comes next."""
+
+    start: int
+    text: str
+    before: int
+
+
+class Tokens(NamedTuple):
+    """All tokens of a text, closed by one END token, and its comments."""
+
+    tokens: list[Token]
+    comments: list[Comment]
+
+
+def _pattern(name: str) -> re.Pattern[str]:
+    return re.compile(
+        rf"""\s*(?:
+          (?P<call>({name})\s*\.\s*({name})\s*\(\s*([0-9]+(?:\s*,\s*[0-9]+)*)?\s*\))
+        | (?P<name>{name})
+        | (?P<symbol>//|[;,()\[\]<>!&|*.{_MARKS_READ}])
+        | (?P<number>[0-9]+)
+        | (?P<comment>\#[^\n]*)
+        | (?P<hole>\{{\s*{name}\s*\}})
+        | (?P<other>[^\s;,()\[\]<>!&|*.{_MARKS_READ}\#]+|.)
+        )""",
+        re.VERBOSE,
+    )
+
+
+@cache
+def _ascii() -> re.Pattern[str]:
+    return _pattern(r"[A-Za-z_][A-Za-z0-9_]*")
+
+
+@cache
+def _unicode() -> re.Pattern[str]:
+    """Names in any script: a word of `re` has letters, but not the vowel signs that many scripts add."""
+    marks = "".join(chr(c) for c in range(0x300, 0x1F000) if unicodedata.category(chr(c)) in ("Mn", "Mc"))
+    first, later = r"[^\W\d\u00ba]", rf"(?:[^\W\u00ba]|[{marks}])"  # U+00BA, read as a mark, counts as a letter too
+    return _pattern(first + later + "*")
+
+
+def is_name(text: str) -> bool:
+    """Whether a text is an IDENT of the grammar (and no reserved word)."""
+    tokens = tokenise(text).tokens
+    return len(tokens) == 2 and tokens[0][:3] == (NAME, 0, len(text)) and text not in RESERVED
+
+
+RESERVED = frozenset({"WAIT", "BREAK"})
+
+
+def tokenise(text: str) -> Tokens:
+    """The tokens and comments of a text; never fails: what is no token is one of kind OTHER."""
+    tokens: list[Token] = []
+    comments: list[Comment] = []
+    add = tokens.append
+    pattern = _ascii() if text.isascii() or text.translate(_NO_MARKS).isascii() else _unicode()
+    kinds = {"name": NAME, "number": NUMBER, "other": OTHER}
+    for match in pattern.finditer(text):
+        group = match.lastgroup
+        if group == "call":
+            add((CALL, match.start(1), match.end(), match.group(2, 3, 4)))
+        elif group == "symbol":
+            symbol = match.group(group)
+            end = match.end()
+            add((SYMBOL, end - len(symbol), end, MARK if symbol in _MARKS_READ else symbol))
+        elif group == "comment":
+            start, body = match.start(group), match.group(group)[1:].rstrip()
+            comments.append(Comment(start, body[1:] if body[:1] == " " else body, len(tokens)))
+        elif group == "hole":
+            add((HOLE, match.start(group), match.end(), match.group(group)[1:-1].strip()))
+        elif group is not None:
+            add((kinds[group], match.start(group), match.end(), match.group(group)))
+    add((END, len(text), len(text), ""))
+    return Tokens(tokens, comments)

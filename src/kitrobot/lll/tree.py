@@ -1,0 +1,167 @@
+"""The syntax tree of the Low Level Language: one small class for each line of the grammar.
+
+A program, a body and a branch are all a `Seq`. An instruction knows the comments that belong to it: `above` (whole
+lines before it) and `after` (the rest of its own line). Places (`start`, `end`: character offsets into the text, end
+exclusive) and the graph vertex a node came from (`vertex`) do not take part in equality, so two programs are equal
+when they say the same thing in the same shape, comments included.
+
+`Hole` stands in constructor templates only (`*[{condition}]({body})`); a program never holds one.
+
+What the tree leaves to others: meaning of names (compiler), layout of text (printer).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+MAX_NUMBER = 65535
+"""The largest number the language can write (NB in the grammar)."""
+
+MAX_NESTING = 100
+"""How deep bodies, conditions and parameters together may nest; a limit of ours, far below the host's recursion."""
+
+
+@dataclass(slots=True)
+class Node:
+    """What every node has: its place in the text and the vertex it came from, if any."""
+
+    start: int = field(default=0, compare=False, kw_only=True)
+    end: int = field(default=0, compare=False, kw_only=True)
+    vertex: str | None = field(default=None, compare=False, kw_only=True)
+
+
+@dataclass(slots=True)
+class Hole(Node):
+    """`{name}` in a template, in the place of a number, a body, a condition, a parameter or an action."""
+
+    name: str
+
+
+@dataclass(slots=True)
+class Number(Node):
+    """A whole number 0…65535 as a parameter."""
+
+    value: int
+
+
+@dataclass(slots=True)
+class Instruction(Node):
+    """An instruction and the comments that belong to it."""
+
+    above: list[str] = field(default_factory=list, kw_only=True)
+    after: str | None = field(default=None, kw_only=True)
+
+
+@dataclass(slots=True)
+class Call(Instruction):
+    """`Object.Method(params)`: an instruction, a condition or a value, as the robot's XML says.
+
+    `method_start` is the offset of the method's name, for messages that point at it. A call that could not be read
+    (already reported) has an empty `object`.
+    """
+
+    object: str
+    method: str
+    params: list[Param] = field(default_factory=list)
+    method_start: int = field(default=0, compare=False, kw_only=True)
+
+
+@dataclass(slots=True)
+class Interrupt(Instruction):
+    """`°Object.Method(params)°`: a marked action."""
+
+    call: Call | Hole
+
+
+@dataclass(slots=True)
+class Repeat(Instruction):
+    """`n*(body)`."""
+
+    count: int | Hole
+    body: Seq
+
+
+@dataclass(slots=True)
+class While(Instruction):
+    """`*[condition](body)`."""
+
+    condition: Condition
+    body: Seq
+
+
+@dataclass(slots=True)
+class Conditional(Instruction):
+    """`[condition](then)` or, with `orelse`, `[condition](then)!(orelse)`."""
+
+    condition: Condition
+    then: Seq
+    orelse: Seq | None = None
+
+
+@dataclass(slots=True)
+class Event(Instruction):
+    """`<condition>(body)`."""
+
+    condition: Condition
+    body: Seq
+
+
+@dataclass(slots=True)
+class Parallel(Instruction):
+    """`//(branch, …)`; branches that held nothing were dropped when read."""
+
+    branches: list[Seq]
+
+
+@dataclass(slots=True)
+class Wait(Instruction):
+    """`WAIT(duration)`, in the robot's wait units."""
+
+    duration: int | Hole
+
+
+@dataclass(slots=True)
+class Break(Instruction):
+    """`BREAK`."""
+
+
+@dataclass(slots=True)
+class And(Node):
+    """`left & right`."""
+
+    left: Condition
+    right: Condition
+
+
+@dataclass(slots=True)
+class Or(Node):
+    """`left | right`."""
+
+    left: Condition
+    right: Condition
+
+
+@dataclass(slots=True)
+class Not(Node):
+    """`!(condition)`."""
+
+    condition: Condition
+
+
+@dataclass(slots=True)
+class Seq(Node):
+    """Instructions one after another: a program, a body or a branch.
+
+    `below` holds the comments after which nothing follows in this body. In a template `hole` may stand for the whole
+    body; then `items` is empty.
+    """
+
+    items: list[Instr] = field(default_factory=list)
+    below: list[str] = field(default_factory=list)
+    hole: Hole | None = None
+
+
+Param: TypeAlias = Number | Call | Hole
+Condition: TypeAlias = Call | And | Or | Not | Hole
+Instr: TypeAlias = Call | Interrupt | Repeat | While | Conditional | Event | Parallel | Wait | Break
