@@ -1,0 +1,204 @@
+"""Tick records as bytes and back, for one chunk: the first record whole, each further one as what changed.
+
+A chunk is a run of records that can be read without any other. Whole numbers are varints (seven bits a byte, low first,
+the high bit says more follow); signed ones are folded first (0, -1, 1, -2, … → 0, 1, 2, 3, …). A record is
+
+    ticks since the record before · n · n × (columns skipped, change) · m · m × (agent, threads · (slot, instruction) each)
+    · commands · events
+
+where the first record of a chunk is a change from all zeros and no threads. Texts are a length and UTF-8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kitrobot.trace.model import Threads, TickRecord, TraceCommand, TraceError, TraceEvent
+
+MAX_ITEMS = 1_000_000
+"""Threads, arguments, commands or events in one record at most; a larger count can only be damage."""
+
+
+def _put(out: bytearray, number: int) -> None:
+    while number > 127:
+        out.append(number & 127 | 128)
+        number >>= 7
+    out.append(number)
+
+
+def _put_signed(out: bytearray, number: int) -> None:
+    _put(out, number << 1 if number >= 0 else (-number << 1) - 1)
+
+
+def _put_text(out: bytearray, text: str) -> None:
+    data = text.encode()
+    _put(out, len(data))
+    out += data
+
+
+class Encoder:
+    """Packs the records of one chunk after another; `take` gives a chunk's bytes and starts the next."""
+
+    def __init__(self, columns: int, agents: int) -> None:
+        self._columns = columns
+        self._agents = agents
+        self._restart()
+
+    def _restart(self) -> None:
+        self._out = bytearray()
+        self._numbers = [0] * self._columns
+        self._active: list[Threads] = [()] * self._agents
+        self._tick = 0
+        self.first_tick = 0
+        self.records = 0
+
+    @property
+    def last_tick(self) -> int:
+        """The tick of the newest record."""
+        return self._tick
+
+    def add(self, record: TickRecord) -> None:
+        """Packs one record behind the others of this chunk."""
+        if len(record.numbers) != self._columns or len(record.active) != self._agents:
+            raise TraceError(
+                f"a record has {len(record.numbers)} numbers and {len(record.active)} agents; "
+                f"the header of this trace says {self._columns} and {self._agents}"
+            )
+        out = self._out
+        if self.records == 0:
+            self.first_tick = self._tick = record.tick
+        elif record.tick <= self._tick:
+            raise TraceError(f"tick {record.tick} comes after tick {self._tick} in a trace; ticks must grow")
+        _put(out, record.tick - self._tick)
+        self._put_numbers(record.numbers)
+        self._put_active(record.active)
+        _put(out, len(record.commands))
+        for command in record.commands:
+            _put(out, command.agent)
+            _put_text(out, command.actuator)
+            _put_text(out, command.procedure)
+            _put(out, len(command.arguments))
+            for argument in command.arguments:
+                _put_signed(out, argument)
+        _put(out, len(record.events))
+        for event in record.events:
+            _put_text(out, event.kind)
+            _put(out, event.agent + 1)
+            _put_text(out, event.text)
+        self._tick = record.tick
+        self.records += 1
+
+    def _put_numbers(self, numbers: list[int]) -> None:
+        before = self._numbers
+        if numbers == before:
+            self._out.append(0)
+            return
+        changed = [index for index, number in enumerate(numbers) if number != before[index]]
+        out = self._out
+        _put(out, len(changed))
+        expected = 0
+        for index in changed:
+            _put(out, index - expected)
+            _put_signed(out, numbers[index] - before[index])
+            expected = index + 1
+        self._numbers = list(numbers)
+
+    def _put_active(self, active: list[Threads]) -> None:
+        before = self._active
+        if active == before:
+            self._out.append(0)
+            return
+        changed = [agent for agent, threads in enumerate(active) if threads != before[agent]]
+        out = self._out
+        _put(out, len(changed))
+        for agent in changed:
+            _put(out, agent)
+            _put(out, len(active[agent]))
+            for slot, instruction in active[agent]:
+                _put(out, slot)
+                _put(out, instruction)
+        self._active = list(active)
+
+    def take(self) -> bytes:
+        """The bytes of this chunk; the next record starts a new one."""
+        data = bytes(self._out)
+        self._restart()
+        return data
+
+
+class _Bytes:
+    """Reads what `_put` wrote; damage is a ValueError or an IndexError, which `decode` turns into a sentence."""
+
+    def __init__(self, data: bytes) -> None:
+        self.data = data
+        self.at = 0
+
+    def number(self) -> int:
+        data, at = self.data, self.at
+        byte = data[at]
+        at += 1
+        value, shift = byte & 127, 7
+        while byte > 127:
+            if shift > 70:
+                raise ValueError("a number without end")
+            byte = data[at]
+            at += 1
+            value |= (byte & 127) << shift
+            shift += 7
+        self.at = at
+        return value
+
+    def signed(self) -> int:
+        folded = self.number()
+        return (folded >> 1) ^ -(folded & 1)
+
+    def count(self) -> int:
+        value = self.number()
+        if value > MAX_ITEMS:
+            raise ValueError("a count beyond all reason")
+        return value
+
+    def text(self) -> str:
+        length = self.number()
+        if length > len(self.data) - self.at:
+            raise ValueError("a text longer than its chunk")
+        self.at += length
+        return self.data[self.at - length : self.at].decode()
+
+
+def decode(data: bytes, first_tick: int, records: int, columns: int, agents: int) -> Iterator[TickRecord]:
+    """The records of one chunk, in order.
+
+    Raises:
+        TraceError: the bytes are not a chunk of this shape.
+    """
+    source = _Bytes(data)
+    numbers = [0] * columns
+    active: list[Threads] = [()] * agents
+    tick = first_tick
+    try:
+        for _ in range(records):
+            tick += source.number()
+            index = 0
+            for _ in range(source.count()):
+                index += source.number()
+                numbers[index] += source.signed()
+                index += 1
+            for _ in range(source.count()):
+                agent = source.number()
+                active[agent] = tuple((source.number(), source.number()) for _ in range(source.count()))
+            commands = [
+                TraceCommand(
+                    source.number(), source.text(), source.text(), tuple(source.signed() for _ in range(source.count()))
+                )
+                for _ in range(source.count())
+            ]
+            events = [
+                TraceEvent(kind, agent - 1, text)
+                for kind, agent, text in (
+                    (source.text(), source.number(), source.text()) for _ in range(source.count())
+                )
+            ]
+            yield TickRecord(tick, list(numbers), list(active), commands, events)
+    except (IndexError, ValueError) as error:
+        raise TraceError(f"the trace is damaged after tick {tick}: its records do not make sense") from error
