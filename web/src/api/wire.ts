@@ -1,72 +1,10 @@
 /**
- * What travels over the run's WebSocket, and the world that a run takes place in.
+ * What travels over the run's WebSocket.
  *
  * Lengths in mm, angles in radians, x to the right, y up, heading 0 along +x and counter-clockwise. Poses come as binary
  * frames (see `decodeFrame`), everything else as JSON with a `type`.
  */
-import type { Mission, Problem } from "./types";
-
-export interface Wall {
-  x1: number;
-  y1: number;
-  x2: number;
-  y2: number;
-}
-
-export interface Section {
-  sign: number;
-  from_mm: number;
-  to_mm: number;
-}
-
-export interface Road {
-  name: string;
-  width_mm: number;
-  closed: boolean;
-  /** Sampled finely enough to be stroked as it is. */
-  points: [number, number][];
-  sections: Section[];
-}
-
-export interface Dock {
-  name: string;
-  road: string;
-  at_mm: number;
-  reach_mm: number;
-  storehouse: string;
-  kind: "load" | "unload";
-  x_mm: number;
-  y_mm: number;
-  heading_rad: number;
-}
-
-export interface Storehouse {
-  name: string;
-  x_mm: number;
-  y_mm: number;
-  width_mm: number;
-  height_mm: number;
-  capacity: number;
-  stock: number;
-}
-
-export interface StartPose {
-  name: string;
-  x_mm: number;
-  y_mm: number;
-  heading_rad: number;
-}
-
-export interface World {
-  name: string;
-  width_mm: number;
-  height_mm: number;
-  walls: Wall[];
-  roads: Road[];
-  docks: Dock[];
-  storehouses: Storehouse[];
-  starts: StartPose[];
-}
+import type { Mission, Problem, World } from "./types";
 
 export type AgentActivity = "running" | "waiting" | "idle" | "failed";
 export type RunOutcome = "done" | "failed" | "stuck" | "time" | "stopped";

@@ -8,9 +8,9 @@
 import { useMemo } from "react";
 import { create } from "zustand";
 
-import type { Mission, Problem } from "../api/types";
+import type { Mission, Problem, World } from "../api/types";
 import { type Failure, openRunSocket, type RunSocket } from "../api/socket";
-import type { AgentReport, RunEvent, RunMessage, StartedAgent, World } from "../api/wire";
+import type { AgentReport, RunEvent, RunMessage, StartedAgent } from "../api/wire";
 import { clearFrames, pushFrame } from "./poses";
 
 export type RunStatus =

@@ -1,0 +1,100 @@
+/**
+ * The server's doors as functions.
+ *
+ * Each resolves to what the server sent or rejects with an `ApiError`, whose message is a sentence and whose help says what
+ * to do; 409 keeps the revision that is on disk. Addresses are relative, so the page works under any path.
+ */
+import { t } from "../words/words";
+import { token } from "./token";
+import type { Mission, MissionFile, Report } from "./types";
+
+export interface Session {
+  version: string;
+  /** The mission that the person named on the command line. */
+  path: string | null;
+  workspace: string;
+}
+
+export interface MissionEntry {
+  path: string;
+  name: string;
+  title: string;
+  example: boolean;
+  modified: number | string | null;
+}
+
+export interface Saved {
+  path: string;
+  revision: string;
+}
+
+export class ApiError extends Error {
+  readonly help: string;
+  readonly status: number;
+  /** What is on disk, when that is why saving was refused. */
+  readonly revision: string;
+
+  constructor(message: string, help = "", status = 0, revision = "") {
+    super(message);
+    this.name = "ApiError";
+    this.help = help;
+    this.status = status;
+    this.revision = revision;
+  }
+}
+
+interface Asked {
+  method?: "GET" | "POST" | "PUT";
+  json?: unknown;
+  bytes?: ArrayBuffer;
+  signal?: AbortSignal;
+}
+
+async function refusal(response: Response): Promise<ApiError> {
+  let said: { message?: unknown; help?: unknown; revision?: unknown } = {};
+  try {
+    said = (await response.json()) as typeof said;
+  } catch {
+    // Not our server's words: the status is all there is to say.
+  }
+  const text = (value: unknown) => (typeof value === "string" ? value : "");
+  if (response.status === 401 || (response.status === 403 && text(said.message) === "")) {
+    return new ApiError(t("error.token"), t("error.token-help"), response.status);
+  }
+  const message = text(said.message) || t("error.unexpected", { status: response.status });
+  return new ApiError(message, text(said.help), response.status, text(said.revision));
+}
+
+async function ask<T>(address: string, { method = "GET", json, bytes, signal }: Asked = {}): Promise<T> {
+  const headers: Record<string, string> = { "X-KitRobot-Token": token() };
+  if (json !== undefined) headers["Content-Type"] = "application/json";
+  if (bytes !== undefined) headers["Content-Type"] = "application/octet-stream";
+  let response: Response;
+  try {
+    response = await fetch(`api/${address}`, {
+      method,
+      headers,
+      body: json === undefined ? (bytes ?? null) : JSON.stringify(json),
+      signal: signal ?? null,
+    });
+  } catch (cause) {
+    if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
+    throw new ApiError(t("error.offline"), t("error.offline-help"));
+  }
+  if (!response.ok) throw await refusal(response);
+  return (await response.json()) as T;
+}
+
+export const api = {
+  session: () => ask<Session>("session"),
+  missions: () => ask<MissionEntry[]>("missions"),
+  mission: (path: string) => ask<MissionFile>(`mission?path=${encodeURIComponent(path)}`),
+  newMission: () => ask<MissionFile>("mission/new"),
+  readMission: (name: string, bytes: ArrayBuffer) =>
+    ask<MissionFile>(`mission/read?name=${encodeURIComponent(name)}`, { method: "POST", bytes }),
+  saveMission: (path: string, revision: string, mission: Mission) =>
+    ask<Saved>("mission", { method: "PUT", json: { path, revision, mission } }),
+  missionText: (mission: Mission) => ask<{ text: string }>("mission/text", { method: "POST", json: { mission } }),
+  check: (mission: Mission, path: string, signal?: AbortSignal) =>
+    ask<Report>("check", { method: "POST", json: { mission, path }, ...(signal === undefined ? {} : { signal }) }),
+};

@@ -1,0 +1,125 @@
+/** The menu bar: opened by click, by Alt, or by arrows; closed by Escape or a click elsewhere. */
+import { type KeyboardEvent, useEffect, useRef, useState } from "react";
+
+import { t } from "../words/words";
+import { Menu } from "./Menu";
+import type { MenuPart } from "./menu-model";
+
+/** Calls back when Alt is pressed and let go with nothing in between. */
+function useLoneAlt(callback: () => void): void {
+  useEffect(() => {
+    let alone = false;
+    const down = (event: globalThis.KeyboardEvent) => {
+      alone = event.key === "Alt" && !event.repeat && !event.ctrlKey && !event.shiftKey && !event.metaKey;
+    };
+    const up = (event: globalThis.KeyboardEvent) => {
+      if (event.key === "Alt" && alone) {
+        event.preventDefault();
+        callback();
+      }
+      alone = false;
+    };
+    const spoiled = () => {
+      alone = false;
+    };
+    window.addEventListener("keydown", down);
+    window.addEventListener("keyup", up);
+    window.addEventListener("pointerdown", spoiled);
+    window.addEventListener("blur", spoiled);
+    return () => {
+      window.removeEventListener("keydown", down);
+      window.removeEventListener("keyup", up);
+      window.removeEventListener("pointerdown", spoiled);
+      window.removeEventListener("blur", spoiled);
+    };
+  }, [callback]);
+}
+
+export function MenuBar({ menus }: { menus: MenuPart[] }) {
+  const [open, setOpen] = useState(-1);
+  const [at, setAt] = useState(0);
+  const bar = useRef<HTMLDivElement>(null);
+  const cameFrom = useRef<HTMLElement | null>(null);
+
+  const focusTitle = (index: number) => {
+    bar.current?.querySelectorAll<HTMLElement>("[data-title]")[index]?.focus();
+  };
+  const close = () => {
+    setOpen(-1);
+    focusTitle(at);
+  };
+  const aside = (by: 1 | -1) => {
+    const next = (at + by + menus.length) % menus.length;
+    setAt(next);
+    if (open >= 0) setOpen(next);
+    else focusTitle(next);
+  };
+  const [loneAlt] = useState(() => () => {
+    const active = document.activeElement;
+    if (active instanceof HTMLElement && bar.current?.contains(active) === true) {
+      setOpen(-1);
+      cameFrom.current?.focus();
+      return;
+    }
+    cameFrom.current = active instanceof HTMLElement ? active : null;
+    setAt(0);
+    bar.current?.querySelector<HTMLElement>("[data-title]")?.focus();
+  });
+  useLoneAlt(loneAlt);
+
+  useEffect(() => {
+    if (open < 0) return;
+    const outside = (event: PointerEvent) => {
+      if (event.target instanceof Node && bar.current?.contains(event.target) === true) return;
+      setOpen(-1);
+    };
+    document.addEventListener("pointerdown", outside, true);
+    return () => document.removeEventListener("pointerdown", outside, true);
+  }, [open]);
+
+  const onTitleKey = (event: KeyboardEvent, index: number) => {
+    if (event.key === "ArrowLeft") aside(-1);
+    else if (event.key === "ArrowRight") aside(1);
+    else if (event.key === "ArrowDown" || event.key === "Enter" || event.key === " ") setOpen(index);
+    else if (event.key === "Escape") {
+      setOpen(-1);
+      cameFrom.current?.focus();
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  return (
+    <div className="menubar" role="menubar" aria-label={t("menu.bar")} ref={bar}>
+      {menus.map((menu, index) => (
+        <div className="menubar-part" key={menu.id} role="none">
+          <button
+            type="button"
+            role="menuitem"
+            className="menubar-title"
+            data-title=""
+            data-testid={`menu-${menu.id}`}
+            aria-haspopup="menu"
+            aria-expanded={open === index}
+            tabIndex={at === index ? 0 : -1}
+            onClick={() => {
+              setAt(index);
+              setOpen(open === index ? -1 : index);
+            }}
+            onPointerEnter={() => {
+              if (open < 0) return;
+              setAt(index);
+              setOpen(index);
+            }}
+            onKeyDown={(event) => onTitleKey(event, index)}
+          >
+            {menu.label}
+          </button>
+          {open === index ? (
+            <Menu key={menu.id} id={`menu-list-${menu.id}`} label={menu.label} entries={menu.entries} onClose={close} onAside={aside} />
+          ) : null}
+        </div>
+      ))}
+    </div>
+  );
+}
