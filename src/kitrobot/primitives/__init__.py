@@ -1,0 +1,58 @@
+"""The words a robot understands: constructors and robots, read from XML."""
+
+from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
+from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.robot import (
+    LARGEST_VALUE,
+    Category,
+    Kind,
+    Method,
+    Parameter,
+    Robot,
+    RobotObject,
+    Texts,
+    ValueType,
+)
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.primitives.templates import Shape, shape
+from kitrobot.primitives.xml import MAX_BYTES, MAX_DEPTH, TEXTS, Reader
+from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, nearest, one_of, shown
+from kitrobot.primitives.xml_writing import attributes, escape_text, escape_value
+
+__all__ = [
+    "LARGEST_VALUE",
+    "MAX_BYTES",
+    "MAX_DEPTH",
+    "TEXTS",
+    "Catalogue",
+    "Category",
+    "Constructor",
+    "ConstructorTable",
+    "Element",
+    "Group",
+    "Kind",
+    "Method",
+    "Parameter",
+    "Reader",
+    "Robot",
+    "RobotObject",
+    "Role",
+    "Shape",
+    "Slot",
+    "SlotKind",
+    "Tag",
+    "Texts",
+    "ValueType",
+    "attributes",
+    "did_you_mean",
+    "escape_text",
+    "escape_value",
+    "load_catalogue",
+    "nearest",
+    "one_of",
+    "read_constructors",
+    "read_robot",
+    "shape",
+    "shown",
+]

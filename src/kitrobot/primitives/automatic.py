@@ -1,0 +1,192 @@
+"""What nobody writes in a robot's XML because every robot has it: the methods of variables, and `Fault`.
+
+Values given by Set, Add and Sub are clamped to the variable's range by the compiler. The range of what is *added* is
+the width of the variable's range, both ways.
+"""
+
+from __future__ import annotations
+
+from kitrobot.primitives.robot import (
+    LARGEST_VALUE,
+    Category,
+    Kind,
+    Method,
+    Parameter,
+    RobotObject,
+    Texts,
+    ValueType,
+)
+
+FAULT = "Fault"
+"""The system object that says whether a number had to be clamped."""
+
+
+def _texts(english: str, french: str, urdu: str) -> Texts:
+    return {"": english, "fr": french, "ur": urdu}
+
+
+def comparison(test: str, right: str) -> Texts:
+    """The phrase of a chip for a test against a number or a parameter (`{value}`)."""
+    return {"": f"{{object}} {_SIGNS[test]} {right}"}
+
+
+_SIGNS = {"equal": "=", "less": "<", "greater": ">"}
+_TESTS = (
+    (
+        "EqualTo",
+        "equal",
+        "equal",
+        _texts("Is it exactly this number?", "Est-ce exactement ce nombre ?", "کیا یہ بالکل یہی عدد ہے؟"),
+    ),
+    (
+        "LessThan",
+        "less",
+        "chevron-left",
+        _texts("Is it smaller than this number?", "Est-ce plus petit que ce nombre ?", "کیا یہ اس عدد سے چھوٹا ہے؟"),
+    ),
+    (
+        "GreaterThan",
+        "greater",
+        "chevron-right",
+        _texts("Is it bigger than this number?", "Est-ce plus grand que ce nombre ?", "کیا یہ اس عدد سے بڑا ہے؟"),
+    ),
+)
+_VALUE_HELP = _texts("The number to use.", "Le nombre à utiliser.", "استعمال ہونے والا عدد۔")
+_TRUTH_HELP = _texts("0 is false, 1 is true.", "0 veut dire faux, 1 veut dire vrai.", "0 کا مطلب غلط، 1 کا مطلب درست۔")
+
+
+def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, ...]:
+    """Set, Add, Sub, Value, EqualTo, LessThan, GreaterThan of a variable that holds a number."""
+    span = min(maximum - minimum, LARGEST_VALUE)
+    value = Parameter("value", minimum, maximum, initial, help=_VALUE_HELP)
+    amount = Parameter("value", -span, span, min(1, span), help=_VALUE_HELP)
+    return (
+        Method(
+            "Set",
+            Kind.PROCEDURE,
+            (value,),
+            action="set",
+            icon="pencil",
+            help=_texts(
+                "Gives the variable a new number.",
+                "Donne un nouveau nombre à la variable.",
+                "متغیر کو نیا عدد دیتا ہے۔",
+            ),
+            phrase={"": "{object} := {value}"},
+        ),
+        Method(
+            "Add",
+            Kind.PROCEDURE,
+            (amount,),
+            action="add",
+            icon="plus",
+            help=_texts(
+                "Makes the variable bigger by a number.",
+                "Ajoute un nombre à la variable.",
+                "متغیر میں ایک عدد جمع کرتا ہے۔",
+            ),
+            phrase={"": "{object} + {value}"},
+        ),
+        Method(
+            "Sub",
+            Kind.PROCEDURE,
+            (amount,),
+            action="sub",
+            icon="minus",
+            help=_texts(
+                "Makes the variable smaller by a number.",
+                "Enlève un nombre à la variable.",
+                "متغیر میں سے ایک عدد گھٹاتا ہے۔",
+            ),
+            phrase={"": "{object} − {value}"},
+        ),
+        Method(
+            "Value",
+            Kind.VALUE,
+            icon="hash",
+            help=_texts(
+                "The number that the variable holds now.", "Le nombre que contient la variable.", "متغیر میں موجود عدد۔"
+            ),
+            phrase={"": "{object}"},
+        ),
+        *(
+            Method(name, Kind.TEST, (value,), test=test, icon=icon, help=help, phrase=comparison(test, "{value}"))
+            for name, test, icon, help in _TESTS
+        ),
+    )
+
+
+def boolean_methods(initial: int) -> tuple[Method, ...]:
+    """Set, IsTrue, IsFalse of a variable that holds true or false."""
+    value = Parameter("value", 0, 1, initial, type=ValueType.BOOLEAN, help=_TRUTH_HELP)
+    return (
+        Method(
+            "Set",
+            Kind.PROCEDURE,
+            (value,),
+            action="set",
+            icon="pencil",
+            help=_texts(
+                "Makes the variable true or false.",
+                "Rend la variable vraie ou fausse.",
+                "متغیر کو درست یا غلط بناتا ہے۔",
+            ),
+            phrase={"": "{object} := {value}"},
+        ),
+        Method(
+            "IsTrue",
+            Kind.TEST,
+            test="equal",
+            to=1,
+            icon="toggle-right",
+            help=_texts("Is the variable true?", "La variable est-elle vraie ?", "کیا متغیر درست ہے؟"),
+            phrase=_texts("{object} is true", "{object} est vrai", "{object} درست ہے"),
+        ),
+        Method(
+            "IsFalse",
+            Kind.TEST,
+            test="equal",
+            to=0,
+            icon="toggle-left",
+            help=_texts("Is the variable false?", "La variable est-elle fausse ?", "کیا متغیر غلط ہے؟"),
+            phrase=_texts("{object} is false", "{object} est faux", "{object} غلط ہے"),
+        ),
+    )
+
+
+def fault_object() -> RobotObject:
+    """`Fault`: raised when a number was out of range and had to be clamped."""
+    return RobotObject(
+        FAULT,
+        Category.SYSTEM,
+        (
+            Method(
+                "IsRaised",
+                Kind.TEST,
+                test="equal",
+                to=1,
+                icon="triangle-alert",
+                help=_texts(
+                    "Did a number go out of its range since the last Clear?",
+                    "Un nombre est-il sorti de ses limites depuis le dernier Clear ?",
+                    "کیا پچھلے Clear کے بعد کوئی عدد اپنی حد سے باہر گیا؟",
+                ),
+                phrase=_texts("{object} is raised", "{object} est levé", "{object} اٹھا ہوا ہے"),
+            ),
+            Method(
+                "Clear",
+                Kind.PROCEDURE,
+                action="clear",
+                icon="eraser",
+                help=_texts("Forgets the fault.", "Oublie le défaut.", "خرابی بھلا دیتا ہے۔"),
+            ),
+        ),
+        type=ValueType.BOOLEAN,
+        maximum=1,
+        icon="triangle-alert",
+        help=_texts(
+            "Goes up when a number had to be cut to fit its range, for example a speed of 120.",
+            "Se lève quand un nombre a dû être ramené dans ses limites, par exemple une vitesse de 120.",
+            "جب کسی عدد کو اس کی حد میں لانا پڑے، مثلاً رفتار 120، تو یہ اٹھ جاتا ہے۔",
+        ),
+    )

@@ -1,0 +1,188 @@
+"""All constructors and robots that are at hand: shipped, the user's own, and those beside the mission.
+
+Folders are read in that order and a later one wins, name by name; a file that is wrong is reported and left out, and
+what an earlier folder gave stays. Which files are read: `*.robot.xml`, and every other `*.xml` whose first element is
+`<constructors>` or `<robot>`. `problems` holds what was wrong; nothing here raises because of a file, only because of
+a name that is not there.
+
+Left to others: what a constructor means (compiler), missions and worlds in the same folders.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place
+from kitrobot.primitives import rules
+from kitrobot.primitives.constructors import Constructor, Group
+from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.primitives.templates import Shape, inverse_shape
+from kitrobot.primitives.xml import MAX_BYTES
+from kitrobot.primitives.xml_element import did_you_mean
+
+SHIPPED = Path(__file__).parent / "shipped"
+"""The folder of the XML that comes with the package."""
+
+ROBOT_SUFFIX = ".robot.xml"
+"""How the name of a robot's file ends."""
+
+_FIRST_ELEMENT = re.compile(rb"(?:\s|<\?.*?\?>|<!--.*?-->)*<([A-Za-z]+)", re.DOTALL)
+
+
+@dataclass
+class Catalogue:
+    """What programs can be made of. `groups` is in the order of the palette; `constructors` follows it."""
+
+    robots: dict[str, Robot] = field(default_factory=dict)
+    groups: list[Group] = field(default_factory=list)
+    problems: list[Diagnostic] = field(default_factory=list)
+
+    @cached_property
+    def constructors(self) -> dict[str, Constructor]:
+        """Every constructor by its name."""
+        return {constructor.name: constructor for group in self.groups for constructor in group.constructors}
+
+    @cached_property
+    def inverse(self) -> Mapping[Shape, Constructor]:
+        """The constructor that an LLL construct of a shape (`templates.shape`) becomes; the first that fits."""
+        table: dict[Shape, Constructor] = {}
+        for constructor in self.constructors.values():
+            shape = inverse_shape(constructor)
+            if shape is not None:
+                table.setdefault(shape, constructor)
+        return table
+
+    def robot(self, name_or_path: str | Path) -> Robot:
+        """The robot of that name, or of that `.robot.xml` file.
+
+        Raises:
+            KitRobotError: no such robot, or its file is wrong (then with its diagnostics).
+        """
+        if isinstance(name_or_path, str) and name_or_path in self.robots:
+            return self.robots[name_or_path]
+        path = Path(name_or_path)
+        if path.suffix.lower() != ".xml":
+            help = did_you_mean(str(name_or_path), self.robots) or f"robots at hand: {', '.join(self.robots)}"
+            raise KitRobotError(f"there is no robot named {name_or_path}", help)
+        data, problem = _read(path)
+        if data is None:
+            assert problem is not None
+            raise KitRobotError(problem.message, "give a robot's name, or the path of its .robot.xml")
+        robot, problems = read_robot(data, str(path))
+        if robot is None:
+            raise KitRobotError(f"the robot of {path} cannot be used", "mend the file", tuple(problems))
+        return robot
+
+
+def config_folder() -> Path:
+    """The user's folder of XML: `$KITROBOT_CONFIG`, or the platform's usual place."""
+    given = os.environ.get("KITROBOT_CONFIG")
+    if given:
+        return Path(given)
+    if sys.platform == "win32":
+        return Path(os.environ.get("APPDATA") or Path.home() / "AppData" / "Roaming") / "kitrobot"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Application Support" / "kitrobot"
+    return Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "kitrobot"
+
+
+def load_catalogue(folders: Sequence[Path | str] = ()) -> Catalogue:
+    """Reads what is shipped, the user's folder and the given ones; a folder that is not there holds nothing."""
+    loading = _Loading()
+    for folder in (SHIPPED, config_folder(), *map(Path, folders)):
+        loading.folder(folder)
+    return loading.catalogue()
+
+
+class _Loading:
+    """What the folders read so far amount to."""
+
+    def __init__(self) -> None:
+        self.robots: dict[str, Robot] = {}
+        self.groups: dict[str, Group] = {}
+        self.constructors: dict[str, tuple[Constructor, Place]] = {}
+        self.problems: list[Diagnostic] = []
+
+    def folder(self, folder: Path) -> None:
+        try:
+            paths = sorted(path for path in folder.glob("*.xml") if path.is_file())
+        except OSError as error:
+            self.problems.append(_unreadable(folder, error))
+            return
+        seen: dict[str, Path] = {}
+        for path in paths:
+            data, problem = _read(path)
+            if problem is not None:
+                self.problems.append(problem)
+            elif data is not None:
+                for name in self.file(path, data):
+                    if name in seen:
+                        message = f"{name} is in {seen[name].name} of this folder already; this one is used"
+                        self.problems.append(rules.SAME_FOLDER(message, Place(str(path))))
+                    seen[name] = path
+
+    def file(self, path: Path, data: bytes) -> list[str]:
+        """Takes in one file; the names it brought."""
+        first = _FIRST_ELEMENT.match(data.removeprefix(b"\xef\xbb\xbf"))
+        root = first.group(1) if first else b""
+        if path.name.lower().endswith(ROBOT_SUFFIX) or root == b"robot":
+            robot, problems = read_robot(data, str(path))
+            self.problems += problems
+            if robot is None:
+                return []
+            self.robots[robot.name] = robot
+            return [f"the robot {robot.name}"]
+        if root != b"constructors" and not path.name.lower().endswith("constructors.xml"):
+            return []
+        groups, problems = read_constructors(data, str(path))
+        self.problems += problems
+        for group in groups:
+            known = self.groups.get(group.name, group)
+            label = {**known.label, **group.label}
+            self.groups[group.name] = Group(group.name, group.colour, (), label)
+            for constructor in group.constructors:
+                self.constructors[constructor.name] = (constructor, Place(str(path)))
+        return [f"the constructor {constructor.name}" for group in groups for constructor in group.constructors]
+
+    def catalogue(self) -> Catalogue:
+        members: dict[str, list[Constructor]] = {name: [] for name in self.groups}
+        for constructor, place in self.constructors.values():
+            if constructor.adds is not None:
+                target, name = constructor.adds
+                found = self.constructors.get(target)
+                slot = found[0].slot(name) if found is not None else None
+                if slot is None or not slot.repeat:
+                    message = f"{constructor.name} adds to {target}.{name}, which is no repeated slot"
+                    help = did_you_mean(target, self.constructors) if found is None else ""
+                    self.problems.append(rules.ADDS(message, place, help=help))
+                    continue
+            members[constructor.group].append(constructor)
+        groups = [
+            Group(group.name, group.colour, tuple(members[name]), group.label)
+            for name, group in self.groups.items()
+            if members[name]
+        ]
+        return Catalogue(self.robots, groups, self.problems)
+
+
+def _read(path: Path) -> tuple[bytes | None, Diagnostic | None]:
+    try:
+        size = path.stat().st_size
+        if size > MAX_BYTES:
+            return None, rules.TOO_LARGE(f"expected at most {MAX_BYTES} bytes, found {size}", Place(str(path)))
+        return path.read_bytes(), None
+    except OSError as error:
+        return None, _unreadable(path, error)
+
+
+def _unreadable(path: Path, error: OSError) -> Diagnostic:
+    reason = error.strerror or type(error).__name__
+    return rules.UNREADABLE(f"cannot read {path}: {reason}", Place(str(path)))

@@ -1,0 +1,83 @@
+"""A program constructor as its XML describes it: slots, and LLL with holes.
+
+Nothing here knows any one constructor: what a constructor means is its `template`, an LLL tree whose holes are the
+constructor's slots. Left to others: reading the XML (constructors_xml), filling and inverting templates (compiler).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from kitrobot.lll import Condition, Instr, Seq
+from kitrobot.primitives.robot import Texts
+
+
+class SlotKind(StrEnum):
+    """What fills a slot: a chain of vertices, one test, a number or value vertex, typed text, one procedure call."""
+
+    FLOW = "flow"
+    CONDITION = "condition"
+    VALUE = "value"
+    NUMBER = "number"
+    TEXT = "text"
+    ACTION = "action"
+
+
+class Role(StrEnum):
+    """Where a constructor stands: as an instruction, as a condition, or as one more branch of another."""
+
+    INSTRUCTION = "instruction"
+    CONDITION = "condition"
+    BRANCH = "branch"
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A hole of a constructor. A `repeat` slot holds any number of bodies; `least` of them come with a new vertex."""
+
+    name: str
+    kind: SlotKind
+    loop: bool = False
+    repeat: bool = False
+    least: int = 0
+    minimum: int | None = None
+    maximum: int | None = None
+    default: str = ""
+    unit: str = ""
+    label: Texts = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Constructor:
+    """A building block. `template` is None exactly for one that only adds a branch (`adds`: constructor, slot)."""
+
+    name: str
+    group: str
+    colour: str
+    slots: tuple[Slot, ...]
+    code: str
+    template: Instr | Condition | Seq | None
+    role: Role
+    adds: tuple[str, str] | None = None
+    icon: str = ""
+    label: Texts = field(default_factory=dict)
+    help: Texts = field(default_factory=dict)
+
+    def slot(self, name: str) -> Slot | None:
+        """The slot of that name, or None."""
+        return next((slot for slot in self.slots if slot.name == name), None)
+
+
+@dataclass(frozen=True)
+class Group:
+    """A heading of the palette and the constructors under it."""
+
+    name: str
+    colour: str
+    constructors: tuple[Constructor, ...]
+    label: Texts = field(default_factory=dict)
+
+
+ConstructorTable = Mapping[str, Constructor]

@@ -1,0 +1,216 @@
+"""Constructors XML → groups of constructors.
+
+A constructor's meaning is its `<code>`: LLL with a hole for every slot, parsed here, so that a template that does not
+fit its slots is an error of the XML file, at that line. A constructor with an error is left out; the others of the
+file stay.
+
+Left to others: constructors of several files together, and whether `<adds>` names something that exists (catalogue).
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import NamedTuple
+
+from kitrobot.diagnostics import Diagnostic, Place
+from kitrobot.lll import And, Hole, Instr, Not, Or, Seq, is_name, parse_template
+from kitrobot.primitives import rules
+from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
+from kitrobot.primitives.robot import LARGEST_VALUE
+from kitrobot.primitives.templates import holes
+from kitrobot.primitives.xml import TEXTS, Reader
+from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, shown
+
+VERSION = 1
+"""The newest version of the format that is read."""
+
+COLOURS = ("loop", "choice", "parallel", "action", "test", "team")
+"""The categories of the studio's colours."""
+
+MOST_BRANCHES = 16
+"""How many bodies a repeated slot may ask a new vertex to come with."""
+
+_TAKEN_PORTS = ("in", "next", "return")
+_TAKEN_ELEMENTS = ("Start", "Stop")
+_ICON = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+
+Template = Instr | Seq | And | Or | Not
+
+
+class _Code(NamedTuple):
+    """What `<code>` gave; the template is None when it is not LLL."""
+
+    text: str
+    template: Template | None
+
+
+class _Adds(NamedTuple):
+    """What `<adds>` gave."""
+
+    constructor: str
+    slot: str
+
+
+def read_constructors(data: bytes, name: str) -> tuple[list[Group], list[Diagnostic]]:
+    """Reads a constructors file; a constructor with an error is left out, a file that is not XML gives no groups."""
+    reader = Reader(data, name)
+    root = reader.read({"constructors": _CONSTRUCTORS})
+    return (root.found(Group) if root is not None else []), reader.diagnostics
+
+
+def icon(element: Element) -> str:
+    """The name of a picture of the Lucide set, or ""."""
+    return element.matching("icon", _ICON.fullmatch, "the name of a Lucide icon, such as arrow-up,", "")
+
+
+def _slot(element: Element) -> Slot:
+    kind = SlotKind(element.name)
+    name = element.matching("name", is_name, "a name of letters, digits and _")
+    if name in _TAKEN_PORTS:
+        element.report(rules.SLOT, f"a slot cannot be named {name}, a port of every vertex", "name")
+    slot = Slot(name, kind, label=element.texts.get("label", {}))
+    if kind is SlotKind.FLOW:
+        repeat = element.flag("repeat")
+        if not repeat and "least" in element.attributes:
+            element.report(rules.SLOT, 'expected repeat="yes" beside least, found none', "least")
+        return replace(
+            slot, loop=element.flag("loop"), repeat=repeat, least=element.integer("least", 0, MOST_BRANCHES, 0)
+        )
+    if kind in (SlotKind.NUMBER, SlotKind.VALUE):
+        least = element.integer("min", -LARGEST_VALUE, LARGEST_VALUE, 0) if "min" in element.attributes else None
+        most = element.integer("max", -LARGEST_VALUE, LARGEST_VALUE, 0) if "max" in element.attributes else None
+        if least is not None and most is not None and least > most:
+            element.report(rules.RANGE, f"expected min at most max, found {least} and {most}", "min")
+        default = element.optional("default")
+        if default:
+            low = least if least is not None else -LARGEST_VALUE
+            high = most if most is not None else LARGEST_VALUE
+            element.integer("default", low, max(low, high))
+        return replace(slot, minimum=least, maximum=most, default=default, unit=element.optional("unit"))
+    return replace(slot, default=element.optional("default"))
+
+
+def _code(element: Element) -> _Code:
+    template, problems = parse_template(element.text, element.reader.name)
+    starts = [0]
+    for line in element.text.split("\n"):
+        starts.append(starts[-1] + len(line) + 1)
+    for problem in problems:
+        place = problem.place or Place("")
+        start = starts[place.line - 1] + place.column - 1
+        end = starts[place.end_line - 1] + place.end_column - 1
+        element.add(replace(problem, place=element.reader.place_in_text(element, start, end)))
+    if template is None or isinstance(template, Hole):
+        if not problems:
+            element.report(rules.TEMPLATE, "expected LLL around the hole, found only a hole")
+        return _Code(element.text, None)
+    _check_holes(element, template)
+    return _Code(" ".join(element.text.split()), template)
+
+
+def _check_holes(element: Element, template: Template) -> None:
+    """Each slot of the constructor around has one hole, each hole one slot, of a kind that fits."""
+    assert element.parent is not None
+    slots = {slot.name: slot for slot in element.parent.found(Slot)}
+    filled: set[str] = set()
+    for hole, fitting, repeats in holes(template):
+        slot = slots.get(hole.name)
+        message, help = "", ""
+        if slot is None:
+            message, help = f"the hole {{{hole.name}}} has no slot", did_you_mean(hole.name, slots)
+        elif hole.name in filled:
+            message, help = f"the hole {{{hole.name}}} stands there twice", "each slot has one hole"
+        elif slot.kind not in fitting:
+            wanted = " or ".join(f"<{kind}>" for kind in fitting)
+            message = f"expected a slot {wanted} for {{{hole.name}}}, found <{slot.kind}>"
+        elif slot.repeat and not repeats:
+            message, help = f"the repeated slot {hole.name} can only be a branch of a parallel", "write //({branch})"
+        filled.add(hole.name)
+        if message:
+            element.add(rules.TEMPLATE(message, element.reader.place_in_text(element, hole.start, hole.end), help=help))
+    for name in slots.keys() - filled:
+        element.report(rules.TEMPLATE, f"expected a hole {{{name}}} for the slot {name}, found none")
+
+
+def _adds(element: Element) -> _Adds:
+    return _Adds(element.required("constructor"), element.required("slot"))
+
+
+def _element_name(name: str) -> bool:
+    return name == " ".join(name.split()) and "." not in name and name not in _TAKEN_ELEMENTS
+
+
+def _constructor(element: Element) -> Constructor | None:
+    group = element.parent
+    assert group is not None
+    name = element.matching("name", _element_name, "a name that is not Start or Stop and has no dot")
+    colour = element.choice("colour", COLOURS, group.attributes.get("colour", COLOURS[0]))
+    slots = element.distinct(Slot, lambda slot: slot.name, "slot")
+    codes, added = element.found(_Code), element.found(_Adds)
+    if len(codes) + len(added) != 1:
+        element.report(
+            rules.MISSING, f"expected one <code> or one <adds> in the constructor, found {len(codes) + len(added)}"
+        )
+    if added and slots:
+        element.report(
+            rules.SLOT, "expected no slots beside <adds>, found some", None, "a branch is a slot of what it adds to"
+        )
+    if any(constructor.name == name for constructor in _before(element)):
+        element.report(rules.DUPLICATE, f"the constructor {shown(name)} is there already", "name")
+    picture = icon(element)
+    if element.faulty:
+        return None
+    template = codes[0].template if codes else None
+    return Constructor(
+        name=name,
+        group=group.attributes.get("name", ""),
+        colour=colour,
+        slots=tuple(slots),
+        code=codes[0].text if codes else "",
+        template=template,
+        role=_role(template),
+        adds=(added[0].constructor, added[0].slot) if added else None,
+        icon=picture,
+        label=element.texts.get("label", {}),
+        help=element.texts.get("help", {}),
+    )
+
+
+def _before(element: Element) -> list[Constructor]:
+    """The constructors of the file that were read before this one."""
+    group = element.parent
+    assert group is not None
+    groups = group.parent.found(Group) if group.parent is not None else []
+    return [*group.found(Constructor), *(constructor for each in groups for constructor in each.constructors)]
+
+
+def _role(template: Template | None) -> Role:
+    """A template that is a lone call could be either; it is an instruction."""
+    if template is None:
+        return Role.BRANCH
+    return Role.CONDITION if isinstance(template, And | Or | Not) else Role.INSTRUCTION
+
+
+def _group(element: Element) -> Group:
+    name = element.required("name")
+    colour = element.choice("colour", COLOURS)
+    return Group(name, colour, tuple(element.found(Constructor)), element.texts.get("label", {}))
+
+
+_LABEL = {"label": TEXTS["label"]}
+_SLOTS = {
+    "flow": Tag(_slot, ("name", "loop", "repeat", "least"), _LABEL),
+    "condition": Tag(_slot, ("name",), _LABEL),
+    "value": Tag(_slot, ("name", "min", "max", "default", "unit"), _LABEL),
+    "number": Tag(_slot, ("name", "min", "max", "default", "unit"), _LABEL),
+    "text": Tag(_slot, ("name", "default"), _LABEL),
+    "action": Tag(_slot, ("name",), _LABEL),
+}
+_CONSTRUCTOR = Tag(
+    _constructor,
+    ("name", "icon", "colour"),
+    {**TEXTS, **_SLOTS, "code": Tag(_code, text=True), "adds": Tag(_adds, ("constructor", "slot"))},
+)
+_GROUP = Tag(_group, ("name", "colour"), {**TEXTS, "constructor": _CONSTRUCTOR})
+_CONSTRUCTORS = Tag(None, ("version",), {"group": _GROUP}, open=lambda element: element.version(VERSION))

@@ -1,0 +1,150 @@
+"""A robot as its XML describes it: objects (actuators, sensors, variables), their methods, and their parameters.
+
+Representation: frozen values, in the order of the file, because order has meaning: commands are handed out in the order
+of the actuators, cells are numbered in the order of sensors and variables. Two objects may share a name when their
+categories differ (the paper's Light is an actuator and a sensor), so a name is looked up together with its method.
+
+Left to others: reading the XML (robot_xml), the meaning of a call (compiler), the behaviour of a device (sim, drivers).
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+
+LARGEST_VALUE = 2**29 - 1
+"""How far from zero a number of a robot may lie: the sum of two still fits the word of the smallest board (31 bits)."""
+
+Texts = Mapping[str, str]
+"""Language tag → text; the empty tag is the default (English)."""
+
+
+class Category(StrEnum):
+    """What part of a robot an object is."""
+
+    ACTUATOR = "actuator"
+    SENSOR = "sensor"
+    VARIABLE = "variable"
+    SYSTEM = "system"
+
+
+class Kind(StrEnum):
+    """What a method gives: an instruction, true or false, or a number."""
+
+    PROCEDURE = "procedure"
+    TEST = "test"
+    VALUE = "value"
+
+
+class ValueType(StrEnum):
+    """What a variable holds or a parameter takes."""
+
+    INTEGER = "integer"
+    BOOLEAN = "boolean"
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter of a method: whole numbers `minimum`…`maximum` (both included)."""
+
+    name: str
+    minimum: int
+    maximum: int
+    default: int
+    type: ValueType = ValueType.INTEGER
+    unit: str = ""
+    label: Texts = field(default_factory=dict)
+    help: Texts = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Method:
+    """A procedure of an actuator, an operation of a sensor, or what every variable offers.
+
+    `action` says what a procedure of a variable or of the system does: set, add, sub, clear ("" for a device command).
+    `test` is equal, less or greater for a test; `to` is the number it compares with when that is not a parameter.
+    `stop` names the procedure that ends the effect of this one (for a marked action), or None.
+    """
+
+    name: str
+    kind: Kind
+    parameters: tuple[Parameter, ...] = ()
+    completes_later: bool = False
+    stop: str | None = None
+    action: str = ""
+    test: str = ""
+    to: int | None = None
+    icon: str = ""
+    label: Texts = field(default_factory=dict)
+    help: Texts = field(default_factory=dict)
+    phrase: Texts = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class RobotObject:
+    """A part of the robot: `minimum`…`maximum` is the range of a sensor's or variable's value."""
+
+    name: str
+    category: Category
+    methods: tuple[Method, ...]
+    device: str = ""
+    settings: Mapping[str, str] = field(default_factory=dict)
+    type: ValueType = ValueType.INTEGER
+    minimum: int = 0
+    maximum: int = 0
+    initial: int = 0
+    shared: bool = False
+    icon: str = ""
+    label: Texts = field(default_factory=dict)
+    help: Texts = field(default_factory=dict)
+
+    def method(self, name: str) -> Method | None:
+        """The method of that name, or None."""
+        return next((method for method in self.methods if method.name == name), None)
+
+
+@dataclass(frozen=True)
+class Robot:
+    """A kind of robot. `tick_ms` is the period of a reaction, `wait_unit_ms` the unit of WAIT."""
+
+    name: str
+    actuators: tuple[RobotObject, ...]
+    sensors: tuple[RobotObject, ...]
+    variables: tuple[RobotObject, ...]
+    system: tuple[RobotObject, ...]
+    tick_ms: int = 20
+    wait_unit_ms: int = 100
+    label: Texts = field(default_factory=dict)
+    help: Texts = field(default_factory=dict)
+
+    @property
+    def objects(self) -> Iterator[RobotObject]:
+        """All objects: actuators, sensors, variables, system, each in the order of the file."""
+        yield from self.actuators
+        yield from self.sensors
+        yield from self.variables
+        yield from self.system
+
+    @cached_property
+    def calls(self) -> Mapping[tuple[str, str], tuple[RobotObject, Method]]:
+        """(object, method) → what that call means; the first in the order of `objects` where two agree."""
+        table: dict[tuple[str, str], tuple[RobotObject, Method]] = {}
+        for part in self.objects:
+            for method in part.methods:
+                table.setdefault((part.name, method.name), (part, method))
+        return table
+
+    @cached_property
+    def fingerprint(self) -> bytes:
+        """Eight bytes that change when anything an image depends on changes: names, order, ranges, timing."""
+        words: list[object] = ["robot", self.tick_ms, self.wait_unit_ms]
+        for part in self.objects:
+            words += [part.category.value, part.name, part.type.value, part.minimum, part.maximum, part.initial]
+            for method in part.methods:
+                words += [method.name, method.kind.value, method.completes_later, method.stop, method.test, method.to]
+                for parameter in method.parameters:
+                    words += [parameter.minimum, parameter.maximum]
+        return hashlib.sha256("\x1f".join(map(str, words)).encode()).digest()[:8]

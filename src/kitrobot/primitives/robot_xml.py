@@ -1,0 +1,272 @@
+"""Robot XML → `Robot`.
+
+The order of the file is kept, because it has meaning. What every robot has (methods of variables, `Fault`) is added
+here. A robot with any error is not given at all: with an actuator or a method missing, its programs would mean
+something else.
+
+Left to others: what a device does with its settings (sim, drivers).
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from kitrobot.diagnostics import Diagnostic
+from kitrobot.lll import is_name
+from kitrobot.primitives import rules
+from kitrobot.primitives.automatic import FAULT, boolean_methods, comparison, fault_object, integer_methods
+from kitrobot.primitives.constructors_xml import icon
+from kitrobot.primitives.robot import (
+    LARGEST_VALUE,
+    Category,
+    Kind,
+    Method,
+    Parameter,
+    Robot,
+    RobotObject,
+    Texts,
+    ValueType,
+)
+from kitrobot.primitives.xml import TEXT, TEXTS, Reader
+from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, shown
+
+VERSION = 1
+"""The newest version of the format that is read."""
+
+TICK_MS = 20
+"""The period of a reaction when the file gives none."""
+
+LONGEST_TICK_MS = 1000
+"""The longest period of a reaction."""
+
+WAIT_UNIT_MS = 100
+"""The unit of WAIT when the file gives none."""
+
+LONGEST_WAIT_UNIT_MS = 10_000
+"""The longest unit of WAIT."""
+
+USUAL_MAXIMUM = 100
+"""The top of a range that gives none: the paper's numbers go from 0 to 100."""
+
+_IDENTIFIER = "a name of letters, digits and _"
+_ROBOT_NAME = re.compile(r"[^\W\d_][\w-]*")
+_HOLE = re.compile(r"\{([^}]*)\}")
+_WORD = re.compile(r"[A-Z]?[^A-Z]+|[A-Z]+(?![^A-Z])")
+_DEVICE = ("name", "device", "icon")
+_SENSOR = (*_DEVICE, "min", "max", "type")
+
+
+def read_robot(data: bytes, name: str) -> tuple[Robot | None, list[Diagnostic]]:
+    """Reads a robot's file; None when it has an error."""
+    reader = Reader(data, name)
+    root = reader.read({"robot": _ROBOT})
+    robots = root.found(Robot) if root is not None and not root.faulty else []
+    return (robots[0] if robots else None), reader.diagnostics
+
+
+def _range(element: Element, least: int = 0, most: int = USUAL_MAXIMUM) -> tuple[int, int]:
+    minimum = element.integer("min", -LARGEST_VALUE, LARGEST_VALUE, least)
+    maximum = element.integer("max", -LARGEST_VALUE, LARGEST_VALUE, most)
+    if minimum > maximum:
+        where = "min" if "min" in element.attributes else "max"
+        element.report(rules.RANGE, f"expected min at most max, found {minimum} and {maximum}", where)
+        return maximum, minimum
+    return minimum, maximum
+
+
+def _inside(element: Element, name: str, minimum: int, maximum: int, usual: int) -> int:
+    value = element.integer(name, -LARGEST_VALUE, LARGEST_VALUE, usual)
+    if not minimum <= value <= maximum:
+        element.report(rules.RANGE, f"expected {name} from {minimum} to {maximum}, found {value}", name)
+    return value
+
+
+def _truth(element: Element, name: str) -> int:
+    return int(element.choice(name, ("true", "false", "1", "0"), "false") in ("true", "1"))
+
+
+def _text(element: Element, kind: str) -> Texts:
+    return element.texts.get(kind, {})
+
+
+def _parameter(element: Element) -> Parameter:
+    name = element.matching("name", is_name, _IDENTIFIER)
+    if name in ("in", "next", "return"):
+        element.report(rules.BAD_VALUE, f"a parameter cannot be named {name}, a port of every vertex", "name")
+    made = Parameter(
+        name, 0, 1, 0, unit=element.optional("unit"), label=_text(element, "label"), help=_text(element, "help")
+    )
+    if element.choice("type", ("integer", "boolean"), "integer") == "boolean":
+        return replace(made, default=_truth(element, "default"), type=ValueType.BOOLEAN)
+    operation = element.parent
+    sensor = operation.parent if operation is not None and operation.name == "operation" else None
+    minimum, maximum = _range(element, *(_sensor_range(sensor) if sensor is not None else ()))
+    default = _inside(element, "default", minimum, maximum, max(minimum, min(0, maximum)))
+    return replace(made, minimum=minimum, maximum=maximum, default=default)
+
+
+def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
+    """What procedures and operations have in common."""
+    name = element.matching("name", is_name, _IDENTIFIER)
+    parameters = element.distinct(Parameter, lambda parameter: parameter.name, "parameter")
+    given = _text(element, "phrase")
+    holes = {"object", *(parameter.name for parameter in parameters)}
+    for text in given.values():
+        for hole in _HOLE.findall(text):
+            if hole not in holes:
+                help = did_you_mean(hole, holes)
+                element.report(
+                    rules.PHRASE, f"the phrase {shown(text)} has a hole {{{hole}}} that nothing fills", None, help
+                )
+    return Method(
+        name,
+        kind,
+        tuple(parameters),
+        icon=icon(element),
+        label=_text(element, "label"),
+        help=_text(element, "help"),
+        phrase=given or phrase,
+    )
+
+
+def _procedure(element: Element) -> Method:
+    later = element.choice("completes", ("now", "later"), "now") == "later"
+    return replace(_method(element, Kind.PROCEDURE, {}), completes_later=later, stop=element.attributes.get("stop"))
+
+
+def _operation(element: Element) -> Method:
+    count = len(element.found(Parameter))
+    if element.flag("value"):
+        for extra in ("test", "to"):
+            if extra in element.attributes:
+                element.report(rules.METHOD, f'expected no {extra} beside value="yes", found one', extra)
+        if count:
+            element.report(rules.METHOD, f"expected no parameter on a value, found {count}")
+        return _method(element, Kind.VALUE, {"": "{object}"})
+    test = element.choice("test", ("equal", "less", "greater"))
+    if ("to" in element.attributes) == bool(count) or count > 1:
+        found = f"{'to and ' if 'to' in element.attributes else ''}{count} parameters"
+        element.report(rules.METHOD, f"expected either to or one parameter on a test, found {found}")
+    if "to" not in element.attributes:
+        parameter = next((parameter.name for parameter in element.found(Parameter)), "value")
+        return replace(_method(element, Kind.TEST, comparison(test, f"{{{parameter}}}")), test=test)
+    least, most = _sensor_range(element.parent) if element.parent is not None else (0, 0)
+    to = _inside(element, "to", least, most, least)
+    words = " ".join(_WORD.findall(element.optional("name"))).lower()
+    return replace(_method(element, Kind.TEST, {"": f"{{object}} {words}"}), test=test, to=to)
+
+
+def _sensor_range(sensor: Element) -> tuple[int, int]:
+    """The range of the sensor around an operation, silently: the sensor itself reports what is wrong with it."""
+    if sensor.attributes.get("type") == "boolean":
+        return 0, 1
+    ends = [sensor.attributes.get("min", "0"), sensor.attributes.get("max", str(USUAL_MAXIMUM))]
+    numbers = [int(end) if re.fullmatch(r"[+-]?[0-9]{1,9}", end) else 0 for end in ends]
+    return min(numbers), max(numbers)
+
+
+def _device(element: Element, category: Category, known: tuple[str, ...]) -> RobotObject:
+    """What actuators and sensors have in common; attributes that are not ours are settings of the device."""
+    methods = element.distinct(Method, lambda method: method.name, "method")
+    return RobotObject(
+        _object_name(element),
+        category,
+        tuple(methods),
+        device=element.optional("device"),
+        settings={name: value for name, value in element.attributes.items() if name not in known},
+        icon=icon(element),
+        label=_text(element, "label"),
+        help=_text(element, "help"),
+    )
+
+
+def _object_name(element: Element) -> str:
+    name = element.matching("name", is_name, _IDENTIFIER)
+    if name == FAULT:
+        element.report(rules.DUPLICATE, f"every robot has a {FAULT} already", "name", "choose another name")
+    return name
+
+
+def _actuator(element: Element) -> RobotObject:
+    made = _device(element, Category.ACTUATOR, _DEVICE)
+    plain = {method.name for method in made.methods if not method.parameters}
+    for method, around in element.found_at(Method):
+        if method.stop is not None and method.stop not in plain:
+            message = f"expected in stop a procedure of {made.name} without parameters, found {shown(method.stop)}"
+            around.report(rules.STOP, message, "stop", did_you_mean(method.stop, plain))
+    return made
+
+
+def _sensor(element: Element) -> RobotObject:
+    made = _device(element, Category.SENSOR, _SENSOR)
+    if element.choice("type", ("integer", "boolean"), "integer") == "boolean":
+        return replace(made, type=ValueType.BOOLEAN, minimum=0, maximum=1)
+    minimum, maximum = _range(element)
+    return replace(made, minimum=minimum, maximum=maximum)
+
+
+def _variable(element: Element) -> RobotObject:
+    name = _object_name(element)
+    made = RobotObject(
+        name,
+        Category.VARIABLE,
+        (),
+        shared=element.flag("shared"),
+        icon=icon(element),
+        label=_text(element, "label"),
+        help=_text(element, "help"),
+    )
+    if element.choice("type", ("integer", "boolean"), "integer") == "boolean":
+        initial = _truth(element, "initial")
+        return replace(made, methods=boolean_methods(initial), type=ValueType.BOOLEAN, maximum=1, initial=initial)
+    minimum, maximum = _range(element)
+    initial = _inside(element, "initial", minimum, maximum, max(minimum, min(0, maximum)))
+    methods = integer_methods(minimum, maximum, initial)
+    return replace(made, methods=methods, minimum=minimum, maximum=maximum, initial=initial)
+
+
+def _robot(element: Element) -> Robot:
+    groups: dict[Category, list[RobotObject]] = {category: [] for category in Category}
+    calls: dict[tuple[str, str], str] = {}
+    for part, around in element.found_at(RobotObject):
+        group = groups[part.category]
+        if any(other.name == part.name for other in group):
+            around.report(rules.DUPLICATE, f"the {part.category} {shown(part.name)} is there already", "name")
+            continue
+        group.append(part)
+        for method in part.methods:
+            other = calls.setdefault((part.name, method.name), part.category.value)
+            if other != part.category:
+                message = f"{part.name}.{method.name} is a method of the {other} {part.name} already"
+                around.report(
+                    rules.DUPLICATE, message, "name", "an actuator and a sensor may share a name, not a method"
+                )
+    return Robot(
+        element.matching("name", _ROBOT_NAME.fullmatch, "a name of letters, digits, _ and -"),
+        tuple(groups[Category.ACTUATOR]),
+        tuple(groups[Category.SENSOR]),
+        tuple(groups[Category.VARIABLE]),
+        (fault_object(),),
+        tick_ms=element.integer("tick", 1, LONGEST_TICK_MS, TICK_MS),
+        wait_unit_ms=element.integer("wait-unit", 1, LONGEST_WAIT_UNIT_MS, WAIT_UNIT_MS),
+        label=_text(element, "label"),
+        help=_text(element, "help"),
+    )
+
+
+_PARAMETER = Tag(_parameter, ("name", "min", "max", "default", "unit", "type"), TEXTS)
+_METHOD_PARTS = {**TEXTS, "phrase": TEXT, "parameter": _PARAMETER}
+_PROCEDURE = Tag(_procedure, ("name", "completes", "stop", "icon"), _METHOD_PARTS)
+_OPERATION = Tag(_operation, ("name", "test", "to", "value", "icon"), _METHOD_PARTS)
+_ROBOT = Tag(
+    _robot,
+    ("name", "version", "tick", "wait-unit"),
+    {
+        **TEXTS,
+        "actuator": Tag(_actuator, _DEVICE, {**TEXTS, "procedure": _PROCEDURE}, free_attributes=True),
+        "sensor": Tag(_sensor, _SENSOR, {**TEXTS, "operation": _OPERATION}, free_attributes=True),
+        "variable": Tag(_variable, ("name", "type", "min", "max", "initial", "shared", "icon"), TEXTS),
+    },
+    open=lambda element: element.version(VERSION),
+)

@@ -1,0 +1,66 @@
+"""What a constructor's template says about itself: its holes, and whether it can be run backwards.
+
+A template that is one LLL construct around distinct holes and nothing else is the *inverse* for that construct: LLL
+of that shape becomes a vertex of that constructor. The shape of a node is its class and, for a conditional, whether
+it has an `orelse`. Both are read off the tree's classes, so no constructor is named here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields
+
+from kitrobot.lll import Call, Hole, Interrupt, Node, Parallel, Seq, children, nodes
+from kitrobot.primitives.constructors import Constructor, SlotKind
+
+Shape = tuple[type[Node], bool]
+"""Class of a node, and whether its optional part is there."""
+
+_NUMBER = (SlotKind.NUMBER,)
+_CONDITION = (SlotKind.CONDITION,)
+_FLOW = (SlotKind.FLOW,)
+_ACTION = (SlotKind.ACTION,)
+_PARAMETER = (SlotKind.NUMBER, SlotKind.VALUE, SlotKind.TEXT)
+_PLAIN = frozenset(("start", "end", "vertex", "above", "after", "method_start"))
+
+
+def holes(template: Node) -> Iterator[tuple[Hole, tuple[SlotKind, ...], bool]]:
+    """Every hole in reading order, the kinds of slot that may fill it, and whether it may stand for many bodies."""
+    branches: set[int] = set()
+    for node in nodes(template):
+        if isinstance(node, Parallel):
+            branches.update(map(id, node.branches))
+        if isinstance(node, Seq) and node.hole is not None:
+            yield node.hole, _FLOW, id(node) in branches
+        number = getattr(node, "count", None) or getattr(node, "duration", None)
+        if isinstance(number, Hole):
+            yield number, _NUMBER, False
+        fitting = _ACTION if isinstance(node, Interrupt) else _PARAMETER if isinstance(node, Call) else _CONDITION
+        for child in children(node):
+            if isinstance(child, Hole):
+                yield child, fitting, False
+
+
+def shape(node: Node) -> Shape:
+    """What decides which constructor an LLL construct becomes."""
+    return type(node), getattr(node, "orelse", None) is not None
+
+
+def inverse_shape(constructor: Constructor) -> Shape | None:
+    """The shape that this constructor's template is the inverse for, or None."""
+    template = constructor.template
+    if template is None or isinstance(template, Seq | Call) or getattr(template, "above", None):
+        return None
+    names: list[str] = []
+    for part in fields(template):
+        value = getattr(template, part.name)
+        if part.name in _PLAIN or value is None:
+            continue
+        for item in value if isinstance(value, list) else [value]:
+            hole = item.hole if isinstance(item, Seq) else item
+            if not isinstance(hole, Hole) or (isinstance(item, Seq) and (item.items or item.below)):
+                return None
+            names.append(hole.name)
+    if isinstance(template, Parallel) and [slot.repeat for slot in constructor.slots] != [True]:
+        return None
+    return shape(template) if len(set(names)) == len(names) else None

@@ -1,0 +1,73 @@
+"""What the XML parser says, in words a person can act on."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+_CLOSING = re.compile(r"</\s*([^\s>]{1,40})")
+_ENTITY = re.compile(r"&([^;\s]{1,40});?")
+_CUT_OFF = ("no element found", "unclosed token", "unclosed CDATA section", "partial character")
+_SENTENCES = {
+    "junk after document element": (
+        "expected the end of the file after the first element, found more",
+        "a file holds one element; everything else goes inside it",
+    ),
+    "duplicate attribute": ("an attribute is given twice in this tag", "keep one of the two"),
+    "XML or text declaration not at start of entity": (
+        "expected `<?xml …?>` only at the very start of the file, found it here",
+        "take away what stands before it",
+    ),
+}
+
+
+def explain(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> tuple[str, str]:
+    """A sentence and a help line for an error of the parser.
+
+    Args:
+        said: the parser's own words.
+        text: the whole file.
+        offset: where in it the parser stopped.
+        opened: name and line of every element that is open there, outermost first.
+    """
+    if said in _CUT_OFF:
+        return _cut_off(text, opened)
+    if said in _SENTENCES:
+        return _SENTENCES[said]
+    if said == "mismatched tag" and opened:
+        name, line = opened[-1]
+        found = _CLOSING.match(text, offset) or _CLOSING.search(text, max(0, offset - 2), offset + 60)
+        other = f"</{found.group(1)}>" if found else "another closing tag"
+        return (
+            f"expected </{name}> for the <{name}> of line {line}, found {other}",
+            "close elements in the order inside out",
+        )
+    if said == "undefined entity":
+        entity = _ENTITY.search(text, offset)
+        name = f"&{entity.group(1)};" if entity else "an entity"
+        return (
+            f"expected one of &lt; &gt; &amp; &quot; &apos; or &#number;, found {name}",
+            "write the character itself",
+        )
+    character = text[offset : offset + 1]
+    if said.startswith("not well-formed") and character:
+        if not character.isprintable() and character not in "\n\t":
+            return f"found the character U+{ord(character):04X}, which XML cannot hold", "take it away"
+        shown = "the end of the line" if character == "\n" else f"`{character}`"
+        return (
+            f"expected XML, found {shown} where it cannot stand",
+            "in text, write &lt; for `<` and &amp; for `&`; put attribute values in quotes",
+        )
+    return f"this is not well-formed XML: {said}", "every element is closed, every attribute value stands in quotes"
+
+
+def _cut_off(text: str, opened: Sequence[tuple[str, int]]) -> tuple[str, str]:
+    if not text.strip():
+        return "expected an XML element, found an empty file", ""
+    if not opened:
+        return "expected an XML element, found the end of the file", "the file may have been cut off"
+    name, line = opened[-1]
+    return (
+        f"expected </{name}> for the <{name}> of line {line}, found the end of the file",
+        "the file may have been cut off; take an older copy, or close what is open",
+    )
