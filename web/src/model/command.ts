@@ -13,6 +13,8 @@ export interface Command {
   revert: (mission: Mission) => Mission;
   /** Vertices to select afterwards; without it the selection stays as far as it still exists. */
   selects?: string[];
+  /** Commands with the same key that follow each other closely (a slider, a word) are taken back as one. */
+  joins?: string;
 }
 
 function withProgram(mission: Mission, name: string, program: Program): Mission {

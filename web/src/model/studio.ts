@@ -15,7 +15,11 @@ interface Done {
   /** The selection and the program in view before the command, for undo. */
   selection: string[];
   program: string;
+  at_ms: number;
 }
+
+/** Joining commands further apart than this are steps of their own. */
+const JOIN_MS = 1500;
 
 interface File {
   path: string;
@@ -45,7 +49,8 @@ export interface StudioState {
   select: (ids: string[]) => void;
   setActiveProgram: (name: string) => void;
   setReport: (report: Report | null) => void;
-  markSaved: (path: string, revision: string, name?: string) => void;
+  /** `saving` is the mission that was written, in case it has changed meanwhile. */
+  markSaved: (path: string, revision: string, name?: string, saving?: Mission) => void;
   loadParts: (catalogue: Catalogue) => void;
 }
 
@@ -119,7 +124,14 @@ export const useStudio = create<StudioState>((set, get) => {
       const after = command.execute(mission);
       if (after === mission) return;
       if (saved > past.length) saved = -1;
-      past.push({ command, selection, program: activeProgram });
+      const now = Date.now();
+      const last = past.at(-1);
+      const joins = command.joins !== undefined && command.joins === last?.command.joins && future.length === 0;
+      if (joins && saved !== past.length && now - last.at_ms < JOIN_MS) {
+        past[past.length - 1] = { ...last, command: { ...command, revert: last.command.revert }, at_ms: now };
+      } else {
+        past.push({ command, selection, program: activeProgram, at_ms: now });
+      }
       future = [];
       set(place(after, activeProgram, command.selects ?? selection));
     },
@@ -154,8 +166,8 @@ export const useStudio = create<StudioState>((set, get) => {
       set({ report });
     },
 
-    markSaved: (path, revision, name) => {
-      saved = past.length;
+    markSaved: (path, revision, name, saving) => {
+      saved = saving === undefined || saving === get().mission ? past.length : -1;
       set({ file: { path, revision, name: name ?? path.split("/").at(-1) ?? path }, ...stacks() });
     },
 

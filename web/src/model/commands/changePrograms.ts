@@ -1,0 +1,47 @@
+/** Adds, renames and removes whole programs of the mission. Agents follow a renamed program. */
+import type { Command } from "../command";
+import type { Mission, Program } from "../types";
+
+/** The paper's smallest graph: Start, then Stop. */
+export function emptyProgram(name: string, robot: string): Program {
+  return {
+    name,
+    robot,
+    vertices: [
+      { id: "start", element: "Start", settings: {}, notes: [] },
+      { id: "stop", element: "Stop", settings: {}, notes: [] },
+    ],
+    arcs: [{ source: "start", target: "stop", out: "next", at: "in" }],
+  };
+}
+
+function between(label: string, before: Mission, after: Mission): Command {
+  return { label, execute: () => after, revert: () => before };
+}
+
+/** A new, empty program at the end, or null when the name is taken or empty. */
+export function addProgram(mission: Mission, name: string, robot: string): Command | null {
+  if (name === "" || mission.programs.some((one) => one.name === name)) return null;
+  return between(`Add ${name}`, mission, { ...mission, programs: [...mission.programs, emptyProgram(name, robot)] });
+}
+
+/** The program under another name, its agents with it, or null when that name is taken or empty. */
+export function renameProgram(mission: Mission, name: string, to: string): Command | null {
+  if (to === "" || mission.programs.some((one) => one.name === to)) return null;
+  if (!mission.programs.some((one) => one.name === name)) return null;
+  return between(`Rename ${name}`, mission, {
+    ...mission,
+    programs: mission.programs.map((one) => (one.name === name ? { ...one, name: to } : one)),
+    agents: mission.agents.map((one) => (one.program === name ? { ...one, program: to } : one)),
+  });
+}
+
+/** Without that program and its agents, or null when it is the only one. */
+export function removeProgram(mission: Mission, name: string): Command | null {
+  if (mission.programs.length <= 1 || !mission.programs.some((one) => one.name === name)) return null;
+  return between(`Remove ${name}`, mission, {
+    ...mission,
+    programs: mission.programs.filter((one) => one.name !== name),
+    agents: mission.agents.filter((one) => one.program !== name),
+  });
+}

@@ -1,0 +1,21 @@
+/** Types a value into a field of a vertex; steps of one drag or one word join into a single undo. */
+import { type Command, replaceProgram } from "../command";
+import type { Parts } from "../parts";
+import type { Program } from "../types";
+
+/** The command, or null when that is the value already. */
+export function setField(program: Program, parts: Parts, id: string, name: string, value: string): Command | null {
+  const vertex = program.vertices.find((one) => one.id === id);
+  if (vertex === undefined || vertex.settings[name] === value) return null;
+  const changed = { ...vertex, settings: inOrder({ ...vertex.settings, [name]: value }, parts, vertex.element) };
+  const after = { ...program, vertices: program.vertices.map((one) => (one === vertex ? changed : one)) };
+  return { ...replaceProgram(`Set ${name}`, program, after), joins: `set ${program.name} ${id} ${name}` };
+}
+
+/** Settings in the order of the element's fields, so that the file does not depend on the order of typing. */
+function inOrder(settings: Record<string, string>, parts: Parts, element: string): Record<string, string> {
+  const fields = parts.shape(element).fields.map((field) => field.name);
+  const known = fields.filter((name) => name in settings);
+  const rest = Object.keys(settings).filter((name) => !fields.includes(name));
+  return Object.fromEntries([...known, ...rest].map((name) => [name, settings[name] ?? ""]));
+}
