@@ -3,8 +3,8 @@
 A chunk is a run of records that can be read without any other. Whole numbers are varints (seven bits a byte, low first,
 the high bit says more follow); signed ones are folded first (0, -1, 1, -2, … → 0, 1, 2, 3, …). A record is
 
-    ticks since the record before · n · n × (columns skipped, change) · m · m × (agent, threads · (slot, instruction) each)
-    · commands · events
+    ticks since the record before · n · n × (columns skipped, change)
+    · m · m × (agent, threads, (slot, instruction) each) · commands · events
 
 where the first record of a chunk is a change from all zeros and no threads. Texts are a length and UTF-8.
 """

@@ -1,12 +1,12 @@
-"""The `.krtrace` file: a header, then chunks, each whole in itself, then the outcome.
+r"""The `.krtrace` file: a header, then chunks, each whole in itself, then the outcome.
 
-    KRTRACE\\n · u16 version · u32 length · u32 CRC-32 · header (JSON)
-    KRCH · u32 first tick · u32 last tick · u32 records · u32 raw length · u32 packed length · u32 CRC-32 · packed (zlib)
+    KRTRACE\n · u16 version · u32 length · u32 CRC-32 · header (JSON)
+    KRCH · u32 first tick, last tick, records, raw length, packed length, CRC-32 · packed (zlib)
     …
     KREN · u32 length · u32 CRC-32 · outcome (JSON)
 
-All integers are little-endian. A chunk is written and flushed as a whole, so a file that was cut anywhere reads up to its
-last whole chunk; the index is found by hopping over chunk heads. Same records, same bytes.
+All integers are little-endian. A chunk is written and flushed as a whole, so a file that was cut anywhere reads up to
+its last whole chunk; the index is found by hopping over chunk heads. Same records, same bytes.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def _json(data: Any) -> bytes:
 
 
 class TraceWriter:
-    """Writes a trace as the run goes; a context manager. Each full chunk is on its way to the disk before the next begins.
+    """Writes a trace as the run goes; a context manager. Each full chunk is written before the next begins.
 
     Raises:
         TraceError: the file cannot be made or written.

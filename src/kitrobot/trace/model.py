@@ -1,8 +1,8 @@
 """What happened, tick by tick: the values that every watcher of a run reads.
 
-A run is a `TraceHeader` (who takes part, what the numbers mean) and one `TickRecord` a tick. All numbers of a tick stand in
-one flat list of whole numbers, one for each `Column` of the header, so that a record is compared and stored fast; a
-column's `scale` turns a number back into its unit (0.1: tenths). Nothing in here comes from a clock on the wall.
+A run is a `TraceHeader` (who takes part, what the numbers mean) and one `TickRecord` a tick. All numbers of a tick
+stand in one flat list of whole numbers, one for each `Column` of the header, so that a record is compared and stored
+fast; a column's `scale` turns a number back into its unit (0.1: tenths). Nothing here comes from a clock on the wall.
 
 Left to others: bytes (coding, writer, reader), and who produced it.
 """
@@ -95,7 +95,7 @@ class TraceCommand:
 
 @dataclass(frozen=True)
 class TraceEvent:
-    """Something that happened at one moment: load, unload, message, collision, end. `agent` is -1 for the whole team."""
+    """What happened at one moment: load, unload, message, collision, end. `agent` is -1 for the whole team."""
 
     kind: str
     agent: int

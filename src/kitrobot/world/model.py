@@ -1,0 +1,186 @@
+"""A world: its size, walls, coloured lines, roads cut into numbered sections, docks, storehouses and starts.
+
+Frozen values, in the order of the file, in mm and radians; x goes right, y goes up, heading 0 looks along +x and grows
+counter-clockwise. A world made by `read_world` holds: names are unique a kind, every road has a sampled line, sections
+cover their road without gap or overlap, docks lie on their road, what is named exists, nobody starts outside or in a
+wall. A world made by hand in Python holds what its maker made sure of.
+
+Left to others: motion, and what the stock becomes during a run (sim).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from kitrobot.primitives import Texts
+from kitrobot.world.geometry import Corner, Polyline, Pose, normalised, polyline
+
+ARM_CLEARANCE_MM = 40.0
+"""How far from the edge of the road someone who starts at a dock stands."""
+
+LOAD = "load"
+UNLOAD = "unload"
+LEFT = "left"
+RIGHT = "right"
+
+COLOURS = {"red": 1, "green": 2, "blue": 3}
+"""What a colour sensor reads above a line; 0 beside them."""
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A straight wall without thickness."""
+
+    x1_mm: float
+    y1_mm: float
+    x2_mm: float
+    y2_mm: float
+
+
+@dataclass(frozen=True)
+class ColouredLine:
+    """A line on the floor; `colour` is a key of `COLOURS`."""
+
+    colour: str
+    width_mm: float
+    corners: tuple[Corner, ...]
+    closed: bool = False
+
+    @cached_property
+    def line(self) -> Polyline:
+        """Its sampled middle."""
+        return polyline(self.corners, self.closed)
+
+
+@dataclass(frozen=True)
+class Section:
+    """A stretch of a road with the number its signs show."""
+
+    sign: int
+    from_mm: float
+    to_mm: float
+
+
+@dataclass(frozen=True)
+class Road:
+    """A guided way through `corners`, rounded where they have a radius; mm along are counted from the first."""
+
+    name: str
+    width_mm: float
+    closed: bool
+    corners: tuple[Corner, ...]
+    sections: tuple[Section, ...] = ()
+
+    @cached_property
+    def line(self) -> Polyline:
+        """Its sampled middle."""
+        return polyline(self.corners, self.closed)
+
+    def section_at(self, at_mm: float) -> Section | None:
+        """The section so many mm along; None on a road without sections."""
+        at_mm = self.line.wrapped(at_mm)
+        for section in reversed(self.sections):
+            if at_mm >= section.from_mm:
+                return section
+        return self.sections[0] if self.sections else None
+
+
+@dataclass(frozen=True)
+class Dock:
+    """Where a carrier stands to be loaded or unloaded: within `reach_mm` of `at_mm` along its road."""
+
+    name: str
+    road: str
+    at_mm: float
+    reach_mm: float
+    storehouse: str
+    kind: str
+    side: str = LEFT
+
+
+@dataclass(frozen=True)
+class Storehouse:
+    """A rectangle (x, y: its lower left corner) with room for `capacity` boxes, `stock` of them there at the start."""
+
+    name: str
+    x_mm: float
+    y_mm: float
+    width_mm: float
+    height_mm: float
+    capacity: int
+    stock: int
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where an agent starts: on a road, at a dock, in a storehouse, or at a pose; exactly one of them."""
+
+    name: str
+    road: str = ""
+    at_mm: float = 0.0
+    dock: str = ""
+    storehouse: str = ""
+    pose: Pose | None = None
+
+
+@dataclass(frozen=True)
+class World:
+    """A whole world."""
+
+    name: str
+    width_mm: float
+    height_mm: float
+    walls: tuple[Wall, ...] = ()
+    lines: tuple[ColouredLine, ...] = ()
+    roads: tuple[Road, ...] = ()
+    docks: tuple[Dock, ...] = ()
+    storehouses: tuple[Storehouse, ...] = ()
+    starts: tuple[Start, ...] = ()
+    label: Texts = field(default_factory=dict)
+    help: Texts = field(default_factory=dict)
+
+    def road(self, name: str) -> Road | None:
+        """The road of that name, or None."""
+        return next((road for road in self.roads if road.name == name), None)
+
+    def dock(self, name: str) -> Dock | None:
+        """The dock of that name, or None."""
+        return next((dock for dock in self.docks if dock.name == name), None)
+
+    def storehouse(self, name: str) -> Storehouse | None:
+        """The storehouse of that name, or None."""
+        return next((house for house in self.storehouses if house.name == name), None)
+
+    def start(self, name: str) -> Start | None:
+        """The start of that name, or None."""
+        return next((start for start in self.starts if start.name == name), None)
+
+    def dock_pose(self, dock: Dock) -> Pose:
+        """Where a carrier stands in the dock, and where it looks."""
+        road = self.road(dock.road)
+        assert road is not None, f"the dock {dock.name} is on no road"
+        return road.line.pose_at(dock.at_mm)
+
+    def start_pose(self, start: Start) -> Pose:
+        """Where an agent with this start stands: beside its dock, looking at it, or in the middle of its storehouse."""
+        if start.pose is not None:
+            return start.pose
+        if start.dock:
+            dock = self.dock(start.dock)
+            assert dock is not None, f"the start {start.name} is at no dock"
+            road = self.road(dock.road)
+            assert road is not None, f"the dock {dock.name} is on no road"
+            pose = self.dock_pose(dock)
+            across = pose.heading_rad + (math.pi / 2 if dock.side == LEFT else -math.pi / 2)
+            away = road.width_mm / 2 + ARM_CLEARANCE_MM
+            x_mm, y_mm = pose.x_mm + away * math.cos(across), pose.y_mm + away * math.sin(across)
+            return Pose(x_mm, y_mm, normalised(across + math.pi))
+        if start.storehouse:
+            house = self.storehouse(start.storehouse)
+            assert house is not None, f"the start {start.name} is in no storehouse"
+            return Pose(house.x_mm + house.width_mm / 2, house.y_mm + house.height_mm / 2, 0.0)
+        road = self.road(start.road)
+        assert road is not None, f"the start {start.name} is on no road"
+        return road.line.pose_at(start.at_mm)
