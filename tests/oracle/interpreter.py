@@ -18,11 +18,11 @@ Readings, where the definition leaves room:
 4.  Branches are counted as they stand in the text, whether they are still running or not. A branch that holds nothing
     does not exist (the parser drops it).
 5.  A stop gives way when the command that would win its actuator was posted in this tick by a thread of another slot
-    than the one of the marked action, be that an outer, an inner or a neighbouring branch, and be it marked or not, also when that
-    branch is itself ended or abandoned in this tick. The slot's own commands never protect. Stops do not protect from stops.
-6.  Where two stops meet on one actuator the last wins, and their order is: an outer parallel before an inner
-    one; in a parallel by slot; in a slot in the order in which the marked actions were started for the last time. It
-    shows only on a robot with several stop procedures for one actuator.
+    than the one of the marked action: an outer, an inner or a neighbouring branch, its command marked or not, itself
+    ended or abandoned in this tick or not. The slot's own commands never protect. Stops do not protect from stops.
+6.  Where two stops meet on one actuator the last wins, and their order is: an outer parallel before an inner one; in a
+    parallel by slot; in a slot in the order in which the marked actions were started for the last time. It shows only
+    on a robot with several stop procedures for one actuator.
 7.  A marked action that is `later` and has already been done is stopped all the same: the rule says "each".
 8.  A marked action of a variable, or a marked operation, marks the branch and has nothing to stop.
 9.  Clamping an input to its sensor's range does not raise the fault; only variables and procedures do.

@@ -1,4 +1,4 @@
-"""Which loops give up the tick at their back edge: the row "passes" of the language's meaning table, as a static analysis.
+"""Which loops give up the tick at their back edge: the row "passes" of the meaning table, as a static analysis.
 
 A way through a body is told by two facts: how it leaves (at the end of the body, or by BREAK) and whether it surely
 blocked on the way. `ways` gives the set of all of them; the conditions are not looked at, both sides are possible. A
@@ -46,7 +46,7 @@ def ways(node: Instr | Seq, robot: Robot) -> set[Way]:
             # The condition may hold at once, so the waiting itself is not sure to block.
             return ways(node.body, robot)
         case Repeat():
-            # Left at its end or by its own BREAK, the loop is simply over; a back edge that costs a tick does not count.
+            # Left at its end or by its own BREAK, the loop is over; a back edge that costs a tick does not count.
             return {THROUGH} if node.count == 0 else {Way(False, way.blocked) for way in ways(node.body, robot)}
         case While():
             # No pass at all is one of its ways.

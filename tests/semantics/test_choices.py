@@ -20,7 +20,12 @@ CHOICES = [
         {0: "Light.LightOn() Switch.SwitchOn()"},
         ended=0,
     ),
-    Fact("[c] may have one side only", "[Button.IsPressed()](Wheel.Advance(1)); Light.LightOn();", {0: "Light.LightOn()"}, 0),
+    Fact(
+        "[c] may have one side only",
+        "[Button.IsPressed()](Wheel.Advance(1)); Light.LightOn();",
+        {0: "Light.LightOn()"},
+        0,
+    ),
     Fact(
         "[c] tests once, now: what changes later does not matter",
         "[Button.IsPressed()](WAIT(1); Wheel.Advance(1))!(Light.LightOn());",

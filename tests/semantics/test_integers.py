@@ -120,7 +120,8 @@ FACTS = [
     Fact("true and false are 1 and 0", "Flag.Set(1); Run.Set(0);", ended=0, variables={0: {"Flag": 1, "Run": 0}}),
     Fact(
         "the fault is seen at once and stays until it is cleared",
-        "Level.Add(51); [Fault.IsRaised()](Light.LightOn()); WAIT(0); Fault.Clear(); [Fault.IsRaised()](Light.LightOn());",
+        "Level.Add(51); [Fault.IsRaised()](Light.LightOn()); WAIT(0);"
+        "Fault.Clear(); [Fault.IsRaised()](Light.LightOn());",
         {0: "Light.LightOn()"},
         ended=1,
         faults=range(1),
@@ -131,7 +132,9 @@ FACTS = [
         ended=0,
         variables={0: {"Level": 100}},
     ),
-    Fact("clearing a fault that is not raised does nothing", "Fault.Clear(); Light.LightOn();", {0: "Light.LightOn()"}, 0),
+    Fact(
+        "clearing a fault that is not raised does nothing", "Fault.Clear(); Light.LightOn();", {0: "Light.LightOn()"}, 0
+    ),
     Fact(
         "each parameter goes to its own place",
         "Motor.AbsoluteTurn(Count.Value(), Level.Value());",

@@ -194,7 +194,9 @@ BREAKS = [
         {0: "Wheel.Advance(1) Light.LightOn()"},
         ended=0,
     ),
-    Fact("BREAK with no loop ends the program", "Wheel.Advance(1); BREAK; Light.LightOn();", {0: "Wheel.Advance(1)"}, 0),
+    Fact(
+        "BREAK with no loop ends the program", "Wheel.Advance(1); BREAK; Light.LightOn();", {0: "Wheel.Advance(1)"}, 0
+    ),
     Fact(
         "BREAK leaves the loop from inside a conditional and an event",
         "*[Run.IsTrue()](<Button.IsPressed()>([Run.IsTrue()](BREAK)); Wheel.Advance(1)); Light.LightOn();",

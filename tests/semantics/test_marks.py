@@ -137,7 +137,10 @@ STOPPED = [
     Fact(
         "each marked action gets its own stop",
         "//( WAIT(1), °Wheel.Advance(1)°; °Light.LightOn()°; °Switch.SwitchOn()° );",
-        {0: "Wheel.Advance(1) Light.LightOn() Switch.SwitchOn()", 5: "Wheel.Stop() Light.LightOff() Switch.SwitchOff()"},
+        {
+            0: "Wheel.Advance(1) Light.LightOn() Switch.SwitchOn()",
+            5: "Wheel.Stop() Light.LightOff() Switch.SwitchOff()",
+        },
         ended=6,
     ),
     Fact(

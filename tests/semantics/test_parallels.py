@@ -57,7 +57,7 @@ FACTS = [
     Fact(
         "slots are in reading order: what is nested in a branch runs before the next branch",
         "//( //(Count.Set(5), WAIT(0)), Level.Set(Count.Value()) );",
-        ended=2,
+        ended=3,
         variables={0: {"Count": 5, "Level": 5}},
     ),
     Fact(

@@ -1,4 +1,4 @@
-"""Random robots, programs and input scripts, from any `random.Random`: a seeded one for volume, Hypothesis' for shrinking."""
+"""Random robots, programs and inputs, from any `random.Random`: a seeded one for volume, Hypothesis' for shrinking."""
 
 from tests.strategies.inputs import TickInputs, random_script
 from tests.strategies.programs import Shape, random_program

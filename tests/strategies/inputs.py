@@ -40,6 +40,4 @@ def random_script(rng: random.Random, robot: Robot, ticks: int) -> list[TickInpu
 
 def has_done(robot: Robot, actuator: str) -> bool:
     """Whether something of this actuator completes later, so that it has a done flag."""
-    return any(
-        method.completes_later for part in robot.actuators if part.name == actuator for method in part.methods
-    )
+    return any(method.completes_later for part in robot.actuators if part.name == actuator for method in part.methods)

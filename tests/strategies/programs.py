@@ -10,7 +10,9 @@ What is left out: what the checker calls an error (a test where a value is neede
 
 from __future__ import annotations
 
+import copy
 import random
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from kitrobot.lll import (
@@ -35,7 +37,8 @@ from kitrobot.lll import (
 )
 from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
 
-Callable = tuple[RobotObject, Method]
+Meaning = tuple[RobotObject, Method]
+Maker = Callable[[int, bool, bool], Instr]
 
 
 @dataclass(frozen=True)
@@ -58,16 +61,19 @@ class _Maker:
         self.shape = shape
         self.left = rng.randint(1, shape.instructions)
         calls = list(robot.calls.values())
-        self.devices = [call for call in calls if call[0].category is Category.ACTUATOR]
-        self.changes = [call for call in calls if call[1].kind is Kind.PROCEDURE and call not in self.devices]
         self.tests = [call for call in calls if call[1].kind is Kind.TEST]
         self.values = [call for call in calls if call[1].kind is Kind.VALUE]
+        procedures = [call for call in calls if call[1].kind is Kind.PROCEDURE and self.can_be_written(call)]
+        self.devices = [call for call in procedures if call[0].category is Category.ACTUATOR]
+        self.changes = [call for call in procedures if call[0].category is not Category.ACTUATOR]
         self.favourite = rng.choice(self.devices)[0] if self.devices and rng.random() < 0.6 else None
 
     def program(self) -> Seq:
-        seq = self.seq(0, in_loop=False, in_parallel=False, least=0)
-        while self.left > 0 and self.rng.random() < 0.9:
+        seq = Seq()
+        while self.left > 0:
             seq.items += self.seq(0, in_loop=False, in_parallel=False, least=1).items
+        if self.rng.random() < 0.3:
+            return Seq([While(self.always(), seq)])
         return seq
 
     # ---- bodies -----------------------------------------------------------------------------------------
@@ -83,18 +89,19 @@ class _Maker:
     def instruction(self, depth: int, in_loop: bool, in_parallel: bool) -> Instr:
         self.left -= 1
         nested = 3 if depth < self.shape.depth and self.left > 0 else 0
-        makers = {
+        makers: dict[Maker, float] = {
             self.action: 7,
             self.marked: 4 if in_parallel else 0.4,
             self.wait: 4,
-            self.leave: 3 if in_loop else 0.7,
-            self.observe: 0.3,
+            self.leave: 3 if in_loop else 1 if in_parallel else 0.1,
+            self.observe: 0.2,
+            self.repeat: nested,
+            self.loop: nested,
+            self.choice: nested,
+            self.event: nested * 0.7,
+            self.parallel: nested * 1.5,
         }
-        compounds = {self.repeat: nested, self.loop: nested, self.choice: nested, self.event: nested * 0.7}
-        kind = self.rng.choices(
-            [*makers, *compounds, self.parallel], [*makers.values(), *compounds.values(), nested * 1.5]
-        )[0]
-        node: Instr = kind(depth + 1, in_loop, in_parallel)
+        node = self.rng.choices(list(makers), list(makers.values()))[0](depth + 1, in_loop, in_parallel)
         if self.shape.comments:
             if self.rng.random() < 0.1:
                 node.above = self.some_comments()
@@ -127,7 +134,8 @@ class _Maker:
         return Repeat(count, self.seq(depth, in_loop=True, in_parallel=in_parallel, least=0))
 
     def loop(self, depth: int, in_loop: bool, in_parallel: bool) -> Instr:
-        return While(self.condition(depth), self.seq(depth, in_loop=True, in_parallel=in_parallel, least=0))
+        condition = self.always() if self.rng.random() < 0.4 else self.condition(depth)
+        return While(condition, self.seq(depth, in_loop=True, in_parallel=in_parallel, least=0))
 
     def choice(self, depth: int, in_loop: bool, in_parallel: bool) -> Instr:
         condition = self.condition(depth)
@@ -147,31 +155,42 @@ class _Maker:
             branch.items.insert(self.rng.randint(0, len(branch.items)), self.marked())
         return Parallel(branches)
 
+    def always(self) -> Condition:
+        """A condition that holds, which the compiler cannot know: otherwise most programs would end at once."""
+        test = self.rng.choice(self.tests)
+        return Or(raised := self.call(test), Not(copy.deepcopy(raised)))
+
     # ---- calls ------------------------------------------------------------------------------------------
 
     def condition(self, depth: int) -> Condition:
         if depth < self.shape.depth and self.rng.random() < 0.25:
-            kind = self.rng.choice((And, Or, Not))
-            if kind is Not:
+            kind = self.rng.choice((And, Or, None))
+            if kind is None:
                 return Not(self.condition(depth + 1))
             return kind(self.condition(depth + 1), self.condition(depth + 1))
         return self.call(self.rng.choice(self.tests))
 
-    def call(self, what: Callable, nesting: int = 0) -> Call:
+    def call(self, what: Meaning, nesting: int = 0) -> Call:
         part, method = what
         return Call(part.name, method.name, [self.param(what, given, nesting) for given in method.parameters])
 
-    def param(self, what: Callable, parameter: Parameter, nesting: int) -> Param:
-        if nesting < 3 and self.rng.random() < 0.3:
-            wanted = self.tests if parameter.type is ValueType.BOOLEAN else self.values
-            if wanted:
-                return self.call(self.rng.choice(wanted), nesting + 1)
+    def can_be_written(self, what: Meaning) -> bool:
+        """Numbers in a program have no sign: for a range below 0 there must be a value to give."""
+        return bool(self.values) or all(given.maximum >= 0 for given in what[1].parameters)
+
+    def param(self, what: Meaning, parameter: Parameter, nesting: int) -> Param:
+        wanted = self.tests if parameter.type is ValueType.BOOLEAN else self.values
+        if wanted and ((nesting < 3 and self.rng.random() < 0.3) or self.only_negative(what, parameter)):
+            return self.call(self.rng.choice(wanted), nesting + 1)
         numbers = near(self.rng, parameter.minimum, parameter.maximum)
         if what[1].kind is Kind.TEST:
             # What a test compares with is usually near the range of the object it looks at, and may be anything.
             numbers = [*near(self.rng, what[0].minimum, what[0].maximum), self.rng.choice((0, MAX_NUMBER))]
         written = [number for number in numbers if 0 <= number <= MAX_NUMBER]
-        return Number(self.rng.choice(written) if written else max(0, parameter.minimum))
+        return Number(self.rng.choice(written or [min(max(parameter.maximum, 0), MAX_NUMBER)]))
+
+    def only_negative(self, what: Meaning, parameter: Parameter) -> bool:
+        return parameter.maximum < 0 and what[1].kind is not Kind.TEST
 
     def some_comments(self) -> list[str]:
         words = ("", "slowly", "# twice", "wait; then go(", " indented", "Größe °", "WAIT(1)", "a, b")

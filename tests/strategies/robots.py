@@ -1,4 +1,4 @@
-"""Random robots, as XML that the reader must accept: few objects, odd ranges, odd ticks, later procedures, several stops."""
+"""Random robots, as XML that the reader must accept: odd ranges, odd ticks, later procedures, several stops."""
 
 from __future__ import annotations
 
