@@ -205,7 +205,9 @@ class _Printer:
         node.start = self.at
         node.method_start = self.at + len(node.object) + 1
         params = node.params
-        if not params:
+        if not node.object:
+            self.write("")  # a place that nothing fills yet
+        elif not params:
             self.write(f"{node.object}.{node.method}()")
         elif len(params) == 1 and isinstance(number := params[0], Number):
             text = f"{node.object}.{node.method}({number.value})"

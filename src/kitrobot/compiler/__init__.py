@@ -1,0 +1,17 @@
+"""Translations: graph → LLL, LLL → graph, LLL → three-address code → image; and the check of a program's names."""
+
+from kitrobot.compiler.checker import check
+from kitrobot.compiler.compilation import Compiled, compile_lll, compile_program, compile_text
+from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+
+__all__ = [
+    "Compiled",
+    "Translation",
+    "check",
+    "compile_lll",
+    "compile_program",
+    "compile_text",
+    "graph_to_lll",
+    "lll_to_graph",
+]

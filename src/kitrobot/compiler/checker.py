@@ -1,0 +1,279 @@
+"""What a program's names mean for a robot, and what is wrong or odd about it.
+
+Every call is looked up in the robot's definition; every mistake is reported, none stops the reading. What could not be
+read (an empty `object`) was reported by the parser and is passed over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from kitrobot.compiler import rules
+from kitrobot.compiler.flow import FlowAnalysis
+from kitrobot.diagnostics import Diagnostic, Rule, Source
+from kitrobot.lll import (
+    And,
+    Break,
+    Call,
+    Condition,
+    Conditional,
+    Event,
+    Instr,
+    Interrupt,
+    Node,
+    Not,
+    Number,
+    Or,
+    Parallel,
+    Repeat,
+    Seq,
+    While,
+)
+from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType, did_you_mean
+
+
+def check(program: Seq, robot: Robot, source: Source, program_name: str = "") -> list[Diagnostic]:
+    """All that is wrong or odd about a program for a robot, in reading order.
+
+    `source` is the text the nodes' places point into; `program_name` is set on each diagnostic.
+    """
+    checker = _Checker(robot, source, program_name)
+    checker.seq(program, in_loop=False, in_parallel=False)
+    return sorted(checker.found, key=lambda item: (item.place.line, item.place.column) if item.place else (0, 0))
+
+
+def suggestion(name: str, known: Iterable[str]) -> str:
+    """A help sentence that names the most similar known name, or lists what there is."""
+    names = sorted(set(known))
+    return did_you_mean(name, names) or (
+        f"there is {', '.join(names[:8])}{' …' if len(names) > 8 else ''}" if names else ""
+    )
+
+
+class _Checker:
+    def __init__(self, robot: Robot, source: Source, program_name: str) -> None:
+        self.robot = robot
+        self.source = source
+        self.program_name = program_name
+        self.flow = FlowAnalysis(robot)
+        self.found: list[Diagnostic] = []
+
+    def report(self, rule: Rule, message: str, node: Node, help: str = "", start: int | None = None) -> None:
+        place = self.source.place(node.start if start is None else start, node.end)
+        vertices = (node.vertex,) if node.vertex else ()
+        self.found.append(rule(message, place, help=help, program=self.program_name, vertices=vertices))
+
+    # -- instructions
+
+    def seq(self, seq: Seq, *, in_loop: bool, in_parallel: bool) -> None:
+        reachable = True
+        for node in seq.items:
+            if not reachable:
+                self.report(rules.NEVER_RUNS, "this can never run: what stands before it never goes on", node)
+            self.instruction(node, in_loop, in_parallel)
+            reachable = reachable is not True or self.flow.instruction(node).goes_on
+
+    def instruction(self, node: Instr, in_loop: bool, in_parallel: bool) -> None:
+        match node:
+            case Call():
+                self.action(node)
+            case Interrupt():
+                if not in_parallel:
+                    self.report(
+                        rules.MARK_OUTSIDE_PARALLEL,
+                        "the mark ° does nothing outside a parallel",
+                        node,
+                        "take the ° away, or put the action into a branch",
+                    )
+                if isinstance(node.call, Call):
+                    self.action(node.call)
+            case Repeat():
+                if node.count == 0 and node.body.items:
+                    self.report(rules.NEVER_RUNS, "a loop of 0 times never runs its body", node.body.items[0])
+                self.seq(node.body, in_loop=True, in_parallel=in_parallel)
+            case While():
+                self.condition(node.condition)
+                self.seq(node.body, in_loop=True, in_parallel=in_parallel)
+            case Conditional():
+                self.condition(node.condition)
+                self.seq(node.then, in_loop=in_loop, in_parallel=in_parallel)
+                if node.orelse is not None:
+                    self.seq(node.orelse, in_loop=in_loop, in_parallel=in_parallel)
+            case Event():
+                self.condition(node.condition)
+                self.seq(node.body, in_loop=in_loop, in_parallel=in_parallel)
+            case Parallel():
+                for branch in node.branches:
+                    self.seq(branch, in_loop=False, in_parallel=True)
+                self.shared_actuators(node)
+            case Break():
+                if not in_loop:
+                    what = "branch" if in_parallel else "program"
+                    self.report(rules.BREAK_OUTSIDE_LOOP, f"BREAK stands in no loop, so it ends the {what}", node)
+
+    def action(self, call: Call) -> None:
+        meaning = self.meaning(call)
+        if meaning is None:
+            return
+        if meaning[1].kind is not Kind.PROCEDURE:
+            self.report(
+                rules.VALUE_AS_INSTRUCTION,
+                f"`{call.object}.{call.method}` only reads something, so as an instruction it does nothing",
+                call,
+                "use it in a condition or as a parameter",
+            )
+
+    def shared_actuators(self, node: Parallel) -> None:
+        first_branch: dict[str, int] = {}
+        told: set[str] = set()
+        for index, branch in enumerate(node.branches):
+            for call in _calls(branch):
+                meaning = self.robot.calls.get((call.object, call.method))
+                if meaning is None or meaning[0].category is not Category.ACTUATOR:
+                    continue
+                if first_branch.setdefault(call.object, index) != index and call.object not in told:
+                    told.add(call.object)
+                    self.report(
+                        rules.SHARED_ACTUATOR,
+                        f"`{call.object}` is driven by two branches of one parallel; in one tick the last of them wins",
+                        call,
+                    )
+
+    # -- conditions and parameters
+
+    def condition(self, node: Condition) -> None:
+        match node:
+            case And() | Or():
+                self.condition(node.left)
+                self.condition(node.right)
+            case Not():
+                self.condition(node.condition)
+            case Call():
+                meaning = self.meaning(node)
+                if meaning is None:
+                    return
+                if meaning[1].kind is Kind.VALUE:
+                    self.report(
+                        rules.VALUE_FOR_TEST,
+                        f"expected a test, found `{node.object}.{node.method}`, which is a number",
+                        node,
+                        self.offer(meaning[0], Kind.TEST),
+                    )
+                elif meaning[1].kind is Kind.PROCEDURE:
+                    self.procedure(node, "a test", self.offer(meaning[0], Kind.TEST))
+
+    def offer(self, part: RobotObject, kind: Kind) -> str:
+        """Names the methods of that kind which an object's name offers."""
+        known = [
+            method.name
+            for (name, _), (_, method) in self.robot.calls.items()
+            if name == part.name and method.kind is kind
+        ]
+        return f"`{part.name}` has {', '.join(f'`{name}`' for name in known)}" if known else ""
+
+    def procedure(self, call: Call, wanted: str, help: str) -> None:
+        self.report(
+            rules.PROCEDURE_FOR_VALUE,
+            f"expected {wanted}, found `{call.object}.{call.method}`, which is an action",
+            call,
+            help,
+        )
+
+    def meaning(self, call: Call) -> tuple[RobotObject, Method] | None:
+        """Looks a call up and checks its parameters; None when its names mean nothing (reported)."""
+        if not call.object:
+            return None
+        meaning = self.robot.calls.get((call.object, call.method))
+        if meaning is None:
+            methods = [method for name, method in self.robot.calls if name == call.object]
+            if methods:
+                self.report(
+                    rules.UNKNOWN_METHOD,
+                    f"`{call.object}` of the robot `{self.robot.name}` has no `{call.method}`",
+                    call,
+                    suggestion(call.method, methods),
+                    start=call.method_start,
+                )
+            else:
+                self.report(
+                    rules.UNKNOWN_OBJECT,
+                    f"the robot `{self.robot.name}` has no `{call.object}`",
+                    call,
+                    suggestion(call.object, (name for name, _ in self.robot.calls)),
+                )
+            for param in call.params:
+                if isinstance(param, Call):
+                    self.meaning(param)
+            return None
+        part, method = meaning
+        wanted, given = len(method.parameters), len(call.params)
+        if wanted != given:
+            names = ", ".join(parameter.name for parameter in method.parameters)
+            self.report(
+                rules.PARAMETER_COUNT,
+                f"`{call.object}.{call.method}` takes {wanted} parameter{'s' * (wanted != 1)}, found {given}",
+                call,
+                f"write {call.object}.{call.method}({names})",
+            )
+        for param, parameter in zip(call.params, method.parameters, strict=False):
+            self.param(param, part, method, parameter)
+        return meaning
+
+    def param(self, node: Node, part: RobotObject, method: Method, parameter: Parameter) -> None:
+        if isinstance(node, Number):
+            limited = method.kind is Kind.PROCEDURE and method.action in ("", "set")
+            if limited and not parameter.minimum <= node.value <= parameter.maximum:
+                self.report(
+                    rules.OUT_OF_RANGE,
+                    f"expected a {parameter.name} from {parameter.minimum} to {parameter.maximum} for "
+                    f"`{part.name}.{method.name}`, found {node.value}",
+                    node,
+                    f"write a number from {parameter.minimum} to {parameter.maximum}",
+                )
+            return
+        if not isinstance(node, Call):
+            return
+        meaning = self.meaning(node)
+        if meaning is None:
+            return
+        kind = meaning[1].kind
+        boolean = parameter.type is ValueType.BOOLEAN
+        name = f"`{node.object}.{node.method}`"
+        if kind is Kind.PROCEDURE:
+            self.procedure(node, "a test" if boolean else "a number", "")
+        elif kind is Kind.TEST and not boolean:
+            self.report(
+                rules.TEST_FOR_VALUE,
+                f"expected a number as the {parameter.name} of `{part.name}.{method.name}`, found the test {name}",
+                node,
+                self.offer(meaning[0], Kind.VALUE),
+            )
+        elif kind is Kind.VALUE and boolean:
+            self.report(
+                rules.VALUE_FOR_TEST,
+                f"expected a test, 0 or 1 for `{part.name}.{method.name}`, found {name}, which is a number",
+                node,
+                self.offer(meaning[0], Kind.TEST),
+            )
+
+
+def _calls(seq: Seq) -> list[Call]:
+    """The calls that stand as instructions in a body, nested bodies included, in reading order."""
+    found: list[Call] = []
+    for node in seq.items:
+        match node:
+            case Call():
+                found.append(node)
+            case Interrupt():
+                if isinstance(node.call, Call):
+                    found.append(node.call)
+            case Repeat() | While() | Event():
+                found += _calls(node.body)
+            case Conditional():
+                found += _calls(node.then)
+                if node.orelse is not None:
+                    found += _calls(node.orelse)
+            case Parallel():
+                for branch in node.branches:
+                    found += _calls(branch)
+    return found

@@ -1,0 +1,73 @@
+"""All passes in a row: a graph, a text or a tree becomes an image, with everything there is to say about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from kitrobot.compiler.checker import check
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.lowering import lower
+from kitrobot.diagnostics import Diagnostic, Source
+from kitrobot.graph import Program
+from kitrobot.image import DebugMap, Image
+from kitrobot.lll import Seq, parse, print_program
+from kitrobot.primitives import Catalogue, Robot
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """What became of a program: its LLL (tree and text), its image (None when there are errors), its debug map."""
+
+    program: Seq
+    source: Source
+    image: Image | None
+    debug: DebugMap
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+    @property
+    def ok(self) -> bool:
+        """Whether there is an image to run."""
+        return self.image is not None
+
+
+def compile_lll(program: Seq, robot: Robot, source: Source | None = None, name: str = "") -> Compiled:
+    """Checks a tree for a robot and lowers it. Without a `source` the tree is printed first, to have a text.
+
+    `name` is the program's name in its mission, set on the diagnostics.
+    """
+    if source is None:
+        source = Source(f"{name or 'program'}.lll", print_program(program))
+    diagnostics = check(program, robot, source, name)
+    if any(item.is_error for item in diagnostics):
+        return Compiled(program, source, None, DebugMap(), diagnostics)
+    image, debug, too_large = lower(program, robot)
+    return Compiled(program, source, image, debug, diagnostics + too_large)
+
+
+def compile_text(text: str, robot: Robot, name: str = "program.lll") -> Compiled:
+    """Reads an LLL text and compiles it; `name` is the file name that diagnostics show."""
+    parsed = parse(text, name)
+    if not parsed.ok:
+        diagnostics = parsed.diagnostics + check(parsed.program, robot, parsed.source)
+        return Compiled(parsed.program, parsed.source, None, DebugMap(), diagnostics)
+    compiled = compile_lll(parsed.program, robot, parsed.source)
+    return Compiled(
+        compiled.program, compiled.source, compiled.image, compiled.debug, parsed.diagnostics + compiled.diagnostics
+    )
+
+
+def compile_program(program: Program, catalogue: Catalogue) -> Compiled:
+    """Translates a graph to LLL and compiles it for its robot. Vertices are named in the diagnostics and debug map.
+
+    Raises KitRobotError when the catalogue has no such robot.
+    """
+    robot = catalogue.robot(program.robot)
+    translation = graph_to_lll(program, catalogue)
+    source = Source(f"{program.name}.lll", print_program(translation.program))
+    if not translation.ok:
+        diagnostics = translation.diagnostics + check(translation.program, robot, source, program.name)
+        return Compiled(translation.program, source, None, DebugMap(), diagnostics)
+    compiled = compile_lll(translation.program, robot, source, program.name)
+    return Compiled(
+        compiled.program, source, compiled.image, compiled.debug, translation.diagnostics + compiled.diagnostics
+    )

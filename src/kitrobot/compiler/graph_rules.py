@@ -1,0 +1,78 @@
+"""The rules of graphs: what can be wrong with vertices and arcs before there is any LLL."""
+
+from kitrobot.diagnostics import Severity, rule
+
+UNKNOWN_ELEMENT = rule(
+    "unknown-element",
+    Severity.ERROR,
+    "A vertex is of an element that nothing here defines",
+    "Elements come from the constructors' and the robot's XML. The vertex is kept word for word until its XML is back.",
+)
+START_STOP = rule(
+    "start-stop",
+    Severity.ERROR,
+    "The graph does not have exactly one start and one stop",
+    "Each program has one vertex Start, where it begins, and one vertex Stop, where it ends.",
+)
+SAME_ID = rule(
+    "same-id",
+    Severity.ERROR,
+    "Two vertices have the same id",
+    "Arcs name vertices by id, so each id is used once in a program.",
+)
+DANGLING_ARC = rule(
+    "dangling-arc",
+    Severity.ERROR,
+    "An arc begins or ends at something that is not there",
+    "An arc goes from a port of a vertex to a port of a vertex of the same program.",
+)
+TWO_ARCS = rule(
+    "two-arcs",
+    Severity.ERROR,
+    "Two arcs use a port that takes one",
+    "Control goes one way from each out-port, and one thing fills each slot.",
+)
+NOT_CLOSED = rule(
+    "slot-not-closed",
+    Severity.ERROR,
+    "The way through a slot does not come back",
+    "What leaves a constructor through a slot comes back at its `return`; an empty slot is an arc from the slot "
+    "straight to `return`. The program's own way ends at Stop.",
+)
+WRONG_WAY = rule(
+    "wrong-way",
+    Severity.ERROR,
+    "An arc leads where control cannot go",
+    "An arc cannot lead into the middle of another body, back to a vertex that was passed already, or to the `return` "
+    "of a constructor it is not inside of.",
+)
+EMPTY_SLOT = rule(
+    "empty-slot",
+    Severity.ERROR,
+    "A slot that must be filled is empty",
+    "A condition needs a test; a marked action needs its action. Drop one on the slot.",
+)
+NOT_A_NUMBER = rule(
+    "not-a-number",
+    Severity.ERROR,
+    "What was typed in is not a whole number in range",
+    "Numbers in a program are whole, have no sign, and lie between 0 and 65535, or in the narrower range of their slot.",
+)
+WRONG_PLACE = rule(
+    "wrong-place",
+    Severity.ERROR,
+    "A part stands where it does not fit",
+    "Conditions fill condition slots, instructions stand in the flow; a constructor that adds a branch is no vertex.",
+)
+PARKED = rule(
+    "parked",
+    Severity.HINT,
+    "A part hangs on nothing",
+    "Parts that no arc from Start leads to are kept and shown, and not compiled.",
+)
+TOO_DEEP = rule(
+    "graph-too-deep",
+    Severity.ERROR,
+    "The graph nests too deeply",
+    "Bodies, conditions and parameters together may nest 100 levels deep. Split the program into parts.",
+)

@@ -1,0 +1,384 @@
+"""Graph → LLL: structure is read off the arcs in one walk, and each vertex becomes its template with the holes filled.
+
+The walk goes from Start along `next`; a constructor's slots are walked when the constructor is met, and each must come
+back at its `return`. Nothing here knows any one constructor. Vertices leave their id on every node they became.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, cast
+
+from kitrobot.compiler import graph_rules as rules
+from kitrobot.compiler.wiring import Wiring
+from kitrobot.diagnostics import Diagnostic, Rule
+from kitrobot.graph import IN, NEXT, RETURN, STOP, Arc, Program, Vertex
+from kitrobot.lll import (
+    MAX_NESTING,
+    MAX_NUMBER,
+    And,
+    Call,
+    Condition,
+    Conditional,
+    Event,
+    Hole,
+    Instr,
+    Interrupt,
+    Node,
+    Not,
+    Number,
+    Or,
+    Parallel,
+    Param,
+    Repeat,
+    Seq,
+    Wait,
+    While,
+)
+from kitrobot.lll import Break as BreakNode
+from kitrobot.primitives import Catalogue, Constructor, Parameter, Role, Slot, SlotKind
+
+
+@dataclass(frozen=True)
+class Translation:
+    """The program as far as it could be read off the graph, and what is wrong with the graph."""
+
+    program: Seq
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+    @property
+    def ok(self) -> bool:
+        """Whether the graph is free of errors."""
+        return not any(item.is_error for item in self.diagnostics)
+
+
+def graph_to_lll(program: Program, catalogue: Catalogue) -> Translation:
+    """Translates a program; the rest of it stays usable where something is wrong.
+
+    Raises KitRobotError when the catalogue has no such robot.
+    """
+    walk = _Walk(program, catalogue)
+    seq = walk.whole()
+    return Translation(seq, walk.wiring.found)
+
+
+class _Walk:
+    def __init__(self, program: Program, catalogue: Catalogue) -> None:
+        self.program = program
+        self.robot = catalogue.robot(program.robot)
+        self.catalogue = catalogue
+        self.wiring = Wiring(program, self.robot, catalogue)
+        self.visited: set[str] = set()
+        self.depth = 0
+        self.notes: list[str] = []
+
+    def report(self, rule: Rule, message: str, *vertices: str, help: str = "", arc: Arc | None = None) -> None:
+        arcs = ((arc.source, arc.out, arc.target, arc.at),) if arc is not None else ()
+        self.wiring.report(rule(message, help=help, program=self.program.name, vertices=vertices, arcs=arcs))
+
+    def whole(self) -> Seq:
+        start, stop = self.wiring.start, self.wiring.stop
+        seq = Seq()
+        if start is not None:
+            self.visited.add(start.id)
+            self.chain(seq, start.id, NEXT, None)
+            self.notes = [line for note in start.notes for line in _lines(note.text)]
+            if self.notes:
+                (seq.items[0].above if seq.items else seq.below)[:0] = self.notes
+        if stop is not None:
+            self.visited.add(stop.id)
+            seq.below += [line for note in stop.notes for line in _lines(note.text)]
+        self.parked()
+        return seq
+
+    def parked(self) -> None:
+        """Reports each piece that nothing leads to, by its first vertex."""
+        left = [vertex for vertex in self.wiring.vertices.values() if vertex.id not in self.visited]
+        follows = {
+            arc.target
+            for arc in self.wiring.out.values()
+            if arc.source != arc.target and arc.at == IN and arc.source not in self.visited
+        }
+        fillers = {
+            filler
+            for (target, _), filler in self.wiring.fills.items()
+            if filler != target and target not in self.visited
+        }
+        for vertex in left:
+            if vertex.id not in follows and vertex.id not in fillers:
+                message = f"`{vertex.id}` ({vertex.element}) hangs on nothing, so it is not part of the program"
+                self.report(rules.PARKED, message, vertex.id, help="join it to the flow, or leave it parked")
+
+    # -- chains
+
+    def chain(self, seq: Seq, vertex: str, port: str, inside: str | None) -> None:
+        """Fills `seq` with what follows a port, up to Stop (`inside` None) or the `return` of the vertex `inside`."""
+        while True:
+            arc = self.wiring.out.get((vertex, port))
+            if arc is None:
+                self.not_closed(vertex, port, inside)
+                return
+            target = self.wiring.vertices[arc.target]
+            if arc.at == RETURN:
+                if target.id != inside:
+                    self.wrong_way(
+                        arc, f"`{arc.source}` leads to the `return` of `{target.id}`, which it is not inside of"
+                    )
+                return
+            if arc.at != IN:
+                self.wrong_way(
+                    arc, f"`{arc.source}` stands in the flow and fills the slot `{arc.at}` of `{target.id}` too"
+                )
+                return
+            if target.element == STOP:
+                if inside is not None:
+                    self.not_closed(vertex, port, inside, arc)
+                return
+            if target.id in self.visited:
+                self.wrong_way(
+                    arc, f"`{arc.source}` leads to `{target.id}`, which stands elsewhere in the program already"
+                )
+                return
+            self.visited.add(target.id)
+            seq.items += self.instruction(target)
+            vertex, port = target.id, NEXT
+
+    def not_closed(self, vertex: str, port: str, inside: str | None, arc: Arc | None = None) -> None:
+        where = f"`{vertex}`" if port == NEXT else f"the slot `{port}` of `{vertex}`"
+        if inside is None:
+            message, help = f"the way from {where} never reaches Stop", f"draw an arc from `{vertex}` on to Stop"
+        else:
+            message = f"the way from {where} does not come back to `{inside}`"
+            help = f"draw an arc to the `return` of `{inside}`"
+        self.report(rules.NOT_CLOSED, message, vertex, help=help, arc=arc)
+
+    def wrong_way(self, arc: Arc, message: str) -> None:
+        self.report(rules.WRONG_WAY, message, arc.source, arc.target, help="delete the arc, or draw it anew", arc=arc)
+
+    # -- vertices
+
+    def instruction(self, vertex: Vertex) -> list[Instr]:
+        """The instructions a vertex in the flow becomes: one, or those of a longer template."""
+        notes, self.notes = self.notes, []
+        constructor = self.wiring.constructor(vertex)
+        made: list[Any]
+        if constructor is None:
+            made = [self.call(vertex)]
+        elif constructor.role is not Role.INSTRUCTION or constructor.template is None:
+            self.report(
+                rules.WRONG_PLACE,
+                f"`{vertex.id}` ({vertex.element}) cannot stand in the flow as an instruction",
+                vertex.id,
+            )
+            made = []
+        else:
+            filled = self.fill(vertex, constructor)
+            made = list(filled.items) if isinstance(filled, Seq) else [filled]
+        inner, self.notes = self.notes, notes
+        if made:
+            above = [line for note in vertex.notes if note.at == "" for line in _lines(note.text)]
+            made[0].above = above + inner + made[0].above
+            after = [" ".join(note.text.split("\n")) for note in vertex.notes if note.at == "after"]
+            if after:
+                made[-1].after = " ".join(after).rstrip()
+        return made
+
+    def call(self, vertex: Vertex) -> Call:
+        name, _, method = vertex.element.partition(".")
+        call = Call(name if method else "", method, vertex=vertex.id)
+        meaning = self.robot.calls.get((name, method))
+        if meaning is not None:
+            call.params = [self.parameter(vertex, parameter) for parameter in meaning[1].parameters]
+            known = {parameter.name for parameter in meaning[1].parameters}
+            for setting in vertex.settings:
+                if setting not in known:
+                    message = f"`{vertex.id}` ({vertex.element}) has no parameter `{setting}`"
+                    self.report(rules.NOT_A_NUMBER, message, vertex.id, help="take the setting away")
+        else:
+            call.params = [
+                Number(int(text))
+                for text in vertex.settings.values()
+                if text.isascii() and text.isdigit() and len(text) < 6
+            ]
+        return call
+
+    def parameter(self, vertex: Vertex, parameter: Parameter) -> Param:
+        filler = self.wiring.fills.get((vertex.id, parameter.name))
+        if filler is not None:
+            return self.read(self.wiring.vertices[filler])
+        text = vertex.settings.get(parameter.name, str(max(0, parameter.default)))
+        return Number(self.number(vertex, parameter.name, text, 0, MAX_NUMBER), vertex=vertex.id)
+
+    def number(self, vertex: Vertex, name: str, text: str, low: int, high: int) -> int:
+        digits = text.strip()
+        if digits.isascii() and digits.isdigit() and len(digits.lstrip("0")) <= 5 and low <= int(digits) <= high:
+            return int(digits)
+        shown = text if len(text) <= 24 else text[:21] + "…"
+        message = f"expected a whole number from {low} to {high} as the {name} of `{vertex.id}`, found `{shown}`"
+        self.report(rules.NOT_A_NUMBER, message, vertex.id, help=f"write a number from {low} to {high}")
+        return low
+
+    # -- templates
+
+    def fill(self, vertex: Vertex, constructor: Constructor) -> Any:
+        """The template of a constructor with its holes filled from this vertex."""
+        if self.depth >= MAX_NESTING:
+            self.report(rules.TOO_DEEP, f"the program nests more than {MAX_NESTING} levels deep here", vertex.id)
+            return Seq()
+        self.depth += 1
+        filled = _Filling(self, vertex, constructor).node(constructor.template)
+        self.depth -= 1
+        return filled
+
+    def body(self, vertex: Vertex, port: str) -> Seq:
+        seq = Seq()
+        self.chain(seq, vertex.id, port, vertex.id)
+        seq.below += [line for note in vertex.notes if note.at == f"in:{port}" for line in _lines(note.text)]
+        return seq
+
+    def condition(self, vertex: Vertex) -> Condition:
+        """What a vertex that fills a condition slot becomes."""
+        constructor = self.wiring.constructor(vertex)
+        if constructor is None:
+            return self.read(vertex)
+        if not self.enter(vertex):
+            return Call("", "")
+        if constructor.role is not Role.CONDITION:
+            self.report(rules.WRONG_PLACE, f"`{vertex.id}` ({vertex.element}) is no condition", vertex.id)
+            return Call("", "")
+        filled = self.fill(vertex, constructor)
+        return Call("", "") if isinstance(filled, Seq) else cast("Condition", filled)
+
+    def read(self, vertex: Vertex) -> Call:
+        """The call that a test, value or action vertex is."""
+        if not self.enter(vertex):
+            return Call("", "")
+        if self.wiring.constructor(vertex) is not None or "." not in vertex.element:
+            self.report(rules.WRONG_PLACE, f"`{vertex.id}` ({vertex.element}) does not fit into a slot", vertex.id)
+            return Call("", "")
+        if self.depth >= MAX_NESTING:
+            self.report(rules.TOO_DEEP, f"the program nests more than {MAX_NESTING} levels deep here", vertex.id)
+            return Call("", "")
+        self.depth += 1
+        call = self.call(vertex)
+        self.depth -= 1
+        return call
+
+    def enter(self, vertex: Vertex) -> bool:
+        """Visits a filler once; its notes go to the instruction around it, since conditions hold no comments."""
+        if vertex.id in self.visited:
+            message = f"`{vertex.id}` ({vertex.element}) stands elsewhere in the program already"
+            self.report(rules.WRONG_WAY, message, vertex.id, help="take a copy of it")
+            return False
+        self.visited.add(vertex.id)
+        self.notes += [line for note in vertex.notes for line in _lines(note.text)]
+        return True
+
+
+class _Filling:
+    """One vertex's template on its way to become LLL."""
+
+    def __init__(self, walk: _Walk, vertex: Vertex, constructor: Constructor) -> None:
+        self.walk = walk
+        self.vertex = vertex
+        self.constructor = constructor
+
+    def node(self, template: Any) -> Any:
+        made = _BUILDERS[type(template)](self, template)
+        made.vertex = made.vertex or self.vertex.id
+        return made
+
+    def slot(self, hole: Hole) -> Slot:
+        slot = self.constructor.slot(hole.name)
+        assert slot is not None, "a template's holes are its constructor's slots"
+        return slot
+
+    def number(self, value: int | Hole) -> int:
+        if isinstance(value, int):
+            return value
+        slot = self.slot(value)
+        text = self.vertex.settings.get(slot.name, slot.default or str(slot.minimum or 0))
+        low, high = max(0, slot.minimum or 0), MAX_NUMBER if slot.maximum is None else min(slot.maximum, MAX_NUMBER)
+        return self.walk.number(self.vertex, slot.name, text, low, high)
+
+    def filler(self, hole: Hole) -> Vertex | None:
+        filler = self.walk.wiring.fills.get((self.vertex.id, hole.name))
+        if filler is not None:
+            return self.walk.wiring.vertices[filler]
+        kind = self.slot(hole).kind
+        wanted = "a test" if kind is SlotKind.CONDITION else "an action" if kind is SlotKind.ACTION else "a value"
+        message = f"the slot `{hole.name}` of `{self.vertex.id}` ({self.vertex.element}) is empty"
+        self.walk.report(rules.EMPTY_SLOT, message, self.vertex.id, help=f"drop {wanted} on it")
+        return None
+
+    def condition(self, template: Any) -> Condition:
+        if isinstance(template, Hole):
+            vertex = self.filler(template)
+            return Call("", "") if vertex is None else self.walk.condition(vertex)
+        made: Condition = self.node(template)
+        return made
+
+    def param(self, template: Any) -> Param:
+        if not isinstance(template, Hole):
+            return Number(template.value) if isinstance(template, Number) else self.node(template)
+        if (self.vertex.id, template.name) in self.walk.wiring.fills:
+            vertex = self.filler(template)
+            assert vertex is not None
+            return self.walk.read(vertex)
+        return Number(self.number(template))
+
+    def action(self, template: Call | Hole) -> Call:
+        if isinstance(template, Hole):
+            vertex = self.filler(template)
+            return Call("", "") if vertex is None else self.walk.read(vertex)
+        made: Call = self.node(template)
+        return made
+
+    def body(self, template: Seq) -> Seq:
+        if template.hole is not None:
+            return self.walk.body(self.vertex, template.hole.name)
+        return Seq([self.node(item) for item in template.items], list(template.below))
+
+    def branches(self, templates: list[Seq]) -> list[Seq]:
+        branches: list[Seq] = []
+        for template in templates:
+            if template.hole is None or not self.slot(template.hole).repeat:
+                branches.append(self.body(template))
+                continue
+            base = template.hole.name + "."
+            ports = sorted(
+                (port for port in self.walk.wiring.ports.get(self.vertex.id, ()) if port.startswith(base)),
+                key=lambda port: int(port[len(base) :]),
+            )
+            for port in ports:
+                body = self.walk.body(self.vertex, port)
+                if body.items:
+                    branches.append(body)
+                else:
+                    self.walk.notes += body.below
+        return branches
+
+
+_BUILDERS: dict[type[Node], Callable[[_Filling, Any], Any]] = {
+    Seq: lambda f, t: f.body(t),
+    Call: lambda f, t: Call(t.object, t.method, [f.param(param) for param in t.params]),
+    Interrupt: lambda f, t: Interrupt(f.action(t.call)),
+    Repeat: lambda f, t: Repeat(f.number(t.count), f.body(t.body)),
+    While: lambda f, t: While(f.condition(t.condition), f.body(t.body)),
+    Conditional: lambda f, t: Conditional(
+        f.condition(t.condition), f.body(t.then), None if t.orelse is None else f.body(t.orelse)
+    ),
+    Event: lambda f, t: Event(f.condition(t.condition), f.body(t.body)),
+    Parallel: lambda f, t: Parallel(f.branches(t.branches)),
+    Wait: lambda f, t: Wait(f.number(t.duration)),
+    BreakNode: lambda f, t: BreakNode(),
+    And: lambda f, t: And(f.condition(t.left), f.condition(t.right)),
+    Or: lambda f, t: Or(f.condition(t.left), f.condition(t.right)),
+    Not: lambda f, t: Not(f.condition(t.condition)),
+    Hole: lambda f, t: f.condition(t),
+}
+
+
+def _lines(text: str) -> list[str]:
+    return [line.rstrip() for line in text.split("\n")]

@@ -1,0 +1,170 @@
+"""The arcs of a program by port, and what is wrong with them one by one.
+
+After this, every arc that is left joins two vertices that exist at ports that exist, one arc a port; the walk over the
+graph (graph_to_lll) need not look at single arcs again.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from kitrobot.compiler import graph_rules as rules
+from kitrobot.diagnostics import ArcName, Diagnostic
+from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
+from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind, did_you_mean
+
+
+class Wiring:
+    """`out[vertex, port]` is the one arc that leaves there; `fills[vertex, slot]` the vertex that fills that slot;
+    `ports[vertex]` the out-ports that are used.
+    """
+
+    def __init__(self, program: Program, robot: Robot, catalogue: Catalogue) -> None:
+        self.program = program
+        self.robot = robot
+        self.catalogue = catalogue
+        self.found: list[Diagnostic] = []
+        self.vertices: dict[str, Vertex] = {}
+        self.out: dict[tuple[str, str], Arc] = {}
+        self.fills: dict[tuple[str, str], str] = {}
+        self.ports: dict[str, list[str]] = {}
+        for vertex in program.vertices:
+            self._add_vertex(vertex)
+        self.start = self._only(START)
+        self.stop = self._only(STOP)
+        for what, end in ((START, self.start), (STOP, self.stop)):
+            if end is None:
+                self.report(rules.START_STOP("the program has no vertex " + what, help=f"add a vertex {what}"))
+        for arc in program.arcs:
+            self._add_arc(arc)
+
+    def report(self, diagnostic: Diagnostic) -> None:
+        """Collects a diagnostic of this program."""
+        self.found.append(diagnostic)
+
+    def constructor(self, vertex: Vertex) -> Constructor | None:
+        """The constructor a vertex is of, or None."""
+        return self.catalogue.constructors.get(vertex.element)
+
+    def _add_vertex(self, vertex: Vertex) -> None:
+        if vertex.id in self.vertices:
+            self.report(
+                rules.SAME_ID(
+                    f"the id `{vertex.id}` is used twice", help="give one of them another id", **self._at(vertex.id)
+                )
+            )
+            return
+        self.vertices[vertex.id] = vertex
+        if vertex.element not in (START, STOP) and self.constructor(vertex) is None:
+            self._check_call(vertex)
+
+    def _only(self, element: str) -> Vertex | None:
+        """The one vertex that is Start, or Stop; a second one is reported."""
+        found = [vertex for vertex in self.vertices.values() if vertex.element == element]
+        for extra in found[1:]:
+            message = f"the program has a second {element}"
+            self.report(rules.START_STOP(message, help="delete one of them", **self._at(found[0].id, extra.id)))
+        return found[0] if found else None
+
+    def _check_call(self, vertex: Vertex) -> None:
+        name, dot, method = vertex.element.partition(".")
+        if dot and name and method and (name, method) in self.robot.calls:
+            return
+        known = [f"{a}.{b}" for a, b in self.robot.calls] if dot else list(self.catalogue.constructors)
+        where = f"the robot `{self.robot.name}`" if dot else "the constructors' XML"
+        self.report(
+            rules.UNKNOWN_ELEMENT(
+                f"`{vertex.element}` is not in {where}",
+                help=did_you_mean(vertex.element, known) or "bring its XML file back, or delete the vertex",
+                **self._at(vertex.id),
+            )
+        )
+
+    def _add_arc(self, arc: Arc) -> None:
+        name: ArcName = (arc.source, arc.out, arc.target, arc.at)
+        ends = [vertex for vertex in (arc.source, arc.target) if vertex not in self.vertices]
+        if ends:
+            self.report(
+                rules.DANGLING_ARC(
+                    f"an arc from `{arc.source}` to `{arc.target}` names `{ends[0]}`, which is not there",
+                    help=did_you_mean(ends[0], self.vertices) or "delete the arc",
+                    program=self.program.name,
+                    arcs=(name,),
+                )
+            )
+            return
+        if not self._has_out(self.vertices[arc.source], arc.out):
+            self._no_port(arc, name, arc.source, arc.out, "nothing leaves")
+        elif not self._has_in(self.vertices[arc.target], arc.at):
+            self._no_port(arc, name, arc.target, arc.at, "nothing arrives")
+        elif (arc.source, arc.out) in self.out:
+            other = self.out[arc.source, arc.out]
+            self._twice(f"two arcs leave `{arc.source}` at `{arc.out}`", arc, other, name)
+        elif arc.at not in (IN, RETURN) and (arc.target, arc.at) in self.fills:
+            other = self.out[self.fills[arc.target, arc.at], NEXT]
+            self._twice(f"two parts fill the slot `{arc.at}` of `{arc.target}`", arc, other, name)
+        else:
+            self.out[arc.source, arc.out] = arc
+            self.ports.setdefault(arc.source, []).append(arc.out)
+            if arc.at not in (IN, RETURN):
+                self.fills[arc.target, arc.at] = arc.source
+
+    def _twice(self, message: str, arc: Arc, other: Arc, name: ArcName) -> None:
+        self.report(
+            rules.TWO_ARCS(
+                message,
+                help="delete one of them",
+                program=self.program.name,
+                vertices=(arc.source,),
+                arcs=((other.source, other.out, other.target, other.at), name),
+            )
+        )
+
+    def _no_port(self, arc: Arc, name: ArcName, vertex: str, port: str, what: str) -> None:
+        element = self.vertices[vertex].element
+        self.report(
+            rules.DANGLING_ARC(
+                f"`{vertex}` ({element}) has no port `{port}`, so {what} there",
+                help="delete the arc, or draw it anew",
+                program=self.program.name,
+                vertices=(vertex,),
+                arcs=(name,),
+            )
+        )
+
+    def _has_out(self, vertex: Vertex, port: str) -> bool:
+        if port == NEXT:
+            return vertex.element != STOP
+        constructor = self.constructor(vertex)
+        if constructor is None:
+            return vertex.element not in (START, STOP) and not self._is_known_call(vertex)
+        slot = constructor.slot(port)
+        if slot is not None:
+            return slot.kind is SlotKind.FLOW and not slot.repeat
+        base, _, number = port.rpartition(".")
+        slot = constructor.slot(base)
+        counts = number.isascii() and number.isdigit() and not number.startswith("0") and len(number) <= 4
+        return slot is not None and slot.kind is SlotKind.FLOW and slot.repeat and counts
+
+    def _has_in(self, vertex: Vertex, port: str) -> bool:
+        if port == IN:
+            return vertex.element != START
+        if vertex.element in (START, STOP):
+            return False
+        constructor = self.constructor(vertex)
+        if constructor is not None:
+            if port == RETURN:
+                return any(slot.kind is SlotKind.FLOW for slot in constructor.slots)
+            slot = constructor.slot(port)
+            return slot is not None and slot.kind in (SlotKind.CONDITION, SlotKind.VALUE, SlotKind.ACTION)
+        if not self._is_known_call(vertex):
+            return True
+        name, _, method = vertex.element.partition(".")
+        return any(port == parameter.name for parameter in self.robot.calls[name, method][1].parameters)
+
+    def _is_known_call(self, vertex: Vertex) -> bool:
+        name, _, method = vertex.element.partition(".")
+        return (name, method) in self.robot.calls
+
+    def _at(self, *vertices: str) -> dict[str, Any]:
+        return {"program": self.program.name, "vertices": vertices}

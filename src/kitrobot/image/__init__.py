@@ -1,0 +1,44 @@
+"""Images: the compiled form of a program, its file, its listing, its verification, and the machine that runs it."""
+
+from kitrobot.image.debug import DebugMap, Origin
+from kitrobot.image.listing import assemble, disassemble
+from kitrobot.image.machine import Command, Layout, Machine
+from kitrobot.image.model import (
+    LARGEST_VALUE,
+    MOST_CELLS,
+    MOST_COMMANDS,
+    MOST_INSTRUCTIONS,
+    MOST_PARALLELS,
+    MOST_SLOTS,
+    MOST_STOPS,
+    Image,
+    ImageError,
+    ParallelRecord,
+    SlotRecord,
+    StopRecord,
+)
+from kitrobot.image.verification import most_instructions_a_tick, verify
+
+__all__ = [
+    "LARGEST_VALUE",
+    "MOST_CELLS",
+    "MOST_COMMANDS",
+    "MOST_INSTRUCTIONS",
+    "MOST_PARALLELS",
+    "MOST_SLOTS",
+    "MOST_STOPS",
+    "Command",
+    "DebugMap",
+    "Image",
+    "ImageError",
+    "Layout",
+    "Machine",
+    "Origin",
+    "ParallelRecord",
+    "SlotRecord",
+    "StopRecord",
+    "assemble",
+    "disassemble",
+    "most_instructions_a_tick",
+    "verify",
+]

@@ -1,0 +1,176 @@
+"""Whether an image can be run: nothing an interpreter does with it can leave an array or fail to end.
+
+What holds of a verified image: every operand names a cell, command, stop or parallel that exists; constants are never
+written; a jump stays within its own slot; code does not run past its slot's end; every way round blocks; ADD and SUB
+are clamped by the very next instruction, so that no value grows past `LARGEST_VALUE`; slots and parallels form one tree in
+reading order, and each slot forks only its own parallels. `tick` relies on all of it and checks none of it.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from kitrobot.image.instructions import ADD, ARM, BY_NUMBER, CLAMP, FORK, JOIN, SUB, Op, Role
+from kitrobot.image.model import LARGEST_VALUE, Image, ImageError
+
+
+def verify(image: Image) -> None:
+    """Raises ImageError with the first thing that is wrong; returns when the image is safe to run."""
+    _check_sizes(image)
+    _check_tree(image)
+    regions = _regions(image)
+    for slot, (start, end) in enumerate(regions):
+        for at in range(start, end):
+            _check_instruction(image, at, slot, start, end)
+        most_instructions(image, start, end)
+
+
+def most_instructions_a_tick(image: Image) -> int:
+    """The most instructions one tick of a verified image can take, all slots together."""
+    return sum(most_instructions(image, start, end) for start, end in _regions(image))
+
+
+def _refuse(sentence: str) -> ImageError:
+    return ImageError(f"this image cannot be run: {sentence}", "make it again with `kitrobot convert`")
+
+
+def _check_sizes(image: Image) -> None:
+    cells = len(image.cells)
+    if cells != image.first_constant + image.constants or not 1 <= cells <= 256:
+        raise _refuse(f"it has {cells} cells, and 1 to 256 are possible")
+    if any(abs(value) > LARGEST_VALUE for value in image.cells):
+        raise _refuse(f"a cell's value is outside ±{LARGEST_VALUE}")
+    if len(image.code) % 4 or not 1 <= image.instructions <= 65536:
+        raise _refuse("it has no whole instructions")
+    if not 1 <= len(image.slots) <= 256 or len(image.parallels) > 256 or len(image.stops) > 256:
+        raise _refuse("it has too many slots, parallels or stops")
+    if len(image.commands) > 256 or image.actuators > 256 or image.most_arguments > 255:
+        raise _refuse("it has too many commands, actuators or arguments")
+    if any(actuator >= image.actuators for actuator in image.commands):
+        raise _refuse("a command belongs to an actuator that does not exist")
+    if not image.tick_ms >= 1 or not image.wait_unit_ms >= 1:
+        raise _refuse("its tick and wait unit must be at least 1 ms")
+
+
+def _check_tree(image: Image) -> None:
+    """Slots in preorder; a parallel's branches are all slots between its first and its end that name it."""
+    slots, count = image.slots, len(image.slots)
+    if slots[0].parallel is not None or slots[0].end != count or slots[0].marked:
+        raise _refuse("slot 0 is not the program")
+    for number, slot in enumerate(slots[1:], 1):
+        if slot.parallel is None or slot.parallel >= len(image.parallels) or not number < slot.end <= count:
+            raise _refuse(f"slot {number} is not a branch of a parallel")
+    filled = 1
+    for number, parallel in enumerate(image.parallels):
+        if not (parallel.parent < parallel.first < parallel.end <= slots[min(parallel.parent, count - 1)].end):
+            raise _refuse(f"parallel {number} does not lie inside its slot")
+        if number and parallel.first <= image.parallels[number - 1].first:
+            raise _refuse("the parallels are not in reading order")
+        branch = parallel.first
+        while branch < parallel.end:
+            if slots[branch].parallel != number or slots[branch].end > parallel.end:
+                raise _refuse(f"slot {branch} does not belong to parallel {number}")
+            branch = slots[branch].end
+            filled += 1
+    if filled != count:
+        raise _refuse("a slot belongs to no parallel")
+    for stop in image.stops:
+        if stop.slot >= count or stop.command >= len(image.commands) or slots[stop.slot].parallel is None:
+            raise _refuse("a stop names a slot or command that does not exist")
+
+
+def _regions(image: Image) -> list[tuple[int, int]]:
+    """The stretch of code of each slot: from its entry to the next slot's."""
+    entries = [slot.entry for slot in image.slots]
+    if entries[0] != 0 or any(low >= high for low, high in pairwise(entries)):
+        raise _refuse("the slots' code is not in reading order")
+    if entries[-1] >= image.instructions:
+        raise _refuse("a slot begins behind the last instruction")
+    return list(zip(entries, [*entries[1:], image.instructions], strict=True))
+
+
+def _check_instruction(image: Image, at: int, slot: int, start: int, end: int) -> None:
+    number, a, b, c = image.code[4 * at : 4 * at + 4]
+    op = BY_NUMBER.get(number)
+    if op is None:
+        raise _refuse(f"instruction {at} has the unknown number {number}")
+    if op.jumps:
+        if not start <= b + 256 * c < end:
+            raise _refuse(f"instruction {at} jumps out of its slot")
+        operands = [(op.a, a)]
+    else:
+        operands = [(op.a, a), (op.b, b), (op.c, c)]
+    for role, value in operands:
+        if not _operand_fits(image, role, value, b):
+            raise _refuse(f"instruction {at} ({op.name}) has the operand {value}, which names nothing it may use")
+    if op.falls_through and at + 1 >= end:
+        raise _refuse(f"instruction {at} runs past the end of its slot")
+    if number in (ADD, SUB) and tuple(image.code[4 * at + 4 : 4 * at + 6]) != (CLAMP, a):
+        raise _refuse(f"instruction {at} ({op.name}) is not followed by the CLAMP of its sum")
+    if number == CLAMP and image.cells[b] > image.cells[c]:
+        raise _refuse(f"instruction {at} clamps to an empty range")
+    if number in (FORK, JOIN) and image.parallels[a].parent != slot:
+        raise _refuse(f"instruction {at} ({op.name}) uses a parallel of another slot")
+    if number == ARM and image.stops[a].slot != slot:
+        raise _refuse(f"instruction {at} arms the stop of another slot")
+
+
+def _operand_fits(image: Image, role: Role, value: int, first: int) -> bool:
+    match role:
+        case Role.WRITTEN:
+            return value < image.first_constant
+        case Role.READ:
+            return value < len(image.cells)
+        case Role.CONSTANT:
+            return image.first_constant <= value < len(image.cells)
+        case Role.COMMAND:
+            return value < len(image.commands)
+        case Role.FIRST:
+            return value <= len(image.cells)
+        case Role.COUNT:
+            return value <= image.most_arguments and first + value <= len(image.cells)
+        case Role.STOP:
+            return value < len(image.stops)
+        case Role.PARALLEL:
+            return value < len(image.parallels)
+        case _:
+            return value == 0
+
+
+def most_instructions(image: Image, start: int, end: int) -> int:
+    """The longest way through a slot's code without blocking. Raises ImageError when a way round never blocks."""
+    code = image.code
+    longest = [0] * (end - start)
+    for root in range(start, end):
+        if longest[root - start]:
+            continue
+        waiting = [root]
+        while waiting:
+            at = waiting[-1]
+            known = longest[at - start]
+            if known > 0:
+                waiting.pop()
+                continue
+            ways = _ways(BY_NUMBER[code[4 * at]], code, at)
+            if known == 0:
+                longest[at - start] = -1
+                for way in ways:
+                    beyond = longest[way - start]
+                    if beyond == -1:
+                        raise _refuse(f"instruction {at} goes round to {way} without ever giving up the tick")
+                    if beyond == 0:
+                        waiting.append(way)
+            else:
+                waiting.pop()
+                longest[at - start] = 1 + max((longest[way - start] for way in ways), default=0)
+    return max(longest, default=0)
+
+
+def _ways(op: Op, code: bytes, at: int) -> list[int]:
+    """Where control can go from an instruction in the same tick."""
+    if op.blocks:
+        return []
+    ways = [at + 1] if op.falls_through else []
+    if op.jumps:
+        ways.append(code[4 * at + 2] + 256 * code[4 * at + 3])
+    return ways
