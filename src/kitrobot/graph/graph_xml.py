@@ -113,7 +113,7 @@ PROGRAM = Tag(
 
 
 def write_program(program: Program, indent: str = "  ") -> list[str]:
-    """The lines of a `<program>`, without line breaks; `indent` stands before each, and doubled before what is inside."""
+    """The lines of a `<program>`, without line breaks; what is inside stands two spaces deeper than `indent`."""
     inner = indent + "  "
     lines = [f"{indent}<program{attributes(('name', program.name), ('robot', program.robot))}>"]
     lines += [inner + _vertex_line(vertex) for vertex in program.vertices]

@@ -16,7 +16,8 @@ from kitrobot.primitives.robot import (
 )
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.templates import Shape, shape
-from kitrobot.primitives.xml import MAX_BYTES, MAX_DEPTH, TEXTS, Reader
+from kitrobot.primitives.xml import MAX_DEPTH, TEXTS, Reader
+from kitrobot.primitives.xml_decoding import MAX_BYTES
 from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, nearest, one_of, shown
 from kitrobot.primitives.xml_writing import attributes, escape_text, escape_value
 

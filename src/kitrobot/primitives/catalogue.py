@@ -25,7 +25,7 @@ from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.templates import Shape, inverse_shape
-from kitrobot.primitives.xml import MAX_BYTES
+from kitrobot.primitives.xml_decoding import MAX_BYTES
 from kitrobot.primitives.xml_element import did_you_mean
 
 SHIPPED = Path(__file__).parent / "shipped"

@@ -11,10 +11,11 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import accumulate
 from typing import NamedTuple
 
-from kitrobot.diagnostics import Diagnostic, Place
-from kitrobot.lll import And, Hole, Instr, Not, Or, Seq, is_name, parse_template
+from kitrobot.diagnostics import Diagnostic
+from kitrobot.lll import And, Condition, Hole, Instr, Not, Or, Seq, is_name, parse_template
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
 from kitrobot.primitives.robot import LARGEST_VALUE
@@ -31,11 +32,14 @@ COLOURS = ("loop", "choice", "parallel", "action", "test", "team")
 MOST_BRANCHES = 16
 """How many bodies a repeated slot may ask a new vertex to come with."""
 
+LONGEST_CODE = 10_000
+"""Characters of `<code>`, at most."""
+
 _TAKEN_PORTS = ("in", "next", "return")
 _TAKEN_ELEMENTS = ("Start", "Stop")
 _ICON = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
-Template = Instr | Seq | And | Or | Not
+Template = Instr | Condition | Seq
 
 
 class _Code(NamedTuple):
@@ -56,7 +60,8 @@ def read_constructors(data: bytes, name: str) -> tuple[list[Group], list[Diagnos
     """Reads a constructors file; a constructor with an error is left out, a file that is not XML gives no groups."""
     reader = Reader(data, name)
     root = reader.read({"constructors": _CONSTRUCTORS})
-    return (root.found(Group) if root is not None else []), reader.diagnostics
+    groups = _distinct(root) if root is not None else []
+    return groups, reader.diagnostics
 
 
 def icon(element: Element) -> str:
@@ -92,27 +97,27 @@ def _slot(element: Element) -> Slot:
 
 
 def _code(element: Element) -> _Code:
+    if len(element.text) > LONGEST_CODE:
+        element.report(rules.TEMPLATE, f"expected at most {LONGEST_CODE} characters, found {len(element.text)}")
+        return _Code("", None)
     template, problems = parse_template(element.text, element.reader.name)
-    starts = [0]
-    for line in element.text.split("\n"):
-        starts.append(starts[-1] + len(line) + 1)
+    offsets = element.reader.offsets_of_text(element)
+    starts = [0, *accumulate(len(line) + 1 for line in element.text.split("\n"))]
     for problem in problems:
-        place = problem.place or Place("")
-        start = starts[place.line - 1] + place.column - 1
-        end = starts[place.end_line - 1] + place.end_column - 1
-        element.add(replace(problem, place=element.reader.place_in_text(element, start, end)))
-    if template is None or isinstance(template, Hole):
-        if not problems:
-            element.report(rules.TEMPLATE, "expected LLL around the hole, found only a hole")
-        return _Code(element.text, None)
-    _check_holes(element, template)
+        if problem.place is not None:
+            start = starts[problem.place.line - 1] + problem.place.column - 1
+            end = starts[problem.place.end_line - 1] + problem.place.end_column - 1
+            problem = replace(problem, place=element.reader.span(offsets[start], offsets[end]))
+        element.add(problem)
+    if isinstance(template, Hole):
+        element.report(rules.TEMPLATE, "expected LLL around the hole, found only a hole")
     return _Code(" ".join(element.text.split()), template)
 
 
-def _check_holes(element: Element, template: Template) -> None:
-    """Each slot of the constructor around has one hole, each hole one slot, of a kind that fits."""
-    assert element.parent is not None
-    slots = {slot.name: slot for slot in element.parent.found(Slot)}
+def _check_holes(constructor: Element, element: Element, template: Template) -> None:
+    """Each slot of the constructor has one hole, each hole one slot, of a kind that fits."""
+    offsets = element.reader.offsets_of_text(element)
+    slots = {slot.name: slot for slot in constructor.found(Slot)}
     filled: set[str] = set()
     for hole, fitting, repeats in holes(template):
         slot = slots.get(hole.name)
@@ -128,7 +133,8 @@ def _check_holes(element: Element, template: Template) -> None:
             message, help = f"the repeated slot {hole.name} can only be a branch of a parallel", "write //({branch})"
         filled.add(hole.name)
         if message:
-            element.add(rules.TEMPLATE(message, element.reader.place_in_text(element, hole.start, hole.end), help=help))
+            place = element.reader.span(offsets[hole.start], offsets[hole.end])
+            element.add(rules.TEMPLATE(message, place, help=help))
     for name in slots.keys() - filled:
         element.report(rules.TEMPLATE, f"expected a hole {{{name}}} for the slot {name}, found none")
 
@@ -156,8 +162,9 @@ def _constructor(element: Element) -> Constructor | None:
         element.report(
             rules.SLOT, "expected no slots beside <adds>, found some", None, "a branch is a slot of what it adds to"
         )
-    if any(constructor.name == name for constructor in _before(element)):
-        element.report(rules.DUPLICATE, f"the constructor {shown(name)} is there already", "name")
+    for code, around in element.found_at(_Code):
+        if code.template is not None and not around.faulty:
+            _check_holes(element, around, code.template)
     picture = icon(element)
     if element.faulty:
         return None
@@ -177,14 +184,6 @@ def _constructor(element: Element) -> Constructor | None:
     )
 
 
-def _before(element: Element) -> list[Constructor]:
-    """The constructors of the file that were read before this one."""
-    group = element.parent
-    assert group is not None
-    groups = group.parent.found(Group) if group.parent is not None else []
-    return [*group.found(Constructor), *(constructor for each in groups for constructor in each.constructors)]
-
-
 def _role(template: Template | None) -> Role:
     """A template that is a lone call could be either; it is an instruction."""
     if template is None:
@@ -196,6 +195,22 @@ def _group(element: Element) -> Group:
     name = element.required("name")
     colour = element.choice("colour", COLOURS)
     return Group(name, colour, tuple(element.found(Constructor)), element.texts.get("label", {}))
+
+
+def _distinct(root: Element) -> list[Group]:
+    """The groups, without constructors whose name came before; these are reported."""
+    groups: list[Group] = []
+    seen: set[str] = set()
+    for group, around in root.found_at(Group):
+        kept: list[Constructor] = []
+        for constructor, place in around.found_at(Constructor):
+            if constructor.name in seen:
+                place.report(rules.DUPLICATE, f"the constructor {shown(constructor.name)} is there already", "name")
+            else:
+                kept.append(constructor)
+            seen.add(constructor.name)
+        groups.append(replace(group, constructors=tuple(kept)))
+    return groups
 
 
 _LABEL = {"label": TEXTS["label"]}

@@ -78,7 +78,7 @@ def _range(element: Element, least: int = 0, most: int = USUAL_MAXIMUM) -> tuple
 def _inside(element: Element, name: str, minimum: int, maximum: int, usual: int) -> int:
     value = element.integer(name, -LARGEST_VALUE, LARGEST_VALUE, usual)
     if not minimum <= value <= maximum:
-        element.report(rules.RANGE, f"expected {name} from {minimum} to {maximum}, found {value}", name)
+        element.report(rules.RANGE, f"expected a number from {minimum} to {maximum} in {name}, found {value}", name)
     return value
 
 
@@ -146,8 +146,9 @@ def _operation(element: Element) -> Method:
         return _method(element, Kind.VALUE, {"": "{object}"})
     test = element.choice("test", ("equal", "less", "greater"))
     if ("to" in element.attributes) == bool(count) or count > 1:
-        found = f"{'to and ' if 'to' in element.attributes else ''}{count} parameters"
-        element.report(rules.METHOD, f"expected either to or one parameter on a test, found {found}")
+        parameters = f"{count} parameter{'' if count == 1 else 's'}"
+        found = f"to and {parameters}" if "to" in element.attributes else parameters
+        element.report(rules.METHOD, f'expected either to="…" or one parameter on a test, found {found}')
     if "to" not in element.attributes:
         parameter = next((parameter.name for parameter in element.found(Parameter)), "value")
         return replace(_method(element, Kind.TEST, comparison(test, f"{{{parameter}}}")), test=test)
@@ -228,13 +229,14 @@ def _variable(element: Element) -> RobotObject:
 
 def _robot(element: Element) -> Robot:
     groups: dict[Category, list[RobotObject]] = {category: [] for category in Category}
+    names: set[tuple[Category, str]] = set()
     calls: dict[tuple[str, str], str] = {}
     for part, around in element.found_at(RobotObject):
-        group = groups[part.category]
-        if any(other.name == part.name for other in group):
+        if (part.category, part.name) in names:
             around.report(rules.DUPLICATE, f"the {part.category} {shown(part.name)} is there already", "name")
             continue
-        group.append(part)
+        names.add((part.category, part.name))
+        groups[part.category].append(part)
         for method in part.methods:
             other = calls.setdefault((part.name, method.name), part.category.value)
             if other != part.category:

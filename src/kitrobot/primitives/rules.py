@@ -11,8 +11,8 @@ NOT_WELL_FORMED = rule(
     "xml-not-well-formed",
     Severity.ERROR,
     "The file is not XML",
-    "Every element that is opened is closed again, in the opposite order; attribute values stand in quotes; `<` and `&` "
-    "inside text are written `&lt;` and `&amp;`. A file that was cut off while it was copied shows up here as well.",
+    "Every element that is opened is closed again, in the opposite order; attribute values stand in quotes; in text, "
+    "`<` and `&` are written `&lt;` and `&amp;`. A file that was cut off while it was copied shows up here as well.",
 )
 ENCODING = rule(
     "xml-encoding",
@@ -24,8 +24,8 @@ FORBIDDEN = rule(
     "xml-forbidden",
     Severity.ERROR,
     "The file holds a DTD",
-    "A document type or an entity of one's own (`<!DOCTYPE …>`, `<!ENTITY …>`) is never read: entities can make a small "
-    "file explode or pull in other files, and nothing here needs them.",
+    "A document type or an entity of one's own (`<!DOCTYPE …>`, `<!ENTITY …>`) is never read: entities can make a "
+    "small file explode or pull in other files, and nothing here needs them.",
 )
 TOO_DEEP = rule(
     "xml-too-deep",
@@ -49,8 +49,8 @@ NEWER_VERSION = rule(
     "xml-newer-version",
     Severity.ERROR,
     "The file was made by a newer KitRobot",
-    "`version` in the first element counts the changes of the format. A file of a version this KitRobot does not know is "
-    "not touched, so that nothing in it is lost.",
+    "`version` in the first element counts the changes of the format. A file of a version this KitRobot does not know "
+    "is not touched, so that nothing in it is lost.",
 )
 UNKNOWN_ELEMENT = rule(
     "xml-unknown-element",
@@ -99,9 +99,10 @@ TEMPLATE = rule(
     "constructor-template",
     Severity.ERROR,
     "A constructor's code does not fit its slots",
-    "`<code>` is LLL with a hole `{name}` for every slot. Each slot has one hole and each hole one slot, of a kind that "
-    "fits the place: `flow` where a body stands, `condition` where a test stands, `number` for counts and waits, "
-    "`number`, `value` or `text` for a parameter, `action` between `°` and `°`, and a repeated `flow` as a branch of `//( )`.",
+    "`<code>` is LLL with a hole `{name}` for every slot. Each slot has one hole and each hole one slot, of a kind "
+    "that fits the place: `flow` where a body stands, `condition` where a test stands, `number` for counts and "
+    "waits, `number`, `value` or `text` for a parameter, `action` between `°` and `°`, and a repeated `flow` as a "
+    "branch of `//( )`.",
 )
 SLOT = rule(
     "constructor-slot",
@@ -132,7 +133,8 @@ METHOD = rule(
     "robot-method",
     Severity.ERROR,
     "An operation does not say what it tests",
-    'An operation is a value (`value="yes"`) or a test (`test="equal"`, `less`, `greater`) with either `to` or one parameter.',
+    'An operation is a value (`value="yes"`) or a test (`test="equal"`, `less`, `greater`) with either `to` or one '
+    "parameter.",
 )
 PHRASE = rule(
     "robot-phrase",
@@ -151,5 +153,6 @@ SAME_FOLDER = rule(
     "catalogue-twice",
     Severity.WARNING,
     "One folder holds the same thing twice",
-    "A later folder may replace what an earlier one brought, but two files of one folder should not: the later file name wins.",
+    "A later folder may replace what an earlier one brought, but two files of one folder should not: the later file "
+    "name wins.",
 )

@@ -6,14 +6,14 @@ alike: documents with a DTD, too deep, too large, cut off, malformed or in anoth
 with its line and column, and nothing else; unknown elements, attributes and text are reported and the rest stays
 usable.
 
-The text that is parsed has `\\n` line breaks only, as XML asks of every reader, so the lines and columns of the
+The text that is parsed has line feeds only as line breaks, as XML asks of every reader, so the lines and columns of the
 parser are those of the text. Left to others: what a file means.
 """
 
 from __future__ import annotations
 
-import codecs
 import re
+from bisect import bisect_right
 from collections.abc import Mapping
 from itertools import accumulate
 from typing import NoReturn
@@ -26,20 +26,21 @@ from defusedxml.sax import make_parser
 
 from kitrobot.diagnostics import Diagnostic, Place
 from kitrobot.primitives import rules
+from kitrobot.primitives.xml_decoding import decode
 from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, one_of, shown
 from kitrobot.primitives.xml_mistakes import explain
 
 MAX_DEPTH = 64
 """Elements inside one another, at most."""
 
-MAX_BYTES = 64 * 1024 * 1024
-"""The size of a file, at most."""
-
 MAX_PROBLEMS = 100
 """Diagnostics kept of one file; the rest is counted."""
 
+_WINDOW = 65_536
+"""Characters of a start tag that are searched for an attribute's place, at most."""
+
+_ATTRIBUTE = re.compile(r"""\s([^\s=<>"']+)\s*=\s*("[^"]*"|'[^']*')""")
 _START_TAG = re.compile(r"""<[^>"']*(?:"[^"]*"[^>"']*|'[^']*'[^>"']*)*>""")
-_DECLARED = re.compile(rb"""\s*<\?xml[^>]*?\sencoding\s*=\s*["']([^"']*)["']""")
 _TEXT_PIECE = re.compile(r"<!--.*?-->|<\?.*?\?>|<!\[CDATA\[(?P<data>.*?)\]\]>|&[^;]*;|[^<&]", re.DOTALL)
 
 
@@ -81,7 +82,10 @@ class Reader:
     def read(self, roots: Mapping[str, Tag]) -> Element | None:
         """The file's first element, which must be one of `roots`; None when the file cannot be used at all."""
         try:
-            self.text = self._decoded()
+            text = decode(self._data, self.name)
+            if isinstance(text, Diagnostic):
+                self.stop(text)
+            self.text = text
             events = _Events(self, roots)
             events.parse(self.text)
         except _Stop:
@@ -96,32 +100,33 @@ class Reader:
 
     def place_of(self, element: Element, attribute: str | None = None) -> Place:
         """The start of an element's start tag, or the value of one of its attributes."""
-        if attribute is not None and attribute in element.attributes:
-            start = self._offset(element.line, element.column)
-            tag = self._start_tag(start)
-            value = re.search(rf"""\s{re.escape(attribute)}\s*=\s*(?:"([^"]*)"|'([^']*)')""", tag)
-            if value is not None:
-                group = 1 if value.group(1) is not None else 2
-                return self.span(start + value.start(group), start + max(value.end(group), value.start(group) + 1))
+        if attribute in element.attributes and len(self._problems) < MAX_PROBLEMS:
+            start = self.offset(element.line, element.column)
+            for found in _ATTRIBUTE.finditer(self.text, start, start + _WINDOW):
+                if found.group(1) == attribute:
+                    value = found.start(2) + 1
+                    return self.span(value, max(found.end(2) - 1, value + 1))
         return self.place(element.line, element.column, len(element.name) + 1)
 
     def span(self, start: int, end: int) -> Place:
         """The place between two offsets of `text`."""
         return Place(self.name, *self._position(start), *self._position(end))
 
-    def place_in_text(self, element: Element, start: int, end: int) -> Place:
-        """The place of a stretch of an element's text, which has no elements inside; entities and CDATA are followed."""
-        at = self._offset(element.line, element.column)
+    def offsets_of_text(self, element: Element) -> list[int]:
+        """For each character of an element's text, and its end, the offset in `text` (entities and CDATA are followed).
+
+        The element has no elements inside.
+        """
+        at = self.offset(element.line, element.column)
         at += len(self._start_tag(at))
         offsets: list[int] = []
-        while len(offsets) <= end and (piece := _TEXT_PIECE.match(self.text, at)):
+        while piece := _TEXT_PIECE.match(self.text, at):
             if piece.group("data") is not None:
                 offsets += range(piece.start("data"), piece.end("data"))
             elif not piece.group().startswith(("<!", "<?")):
                 offsets.append(at)
             at = piece.end()
-        offsets.append(at)
-        return self.span(offsets[min(start, len(offsets) - 1)], offsets[min(end, len(offsets) - 1)])
+        return [*offsets, at]
 
     def _start_tag(self, start: int) -> str:
         match = _START_TAG.match(self.text, start)
@@ -129,48 +134,23 @@ class Reader:
 
     def raw(self, start_line: int, start_column: int, end_line: int, end_column: int) -> str:
         """An element word for word, from the parser's positions of its start and its end."""
-        start = self._offset(start_line, start_column)
+        start = self.offset(start_line, start_column)
         tag = self._start_tag(start)
         if tag.endswith("/>"):
             return tag
-        return self.text[start : self.text.index(">", self._offset(end_line, end_column)) + 1]
+        return self.text[start : self.text.index(">", self.offset(end_line, end_column)) + 1]
 
-    def _offset(self, line: int, column: int) -> int:
+    def offset(self, line: int, column: int) -> int:
+        """The offset in `text` of a line and a column."""
         if not self._lines:
             self._lines = [0, *accumulate(len(part) + 1 for part in self.text.split("\n"))]
         return self._lines[line - 1] + column - 1
 
     def _position(self, offset: int) -> tuple[int, int]:
-        line = self.text.count("\n", 0, offset)
-        return line + 1, offset - self.text.rfind("\n", 0, offset)
-
-    # -- bytes → text
-
-    def _decoded(self) -> str:
-        data = self._data
-        if len(data) > MAX_BYTES:
-            self.stop(rules.TOO_LARGE(f"expected at most {MAX_BYTES} bytes, found {len(data)}", self.place(1, 1)))
-        encoding = "utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig"
-        declared = _DECLARED.match(data[:200].removeprefix(codecs.BOM_UTF8))
-        if declared and encoding == "utf-8-sig":
-            name = declared.group(1).decode("ascii", "replace")
-            if name.casefold() not in ("utf-8", "utf8", "us-ascii", "ascii"):
-                column = declared.start(1) + 1
-                self._refuse_encoding(f"expected UTF-8, found a file that says {shown(name)}", 1, column, len(name))
-        try:
-            text = data.decode(encoding)
-        except UnicodeDecodeError as error:
-            line, column = 1, 1
-            if encoding != "utf-16":
-                before = (
-                    data[: error.start].replace(b"\r\n", b"\n").replace(b"\r", b"\n").decode("utf-8-sig", "replace")
-                )
-                line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
-            self._refuse_encoding(f"expected {encoding[:6].upper()}, found bytes that are not", line, column)
-        return text.replace("\r\n", "\n").replace("\r", "\n")
-
-    def _refuse_encoding(self, message: str, line: int, column: int, length: int = 1) -> NoReturn:
-        self.stop(rules.ENCODING(message, self.place(line, column, max(1, length)), help="save the file as UTF-8"))
+        if not self._lines:
+            self.offset(1, 1)
+        line = bisect_right(self._lines, offset)
+        return line, offset - self._lines[line - 1] + 1
 
 
 class _Events(ContentHandler):
@@ -194,14 +174,16 @@ class _Events(ContentHandler):
             parser.feed(text)
             parser.close()
         except SAXParseException as error:
-            line, column = error.getLineNumber() or 1, (error.getColumnNumber() or 0) + 1
-            message, help = explain(error.getMessage(), text, self.reader._offset(line, column), self.names)
-            self.reader.stop(rules.NOT_WELL_FORMED(message, self.reader.place(line, column), help=help))
+            offset = self.reader.offset(error.getLineNumber() or 1, (error.getColumnNumber() or 0) + 1)
+            mistake = explain(error.getMessage(), text, offset, self.names)
+            place = self.reader.span(mistake.start, mistake.start + 1)
+            self.reader.stop(rules.NOT_WELL_FORMED(mistake.message, place, help=mistake.help))
         except DefusedXmlException:
+            at = text.rfind("<!DOCTYPE", 0, self.reader.offset(*self.position()) + 1)
             self.reader.stop(
                 rules.FORBIDDEN(
                     "expected no document type and no entities, found a <!DOCTYPE …>",
-                    self.reader.place(*self.position(), len("<!DOCTYPE")),
+                    self.reader.span(max(0, at), max(0, at) + len("<!DOCTYPE")),
                     help="take the whole <!DOCTYPE …> away; write the characters themselves, or &#number;",
                 )
             )
@@ -277,7 +259,8 @@ class _Events(ContentHandler):
         elif not content.isspace() and not element.pieces:
             element.pieces.append(content)
             message = f"<{element.name}> holds no text of its own, found {shown(content)}; it is left out"
-            element.report(rules.STRAY_TEXT, message)
+            end = self.reader.offset(*self.position()) - (len(content) - len(content.rstrip()))
+            element.add(rules.STRAY_TEXT(message, self.reader.span(max(0, end - len(content.strip())), end)))
 
 
 def _keep_text(element: Element) -> None:

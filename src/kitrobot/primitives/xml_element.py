@@ -13,6 +13,7 @@ import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import TYPE_CHECKING, TypeVar
 
 from kitrobot.diagnostics import Diagnostic, Place, Rule
@@ -25,8 +26,14 @@ T = TypeVar("T")
 
 _INTEGER = re.compile(r"[+-]?[0-9]{1,18}")
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]{1,18}(?:\.[0-9]{0,18})?|\.[0-9]{1,18})(?:[eE][+-]?[0-9]{1,3})?")
+LONGEST_NAME = 100
+"""Characters of a name, at most."""
+
 _SHOWN = 40
 """Characters of a value that a message repeats at most."""
+
+_COMPARED = 1000
+"""Words that a misspelt one is compared with, at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,6 +145,9 @@ class Element:
         if default is not None and name not in self.attributes:
             return default
         value = self.required(name)
+        if len(value) > LONGEST_NAME:
+            self.bad_value(name, f"at most {LONGEST_NAME} characters")
+            return default or ""
         if value and not fits(value):
             self.bad_value(name, what)
             return default or ""
@@ -189,7 +199,7 @@ class Element:
         if found > newest:
             self.reader.stop(
                 rules.NEWER_VERSION(
-                    f"expected version 1 to {newest}, found version {found}",
+                    f"expected version {newest} or older, found version {found}",
                     self.place("version"),
                     help="open it with a newer KitRobot",
                 )
@@ -234,7 +244,7 @@ def one_of(options: Iterable[str]) -> str:
 
 def nearest(word: str, words: Iterable[str]) -> str:
     """The known word that a misspelt one is most like, or ""."""
-    known = list(words)
+    known = list(islice(words, _COMPARED))
     for candidate in known:
         if candidate.casefold() == word.casefold():
             return candidate

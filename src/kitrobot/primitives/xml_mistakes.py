@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from typing import NamedTuple
 
 _CLOSING = re.compile(r"</\s*([^\s>]{1,40})")
 _ENTITY = re.compile(r"&([^;\s]{1,40});?")
@@ -13,6 +14,7 @@ _SENTENCES = {
         "expected the end of the file after the first element, found more",
         "a file holds one element; everything else goes inside it",
     ),
+    "syntax error": ("expected an XML element, found text", "a file of ours begins with `<`"),
     "duplicate attribute": ("an attribute is given twice in this tag", "keep one of the two"),
     "XML or text declaration not at start of entity": (
         "expected `<?xml …?>` only at the very start of the file, found it here",
@@ -21,7 +23,15 @@ _SENTENCES = {
 }
 
 
-def explain(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> tuple[str, str]:
+class Mistake(NamedTuple):
+    """What to say about an error of the parser, and the offset where it really is."""
+
+    message: str
+    help: str
+    start: int
+
+
+def explain(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> Mistake:
     """A sentence and a help line for an error of the parser.
 
     Args:
@@ -30,13 +40,20 @@ def explain(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]
         offset: where in it the parser stopped.
         opened: name and line of every element that is open there, outermost first.
     """
+    start = offset
+    if said == "mismatched tag" and opened:
+        start = max(0, text.rfind("<", 0, offset + 1))
+    return Mistake(*_words(said, text, start, opened), start)
+
+
+def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> tuple[str, str]:
     if said in _CUT_OFF:
         return _cut_off(text, opened)
     if said in _SENTENCES:
         return _SENTENCES[said]
     if said == "mismatched tag" and opened:
         name, line = opened[-1]
-        found = _CLOSING.match(text, offset) or _CLOSING.search(text, max(0, offset - 2), offset + 60)
+        found = _CLOSING.match(text, offset)
         other = f"</{found.group(1)}>" if found else "another closing tag"
         return (
             f"expected </{name}> for the <{name}> of line {line}, found {other}",
