@@ -56,7 +56,7 @@ NOT_A_NUMBER = rule(
     "not-a-number",
     Severity.ERROR,
     "What was typed in is not a whole number in range",
-    "Numbers in a program are whole, have no sign, and lie between 0 and 65535, or in the narrower range of their slot.",
+    "Numbers in a program are whole, have no sign, and lie between 0 and 65535, or within their slot's own range.",
 )
 WRONG_PLACE = rule(
     "wrong-place",

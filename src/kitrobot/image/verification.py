@@ -2,8 +2,8 @@
 
 What holds of a verified image: every operand names a cell, command, stop or parallel that exists; constants are never
 written; a jump stays within its own slot; code does not run past its slot's end; every way round blocks; ADD and SUB
-are clamped by the very next instruction, so that no value grows past `LARGEST_VALUE`; slots and parallels form one tree in
-reading order, and each slot forks only its own parallels. `tick` relies on all of it and checks none of it.
+are clamped by the very next instruction, so that no value grows past `LARGEST_VALUE`; slots and parallels form one tree
+in reading order, and each slot forks only its own parallels. `tick` relies on all of it and checks none of it.
 """
 
 from __future__ import annotations
