@@ -1,0 +1,18 @@
+"""A `.krt` file as a whole: programs, team and world together."""
+
+from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
+from kitrobot.mission.reading import read_mission
+from kitrobot.mission.writing import SaveError, save, write_mission
+
+__all__ = [
+    "ALL",
+    "VERSION",
+    "Agent",
+    "Goal",
+    "Mission",
+    "SaveError",
+    "Team",
+    "read_mission",
+    "save",
+    "write_mission",
+]

@@ -1,0 +1,63 @@
+"""A mission: programs, the team that runs them, and the world they run in, as one `.krt` file holds them.
+
+Plain values in the order of the file. A mission may be unfinished (an agent whose program is not there yet): what is
+wrong is said by diagnostics, and by whoever tries to run it. Left to others: what a program means (compiler), the
+world itself.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from kitrobot.graph import Program
+
+VERSION = 1
+"""The newest version of the `.krt` format."""
+
+ALL = "all"
+"""A goal's stock: every box there is."""
+
+
+@dataclass(slots=True)
+class Agent:
+    """A member of the team and the program it runs. It starts at the world's start `start`, or the one of its name."""
+
+    name: str
+    program: str
+    start: str = ""
+
+    @property
+    def start_name(self) -> str:
+        """The name of the start it takes."""
+        return self.start or self.name
+
+
+@dataclass(slots=True)
+class Goal:
+    """What must be true in the end: that many boxes (or `ALL`) in a storehouse."""
+
+    storehouse: str
+    stock: str = ALL
+
+
+@dataclass(slots=True)
+class Team:
+    """Who takes part, and what for."""
+
+    agents: list[Agent] = field(default_factory=list)
+    goals: list[Goal] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class Mission:
+    """A whole mission. `world_href` names a world's file, "" means the empty world; `unknown` is XML kept as it is."""
+
+    version: int = VERSION
+    programs: list[Program] = field(default_factory=list)
+    team: Team = field(default_factory=Team)
+    world_href: str = ""
+    unknown: list[str] = field(default_factory=list)
+
+    def program(self, name: str) -> Program | None:
+        """The program of that name, or None."""
+        return next((program for program in self.programs if program.name == name), None)

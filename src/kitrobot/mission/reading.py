@@ -1,0 +1,97 @@
+"""Missions from XML: programs, team, world reference."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from kitrobot.diagnostics import Diagnostic
+from kitrobot.graph import PROGRAM, Program
+from kitrobot.mission import rules
+from kitrobot.mission.migrations import migrate
+from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
+from kitrobot.primitives import Element, Reader, Tag, did_you_mean, shown
+
+
+class _Href(NamedTuple):
+    href: str
+
+
+def _open(element: Element) -> None:
+    element.version(VERSION)
+
+
+def _agent(element: Element) -> Agent:
+    return Agent(element.required("name"), element.required("program"), element.optional("start"))
+
+
+def _goal(element: Element) -> Goal | None:
+    stock = element.optional("stock", ALL)
+    if stock != ALL and not (stock.isascii() and stock.isdigit() and int(stock[:9]) <= 65535 and len(stock) < 9):
+        message = f'expected a whole number from 0 to 65535 or "{ALL}" in stock, found {shown(stock)}'
+        element.report(rules.GOAL, message, "stock")
+        return None
+    storehouse = element.required("storehouse")
+    return Goal(storehouse, stock) if storehouse else None
+
+
+def _team(element: Element) -> Team:
+    agents = element.distinct(Agent, lambda agent: agent.name, "agent")
+    return Team([agent for agent in agents if agent.name], element.found(Goal))
+
+
+class _Unknown(str):
+    """XML of a mission that we do not know."""
+
+    __slots__ = ()
+
+
+def _keep(element: Element, raw: str) -> None:
+    element.values.append((_Unknown(raw), element))
+
+
+_AGENT = Tag(_agent, ("name", "program", "start"))
+_TEAM = Tag(_team, children={"agent": _AGENT, "goal": Tag(_goal, ("storehouse", "stock"))})
+_ROOTS = {
+    "kitrobot": Tag(
+        attributes=("version",),
+        children={
+            "program": PROGRAM,
+            "team": _TEAM,
+            "world": Tag(lambda element: _Href(element.required("href")), ("href",)),
+        },
+        open=_open,
+        keep=_keep,
+    )
+}
+
+
+def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnostic]]:
+    """A mission and what is wrong with it; None when nothing of the file can be used.
+
+    Args:
+        data: the file as it is.
+        name: what people call it, for messages.
+    """
+    reader = Reader(data, name)
+    root = reader.read(_ROOTS)
+    if root is None:
+        return None, reader.diagnostics
+    version = int(root.attributes["version"]) if root.attributes.get("version", "").isdigit() else VERSION
+    mission = Mission(max(1, version), root.distinct(Program, lambda program: program.name, "program"))
+    for team in root.found(Team):
+        mission.team.agents += team.agents
+        mission.team.goals += team.goals
+    mission.world_href = next((world.href for world in root.found(_Href)), "")
+    mission.unknown = [str(raw) for raw in root.found(_Unknown)]
+    _check(mission, root)
+    return migrate(mission), reader.diagnostics
+
+
+def _check(mission: Mission, root: Element) -> None:
+    """That every agent runs a program of this mission."""
+    names = [program.name for program in mission.programs]
+    for _, team in root.found_at(Team):
+        for agent, element in team.found_at(Agent):
+            if agent.program and agent.program not in names:
+                message = f"{agent.name} runs the program {shown(agent.program)}, which is not in this mission"
+                element.report(rules.NO_PROGRAM, message, "program", did_you_mean(agent.program, names))

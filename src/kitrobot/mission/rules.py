@@ -1,0 +1,18 @@
+"""The rules of missions: what can be wrong with one beyond its XML and its programs."""
+
+from __future__ import annotations
+
+from kitrobot.diagnostics import Severity, rule
+
+NO_PROGRAM = rule(
+    "mission-no-program",
+    Severity.ERROR,
+    "An agent has no program",
+    "Every agent of the team names one of the mission's programs.",
+)
+GOAL = rule(
+    "mission-goal",
+    Severity.ERROR,
+    "A goal cannot be understood",
+    'A goal says how many boxes a storehouse holds in the end: a whole number, or "all".',
+)
