@@ -1,0 +1,132 @@
+"""The command line as a whole: which word does what, and what becomes of an error.
+
+`kitrobot FILE` without a command's name opens the studio: such arguments are read as `kitrobot studio FILE`. The studio
+itself is another door, a stranger to this one, so whoever starts the command line hands it in (`kitrobot.__main__`).
+Whatever goes wrong ends in a sentence and an exit status, never in a traceback: 1 for what was asked and could not be
+done, 2 for a command that cannot be read, 70 for a mistake of ours, 130 for Ctrl-C, 141 when nobody reads any more.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import Annotated, Final
+
+import typer
+
+from kitrobot.cli.check import check_files
+from kitrobot.cli.convert import convert_file
+from kitrobot.cli.exec import execute_program
+from kitrobot.cli.format import format_files
+from kitrobot.cli.run import run_mission
+from kitrobot.cli.speaking import complain, tell, use_utf8
+from kitrobot.cli.studio import Studio, open_studio
+from kitrobot.diagnostics import KitRobotError
+
+DEBUG_VARIABLE = "KITROBOT_DEBUG"
+MISTAKE_OF_OURS: Final = 70
+INTERRUPTED: Final = 130
+NOBODY_READS: Final = 141
+
+app = typer.Typer(
+    name="kitrobot",
+    no_args_is_help=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode="markdown",
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+app.command("studio")(open_studio)
+app.command("run")(run_mission)
+app.command("convert")(convert_file)
+app.command("exec")(execute_program)
+app.command("check")(check_files)
+app.command("format")(format_files)
+
+
+def _say_version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        print(f"kitrobot {version('kitrobot')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _kitrobot(
+    version: Annotated[
+        bool, typer.Option("--version", help="Say the version.", is_eager=True, callback=_say_version)
+    ] = False,
+) -> None:
+    """Draw a program as a graph and run it on small robots, alone or as a team.
+
+    `kitrobot [FILE.krt | FOLDER]` opens the studio in the browser, with an example when nothing is named; its options are
+    those of `kitrobot studio`. With KITROBOT_DEBUG=1 in the environment an unexpected error shows where it happened.
+    """
+
+
+def main(arguments: Sequence[str] | None = None, *, studio: Studio | None = None) -> None:
+    """Runs the command line and exits with its status. `studio` is what opens the studio.
+
+    Raises:
+        SystemExit: always.
+    """
+    use_utf8()
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        status = _obey(_with_command(given), studio)
+        sys.stdout.flush()
+    except KitRobotError as error:
+        complain(error)
+        status = 1
+    except KeyboardInterrupt:
+        status = INTERRUPTED
+    except BrokenPipeError:
+        status = _stop_talking()
+    except OSError as error:
+        tell(f"error: {error.strerror or error}{f': `{error.filename}`' if error.filename else ''}")
+        status = 1
+    except Exception as error:
+        status = _own_mistake(error)
+    sys.exit(status)
+
+
+def _obey(arguments: list[str], studio: Studio | None) -> int:
+    command = typer.main.get_command(app)
+    try:
+        command.main(arguments, prog_name="kitrobot", obj=studio)
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else int(end.code is not None)
+    return 0
+
+
+def _with_command(arguments: list[str]) -> list[str]:
+    """The arguments with `studio` before them when they name no command and ask for no help."""
+    first = arguments[0] if arguments else ""
+    names = {command.name for command in app.registered_commands}
+    if first in names or first in ("-h", "--help", "--version") or first.startswith(("--install-", "--show-")):
+        return arguments
+    return ["studio", *arguments]
+
+
+def _stop_talking() -> int:
+    """Nobody reads the output any more: nothing to complain about, and nothing more to say at the exit."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            os.dup2(nowhere, stream.fileno())
+        except (OSError, ValueError):
+            continue
+    return NOBODY_READS
+
+
+def _own_mistake(error: Exception) -> int:
+    if os.environ.get(DEBUG_VARIABLE):
+        import traceback
+
+        traceback.print_exception(error)
+    kind = type(error).__name__
+    first_line = str(error).strip().partition("\n")[0][:200]
+    tell(f"error: KitRobot itself went wrong ({kind}{f': {first_line}' if first_line else ''})")
+    tell(f"  help: this is our mistake; run the command again with {DEBUG_VARIABLE}=1 and report all that it says")
+    return MISTAKE_OF_OURS

@@ -1,0 +1,57 @@
+"""`kitrobot check`: every problem of files of every kind."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from kitrobot.cli.speaking import give, tell
+from kitrobot.diagnostics import Severity
+
+
+def check_files(
+    files: Annotated[
+        list[Path],
+        typer.Argument(metavar="FILE…", help="Missions, LLL texts, images, robots, constructors, worlds."),
+    ],
+    robot: Annotated[
+        str | None,
+        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot that the LLL texts are for.", show_default=False),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")] = False,
+) -> None:
+    """Show every problem of the files, each with its place and a way out.
+
+    Kinds: `.krt`, `.lll`, `.kri`, `.kra`, and XML of robots, constructors and worlds. Of an `.lll` without `--robot` only
+    the syntax is checked. The exit status is 1 if there is an error, and 0 if there are only warnings and hints.
+    """
+    from kitrobot.diagnostics import to_json
+    from kitrobot.workspace import check_file, find_robot, with_help, written_out
+
+    meant = find_robot(robot) if robot is not None else None
+    reports = [check_file(path, meant) for path in files]
+    problems = [problem for report in reports for problem in with_help(report.diagnostics)]
+    if as_json:
+        give(json.dumps([to_json(problem) for problem in problems], ensure_ascii=False, indent=2) + "\n")
+    else:
+        for report in reports:
+            text = written_out(report.diagnostics, report.sources)
+            give(text + "\n" if text else "")
+            for note in report.notes:
+                tell(note)
+        tell(_count([problem.severity for problem in problems], len(files)))
+    if any(problem.is_error for problem in problems):
+        raise typer.Exit(1)
+
+
+def _count(severities: list[Severity], files: int) -> str:
+    """`2 errors, 1 hint in 3 files`."""
+    found = []
+    for severity in Severity:
+        number = severities.count(severity)
+        if number:
+            found.append(f"{number} {severity}{'s' if number > 1 else ''}")
+    return f"{', '.join(found) or 'no problems'} in {files} file{'s' if files != 1 else ''}"

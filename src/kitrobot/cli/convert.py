@@ -1,0 +1,40 @@
+"""`kitrobot convert`: a program from one form into another, by the names of the files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from kitrobot.cli.speaking import show, tell
+
+
+def convert_file(
+    source: Annotated[Path, typer.Argument(metavar="A", help="The file to read.", show_default=False)],
+    target: Annotated[Path, typer.Argument(metavar="B", help="The file to write.", show_default=False)],
+    program: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="Which program of a `.krt` with several; what to call one that is made."),
+    ] = None,
+    robot: Annotated[
+        str | None,
+        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot of an LLL text; a `.krt` names its own."),
+    ] = None,
+) -> None:
+    """Turn a program into another form; the endings of the names say which.
+
+    - `.krt` mission (graphs) → `.lll`, `.kri`, `.kra`
+    - `.lll` LLL text → `.krt`, `.kri`, `.kra`
+    - `.kri` image → `.kra`
+    - `.kra` three-address listing → `.kri`, byte for byte the image that was listed
+
+    Nothing is written when the program has errors.
+    """
+    from kitrobot.workspace import convert
+
+    done = convert(source, target, program=program, robot=robot)
+    show(done.diagnostics, done.sources)
+    if not done.written:
+        raise typer.Exit(1)
+    tell(f"{target}: written")

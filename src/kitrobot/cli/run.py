@@ -1,0 +1,77 @@
+"""`kitrobot run`: a mission in the simulator, without a page."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from kitrobot.cli.speaking import give, show
+
+if TYPE_CHECKING:
+    from kitrobot.workspace import Run
+
+
+def run_mission(
+    file: Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)],
+    seed: Annotated[int, typer.Option(min=0, help="Chance begins here: the same seed gives the same run.")] = 1,
+    seconds: Annotated[float, typer.Option(help="Simulated seconds after which the run is out of time.")] = 600.0,
+    trace: Annotated[
+        Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run: same seed, same bytes.")
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
+) -> None:
+    """Run a mission in the simulator, as fast as it goes.
+
+    The exit status is 0 when the mission was done, and 1 when it failed, got stuck, ran out of time or has errors.
+    """
+    if not (math.isfinite(seconds) and seconds > 0):
+        raise typer.BadParameter("a run takes more than 0 seconds", param_hint="'--seconds'")
+    from kitrobot.workspace import open_mission
+
+    mission = open_mission(file)
+    report = mission.check()
+    show(report.problems, report.sources)
+    with _progress(seconds) as progress:
+        run = mission.run(seed=seed, seconds=seconds, trace=trace, progress=progress)
+    give(json.dumps(run.to_json(), ensure_ascii=False) + "\n" if as_json else _summary(run))
+    if run.outcome != "done":
+        raise typer.Exit(1)
+
+
+@contextmanager
+def _progress(seconds: float) -> Iterator[Callable[[float], None] | None]:
+    """A bar on standard error while a person watches; what it gives takes the simulated seconds so far."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.completed:.0f} s simulated"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=seconds)
+        yield lambda done: bar.update(task, completed=done)
+
+
+def _summary(run: Run) -> str:
+    """The result as people read it."""
+    width = max((len(name) for name in run.delivered), default=0)
+    counts = [f"  {name:<{width}}  {count:>5}" for name, count in run.delivered.items()]
+    lines = [f"{run.outcome}: {run.sentence}" if run.sentence else run.outcome, ""]
+    if counts:
+        lines += [f"  {'delivered by':<{width}}", *counts, ""]
+    real = run.timing.real_seconds
+    lines += [
+        f"  delivered   {sum(run.delivered.values())} of {run.total}",
+        f"  collisions  {run.collisions}",
+        f"  simulated   {run.seconds:.2f} s in {run.ticks} ticks",
+        f"  real time   {real:.2f} s" + (f", {run.seconds / real:.0f} times as fast" if real > 0 else ""),
+    ]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,47 @@
+"""How the command line speaks: data on standard output, talk on standard error, UTF-8 on both, whatever the locale."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from typing import Any
+
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Source
+
+
+def use_utf8() -> None:
+    """Both streams in UTF-8 with plain line feeds; what cannot be said is escaped, never refused."""
+    for stream, errors in ((sys.stdout, "surrogateescape"), (sys.stderr, "backslashreplace")):
+        reconfigure: Any = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(encoding="utf-8", errors=errors, newline="\n")
+
+
+def tell(text: str) -> None:
+    """Talk, on standard error."""
+    print(text, file=sys.stderr)
+
+
+def give(text: str) -> None:
+    """Data, on standard output, without adding anything."""
+    sys.stdout.write(text)
+
+
+def show(diagnostics: Iterable[Diagnostic], sources: Iterable[Source] = ()) -> None:
+    """Diagnostics, on standard error."""
+    from kitrobot.workspace import written_out
+
+    text = written_out(diagnostics, sources)
+    if text:
+        tell(text)
+
+
+def complain(error: KitRobotError) -> None:
+    """What went wrong, on standard error: the diagnostics where there are any, and the sentence with its way out."""
+    place: Place | None = getattr(error, "place", None)
+    if error.diagnostics:
+        show(error.diagnostics, getattr(error, "sources", ()))
+    where = f"{place.file}:{place.line}:{place.column}: " if place is not None else ""
+    tell(f"{where}error: {error.message}")
+    if error.help:
+        tell(f"  help: {error.help}")

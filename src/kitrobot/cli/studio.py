@@ -1,0 +1,74 @@
+"""`kitrobot [FILE.krt | FOLDER]`: the studio in the browser."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Protocol
+
+import typer
+
+from kitrobot.diagnostics import KitRobotError
+
+COMMANDS = ("check", "convert", "exec", "format", "run", "studio")
+
+
+class StudioError(KitRobotError):
+    """The studio cannot be opened on that."""
+
+
+@dataclass(frozen=True)
+class Opening:
+    """How the studio is to be opened: `target` is a mission, a folder, or None for an example; `port` None: any."""
+
+    target: Path | None
+    host: str
+    port: int | None
+    browser: bool
+
+
+class Studio(Protocol):
+    """Opens the studio and comes back when it is closed."""
+
+    def __call__(self, opening: Opening, /) -> None: ...
+
+
+def open_studio(
+    context: typer.Context,
+    target: Annotated[
+        str | None, typer.Argument(metavar="[FILE.krt | FOLDER]", help="A mission, or a folder of missions.")
+    ] = None,
+    browser: Annotated[bool, typer.Option(help="Open the browser.")] = True,
+    port: Annotated[
+        int | None,
+        typer.Option(min=0, max=65535, help="The port to listen on; 0 is any free one.", show_default="8765 or near"),
+    ] = None,
+    host: Annotated[str, typer.Option(help="The address of this machine to listen on.")] = "127.0.0.1",
+) -> None:
+    """Open the studio in the browser; Ctrl-C ends it."""
+    path = _existing(target) if target is not None else None
+    studio: Studio | None = context.obj
+    if studio is None:
+        raise StudioError("this command line was started without a studio", "start it with `python -m kitrobot`")
+    studio(Opening(path, host, port, browser))
+
+
+def _existing(target: str) -> Path:
+    path = Path(target)
+    if path.is_dir() or (path.is_file() and path.suffix.lower() == ".krt"):
+        return path
+    if path.exists():
+        ending = path.suffix
+        raise StudioError(
+            f"The studio opens missions (`.krt`), and `{target}` is none",
+            "turn it into one with `kitrobot convert`" if ending in (".lll",) else "",
+        )
+    if path.suffix or len(path.parts) > 1:
+        from kitrobot.workspace import look_alike
+
+        raise StudioError(f"there is no file or folder `{target}`", look_alike(path))
+    from difflib import get_close_matches
+
+    near = get_close_matches(target, COMMANDS, n=1)
+    help = f"did you mean `kitrobot {near[0]}`?" if near else f"commands: {', '.join(COMMANDS)}"
+    raise typer.BadParameter(f"`{target}` is no command, and there is no file or folder of that name; {help}")

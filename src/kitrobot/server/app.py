@@ -1,0 +1,123 @@
+"""The application: the page, its requests, the run's WebSocket, and the shell around all of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import FileResponse, HTMLResponse, JSONResponse, Response
+from fastapi.staticfiles import StaticFiles
+from pydantic.json_schema import models_json_schema
+from starlette.exceptions import HTTPException
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.server import pages
+from kitrobot.server.routes import routes
+from kitrobot.server.runs import run_routes
+from kitrobot.server.security import Guard
+from kitrobot.server.sentences import spoken
+from kitrobot.server.shapes import (
+    REQUEST_MODELS,
+    RUN_MESSAGE_MODELS,
+    ConflictShape,
+    FailureShape,
+    problem_shapes,
+)
+from kitrobot.server.studio import Studio
+from kitrobot.workspace import ConflictError, FileError, MissionNameError, ReadOnlyError
+
+STATIC = Path(__file__).parent / "static"
+"""The built page; git does not keep it."""
+
+
+def create_app(workspace: Path, mission: Path | None, token: str, *, static: Path = STATIC) -> FastAPI:
+    """The studio's application.
+
+    Args:
+        workspace: the folder whose missions can be opened and saved; nothing outside it can be reached.
+        mission: the mission to begin with, in that folder or among the examples; None to let the page choose.
+        token: what every request must bring along.
+        static: the built page.
+    """
+    app = FastAPI(title="KitRobot", docs_url=None, redoc_url=None, openapi_url="/api/openapi.json")
+    app.state.studio = Studio(workspace, mission)
+    app.include_router(routes)
+    app.include_router(run_routes)
+    app.add_exception_handler(KitRobotError, _failed)
+    app.add_exception_handler(OSError, _disk_failed)
+    app.add_exception_handler(RequestValidationError, _not_understood)
+    app.add_exception_handler(HTTPException, _refused)
+    _serve_page(app, static)
+    app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]
+    app.add_middleware(Guard, token=token)
+    return app
+
+
+def _serve_page(app: FastAPI, static: Path) -> None:
+    index = static / "index.html"
+
+    @app.get("/", include_in_schema=False)
+    def page() -> Response:
+        if index.is_file():
+            return FileResponse(index, media_type="text/html")
+        message, help = "The studio's page has not been built", "run `python tools/web.py build` and load this page again"
+        return HTMLResponse(pages.sentence(message, help), status_code=503)
+
+    app.mount("/", StaticFiles(directory=static, check_dir=False))
+
+
+def _openapi(app: FastAPI) -> dict[str, Any]:
+    """The schema of all requests, with the shapes that travel over the WebSocket, which OpenAPI knows no place for."""
+    if app.openapi_schema is None:
+        schema = FastAPI.openapi(app)
+        models = [(model, "validation") for model in REQUEST_MODELS]
+        models += [(model, "serialization") for model in RUN_MESSAGE_MODELS]
+        _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
+        schema["components"]["schemas"] |= extra["$defs"]
+        app.openapi_schema = schema
+    return app.openapi_schema
+
+
+def _failed(request: Request, error: Exception) -> Response:
+    """An operation failed: which status, and the sentence."""
+    assert isinstance(error, KitRobotError)
+    message, help = spoken(error.message), spoken(error.help)
+    if isinstance(error, ConflictError):
+        conflict = ConflictShape(message=message, help=help, revision=error.revision)
+        return JSONResponse(conflict.model_dump(), status_code=409)
+    status = 422
+    if isinstance(error, (MissionNameError, ReadOnlyError)):
+        status = 403
+    elif isinstance(error, FileError) and not error.path.exists():
+        status = 404
+    failure = FailureShape(message=message, help=help, problems=problem_shapes(error.diagnostics))
+    return JSONResponse(failure.model_dump(), status_code=status)
+
+
+def _disk_failed(request: Request, error: Exception) -> Response:
+    assert isinstance(error, OSError)
+    failure = FailureShape(message=spoken(error.strerror or "the disk could not be used"), help="")
+    return JSONResponse(failure.model_dump(), status_code=422)
+
+
+def _not_understood(request: Request, error: Exception) -> Response:
+    assert isinstance(error, RequestValidationError)
+    first = error.errors()[0]
+    where = ".".join(str(part) for part in first["loc"])
+    failure = FailureShape(
+        message=f"The request was not understood: {first['msg']} ({where}).",
+        help="Load the page again: it may be older than the studio.",
+    )
+    return JSONResponse(failure.model_dump(), status_code=422)
+
+
+def _refused(request: Request, error: Exception) -> Response:
+    """Nothing is there, or not for that method."""
+    assert isinstance(error, HTTPException)
+    if request.url.path.startswith("/api/"):
+        failure = FailureShape(message=f"{error.detail}.", help="")
+        return JSONResponse(failure.model_dump(), status_code=error.status_code, headers=error.headers)
+    page = pages.sentence(f"{error.detail}", "the studio is at `/`")
+    return HTMLResponse(page, status_code=error.status_code, headers=error.headers)

@@ -1,0 +1,37 @@
+"""The few pages that the studio writes itself: a sentence and a way out, for when the real page cannot be shown."""
+
+from __future__ import annotations
+
+import html
+import re
+
+from kitrobot.server.sentences import spoken
+
+_PAGE = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>KitRobot</title>
+<style>
+:root {{ color-scheme: light dark; }}
+body {{ font: 16px/1.5 system-ui, sans-serif; max-width: 36rem; margin: 20vh auto 0; padding: 0 1.5rem; }}
+h1 {{ font-size: 1.25rem; }}
+code {{ font-family: ui-monospace, monospace; padding: 0.1em 0.35em; border-radius: 6px; background: #8882; }}
+</style>
+</head>
+<body>
+<h1>{message}</h1>
+<p>{help}</p>
+</body>
+</html>
+"""
+
+
+def sentence(message: str, help: str) -> str:
+    """A page that says one thing; `words` in back quotes are set as code."""
+    return _PAGE.format(message=_words(spoken(message)), help=_words(spoken(help)))
+
+
+def _words(text: str) -> str:
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", html.escape(text))

@@ -1,0 +1,132 @@
+"""The page's requests: each is a use case of the workspace, with shapes before and after it."""
+
+from __future__ import annotations
+
+from importlib.metadata import version
+from typing import Annotated
+
+from fastapi import APIRouter, Depends, Query, Request
+
+from kitrobot.mission import save, write_mission
+from kitrobot.server.shapes import (
+    CheckShape,
+    ConflictShape,
+    FailureShape,
+    MissionEntryShape,
+    MissionFileShape,
+    MissionTextShape,
+    ReportShape,
+    SavedShape,
+    SaveShape,
+    SessionShape,
+    TextShape,
+    mission_from_shape,
+    mission_shape,
+    problem_shapes,
+    report_shape,
+    world_shape,
+)
+from kitrobot.server.studio import Studio
+from kitrobot.workspace import OpenMission, new_mission, read_mission_data, revision_of
+
+_FAILURES: dict[int | str, dict[str, object]] = {
+    "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
+}
+_CONFLICT: dict[int | str, dict[str, object]] = {
+    409: {"model": ConflictShape, "description": "The file is not what it was."},
+    **_FAILURES,
+}
+LONGEST_NAME = 1000
+
+routes = APIRouter(prefix="/api", responses=_FAILURES)
+
+
+def _studio(request: Request) -> Studio:
+    studio = request.app.state.studio
+    assert isinstance(studio, Studio)
+    return studio
+
+
+async def _body(request: Request) -> bytes:
+    """The body as it came, whatever the page says it is."""
+    return await request.body()
+
+
+StudioOf = Annotated[Studio, Depends(_studio)]
+Name = Annotated[str, Query(max_length=LONGEST_NAME)]
+
+
+@routes.get("/session")
+def session(studio: StudioOf) -> SessionShape:
+    """What the page starts with."""
+    return SessionShape(version=version("kitrobot"), path=studio.first, workspace=studio.folder.root.name)
+
+
+@routes.get("/missions")
+def missions(studio: StudioOf) -> list[MissionEntryShape]:
+    """The missions of the folder, and the examples."""
+    return [
+        MissionEntryShape(
+            path=entry.path, name=entry.name, title=entry.title, example=entry.example, modified=entry.modified
+        )
+        for entry in studio.folder.missions()
+    ]
+
+
+@routes.get("/mission")
+def mission(studio: StudioOf, path: Name) -> MissionFileShape:
+    """A mission opened."""
+    data, revision = studio.folder.read(path)
+    folder = studio.folder.folder_of(path)
+    catalogue, _ = studio.catalogue(folder)
+    return _file(studio, read_mission_data(data, path, folder, catalogue=catalogue), path, revision)
+
+
+@routes.get("/mission/new")
+def mission_new(studio: StudioOf) -> MissionFileShape:
+    """A mission that nobody wrote yet: one program, start and stop, one robot."""
+    return _file(studio, studio.open(new_mission(), ""), "", "")
+
+
+@routes.post("/mission/read")
+def mission_read(
+    studio: StudioOf, data: Annotated[bytes, Depends(_body)], name: Name = "mission.krt"
+) -> MissionFileShape:
+    """A mission from the bytes of a file that is not in the folder."""
+    catalogue, _ = studio.catalogue(studio.folder.root)
+    return _file(studio, read_mission_data(data, name, studio.folder.root, catalogue=catalogue), "", "")
+
+
+@routes.put("/mission", responses=_CONFLICT)
+def mission_save(studio: StudioOf, wanted: SaveShape) -> SavedShape:
+    """Saves a mission, unless its file is not what the page last saw."""
+    made = mission_from_shape(wanted.mission)
+    data = write_mission(made)
+    with studio.folder.hold(wanted.path, wanted.revision) as path:
+        save(path, made)
+    return SavedShape(path=wanted.path, revision=revision_of(data))
+
+
+@routes.post("/mission/text")
+def mission_text(wanted: MissionTextShape) -> TextShape:
+    """The canonical text of a mission, for a download."""
+    return TextShape(text=write_mission(mission_from_shape(wanted.mission)).decode())
+
+
+@routes.post("/check")
+def check(studio: StudioOf, wanted: CheckShape) -> ReportShape:
+    """Looks a mission through: LLL and three-address code of each program, and every problem."""
+    return report_shape(studio.open(mission_from_shape(wanted.mission), wanted.path).check())
+
+
+def _file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:
+    _, catalogue = studio.catalogue(studio.folder.folder_of(path))
+    return MissionFileShape(
+        path=path,
+        name=opened.name,
+        revision=revision,
+        mission=mission_shape(opened.mission),
+        problems=problem_shapes(opened.diagnostics),
+        world=world_shape(opened.world) if opened.world is not None else None,
+        catalogue=catalogue,
+    )

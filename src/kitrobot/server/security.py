@@ -1,0 +1,226 @@
+"""Who may talk to the studio: an ASGI shell around the whole application.
+
+Other pages in the same browser are the danger, and other people on the same machine. So, for every request and every
+WebSocket:
+
+- `Host` must name this machine (a foreign name that was bent to 127.0.0.1, DNS rebinding, is refused);
+- `Origin`, when a browser sends one, must be the studio itself;
+- the token that `kitrobot` printed must come along: as `?token=`, as the header `X-KitRobot-Token`, or as the cookie that
+  the first page load set. Only the page's own built files, which hold nothing of the user's, are served without it;
+- a body larger than `LARGEST_BODY_BYTES` is refused, whether or not its length was announced.
+
+Every answer carries headers that keep the page to itself. An exception that nobody expected becomes one sentence.
+"""
+
+from __future__ import annotations
+
+import hmac
+import ipaddress
+import logging
+import os
+from http.cookies import CookieError, SimpleCookie
+from typing import Any
+from urllib.parse import parse_qs
+
+import orjson
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from kitrobot.server import pages
+from kitrobot.server.sentences import spoken
+
+LARGEST_BODY_BYTES = 16 * 1024 * 1024
+"""A mission of 100 000 vertices is half of it."""
+
+TOKEN_HEADER = "x-kitrobot-token"
+
+_log = logging.getLogger("kitrobot.server")
+
+# Styles may stand in the page: the editor and the canvas make theirs while they run. Scripts may not.
+_CONTENT_POLICY = (
+    "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self';"
+    " connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+_HEADERS = {
+    "content-security-policy": _CONTENT_POLICY,
+    "cross-origin-opener-policy": "same-origin",
+    "cross-origin-resource-policy": "same-origin",
+    "permissions-policy": "camera=(), geolocation=(), microphone=()",
+    "referrer-policy": "no-referrer",
+    "x-content-type-options": "nosniff",
+    "x-frame-options": "DENY",
+}
+
+
+class BodyTooLarge(Exception):
+    """More of a request's body came than the studio takes."""
+
+
+class Guard:
+    """The shell: refuses what should not come in, dresses what goes out."""
+
+    def __init__(self, app: ASGIApp, token: str, largest_body_bytes: int = LARGEST_BODY_BYTES) -> None:
+        self.app = app
+        self.token = token
+        self.largest_body_bytes = largest_body_bytes
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] == "websocket":
+            await self._websocket(scope, receive, send)
+        elif scope["type"] == "http":
+            await self._http(scope, receive, send)
+        else:
+            await self.app(scope, receive, send)
+
+    async def _websocket(self, scope: Scope, receive: Receive, send: Send) -> None:
+        headers = Headers(scope=scope)
+        if not _host_is_ours(headers) or not _origin_is_ours(headers) or not self._token_is_right(scope, headers):
+            await receive()
+            await send({"type": "websocket.close", "code": 1008, "reason": "not allowed"})
+            return
+        await self.app(scope, receive, send)
+
+    async def _http(self, scope: Scope, receive: Receive, send: Send) -> None:
+        headers = Headers(scope=scope)
+        started = False
+
+        async def dressed(message: Message) -> None:
+            nonlocal started
+            if message["type"] == "http.response.start":
+                started = True
+                _dress(message, scope)
+            await send(message)
+
+        if not _host_is_ours(headers):
+            host = headers.get("host", "")[:80]
+            await _refuse(scope, dressed, 403, f"the studio does not answer to the name `{host}`", _ADDRESS)
+            return
+        if not _origin_is_ours(headers):
+            await _refuse(scope, dressed, 403, "this request comes from another page", _ADDRESS)
+            return
+        if not _is_public(scope) and not self._token_is_right(scope, headers):
+            await _refuse(scope, dressed, 403, "the token of this request is missing or wrong", _ADDRESS)
+            return
+        if self._announced_too_much(headers):
+            await self._refuse_body(scope, dressed)
+            return
+        if self._brings_the_token(scope):
+            set_cookie = f"{_cookie_name(headers)}={self.token}; Path=/; HttpOnly; SameSite=Strict"
+            scope.setdefault("state", {})["kitrobot_cookie"] = set_cookie
+        try:
+            await self.app(scope, self._limited(receive), dressed)
+        except BodyTooLarge:
+            if not started:
+                await self._refuse_body(scope, dressed)
+        except Exception as error:
+            _log.error("%s: %s", type(error).__name__, error, exc_info=bool(os.environ.get("KITROBOT_DEBUG")))
+            if not started:
+                await _refuse(scope, dressed, 500, "something went wrong inside KitRobot", _REPORT)
+
+    def _limited(self, receive: Receive) -> Receive:
+        taken = 0
+
+        async def limited() -> Message:
+            nonlocal taken
+            message = await receive()
+            taken += len(message.get("body", b""))
+            if taken > self.largest_body_bytes:
+                raise BodyTooLarge
+            return message
+
+        return limited
+
+    def _announced_too_much(self, headers: Headers) -> bool:
+        announced = headers.get("content-length", "0")
+        return announced.isdecimal() and int(announced[:20]) > self.largest_body_bytes
+
+    async def _refuse_body(self, scope: Scope, send: Send) -> None:
+        limit = self.largest_body_bytes // (1024 * 1024)
+        await _refuse(scope, send, 413, f"that is more than the {limit} MB that the studio takes", "")
+
+    def _token_is_right(self, scope: Scope, headers: Headers) -> bool:
+        given = [*_query_tokens(scope), headers.get(TOKEN_HEADER, ""), _cookie(headers)]
+        return any([_same(self.token, value) for value in given])
+
+    def _brings_the_token(self, scope: Scope) -> bool:
+        return scope["path"] == "/" and any(_same(self.token, value) for value in _query_tokens(scope))
+
+
+_ADDRESS = "open the address that `kitrobot` printed"
+_REPORT = "start it with KITROBOT_DEBUG=1 to see where, and please report it"
+
+
+def _same(one: str, other: str) -> bool:
+    return hmac.compare_digest(one.encode(), other.encode())
+
+
+def _host_is_ours(headers: Headers) -> bool:
+    host = headers.get("host", "").lower()
+    name, _, port = host.rpartition(":") if not host.endswith("]") and ":" in host else (host, "", "")
+    if port and not port.isdecimal():
+        return False
+    try:
+        return name == "localhost" or ipaddress.ip_address(name.strip("[]")).is_loopback
+    except ValueError:
+        return False
+
+
+def _origin_is_ours(headers: Headers) -> bool:
+    origin = headers.get("origin")
+    return origin is None or origin.lower() == f"http://{headers.get('host', '').lower()}"
+
+
+def _is_public(scope: Scope) -> bool:
+    """The built page's files; not the page itself, so that a wrong address is noticed at once."""
+    path = scope["path"]
+    return scope["method"] in ("GET", "HEAD") and path != "/" and path != "/api" and not path.startswith("/api/")
+
+
+def _query_tokens(scope: Scope) -> list[str]:
+    query = scope.get("query_string", b"").decode("latin-1")
+    try:
+        return parse_qs(query, max_num_fields=100).get("token", [])
+    except ValueError:
+        return []
+
+
+def _cookie_name(headers: Headers) -> str:
+    """One name a port: the browser shows a machine's cookies to all of its servers."""
+    port = headers.get("host", "").rpartition(":")[2]
+    return f"kitrobot-{port}" if port.isdecimal() else "kitrobot"
+
+
+def _cookie(headers: Headers) -> str:
+    jar: SimpleCookie = SimpleCookie()
+    try:
+        jar.load(headers.get("cookie", ""))
+    except CookieError:
+        return ""
+    morsel = jar.get(_cookie_name(headers))
+    return morsel.value if morsel else ""
+
+
+def _dress(message: Message, scope: Scope) -> None:
+    headers = MutableHeaders(scope=message)
+    for name, value in _HEADERS.items():
+        headers.setdefault(name, value)
+    if scope["path"].startswith("/api/") or scope["path"] == "/":
+        headers["cache-control"] = "no-store"
+    cookie = scope.get("state", {}).get("kitrobot_cookie")
+    if cookie:
+        headers.append("set-cookie", cookie)
+
+
+async def _refuse(scope: Scope, send: Send, status: int, message: str, help: str) -> None:
+    """An answer without the application: a page for people, JSON for the page's own requests."""
+    if scope["path"].startswith("/api"):
+        body, kind = orjson.dumps({"message": spoken(message), "help": spoken(help)}), "application/json"
+    else:
+        body, kind = pages.sentence(message, help).encode(), "text/html; charset=utf-8"
+    head: dict[str, Any] = {
+        "type": "http.response.start",
+        "status": status,
+        "headers": [(b"content-type", kind.encode()), (b"content-length", str(len(body)).encode())],
+    }
+    await send(head)
+    await send({"type": "http.response.body", "body": b"" if scope["method"] == "HEAD" else body})

@@ -1,0 +1,75 @@
+"""Missions as files, on the wire."""
+
+from __future__ import annotations
+
+from pydantic import BaseModel
+
+from kitrobot.server.shapes.catalogue import CatalogueShape
+from kitrobot.server.shapes.mission import MissionShape
+from kitrobot.server.shapes.problem import ProblemShape
+from kitrobot.server.shapes.world import WorldShape
+
+
+class SessionShape(BaseModel):
+    """What the page starts with: the mission to open, and the name of the folder that missions are in."""
+
+    version: str
+    path: str | None
+    workspace: str
+
+
+class MissionEntryShape(BaseModel):
+    """A mission that can be opened; examples are read-only. `modified` is a moment in UTC (ISO 8601)."""
+
+    path: str
+    name: str
+    title: str
+    example: bool
+    modified: str
+
+
+class MissionFileShape(BaseModel):
+    """A mission opened; `revision` names the content that was read, "" when there is no file yet."""
+
+    path: str
+    name: str
+    revision: str
+    mission: MissionShape
+    problems: list[ProblemShape]
+    world: WorldShape | None
+    catalogue: CatalogueShape
+
+
+class SaveShape(BaseModel):
+    """A mission to be written; `revision` is the one that the page last read or wrote, "" for a new file."""
+
+    path: str
+    revision: str
+    mission: MissionShape
+
+
+class SavedShape(BaseModel):
+    """What was written."""
+
+    path: str
+    revision: str
+
+
+class ConflictShape(BaseModel):
+    """The file is not what the page last saw; `revision` is what it is now."""
+
+    message: str
+    help: str
+    revision: str
+
+
+class MissionTextShape(BaseModel):
+    """A mission to be written out, unsaved."""
+
+    mission: MissionShape
+
+
+class TextShape(BaseModel):
+    """The canonical text of a `.krt`."""
+
+    text: str

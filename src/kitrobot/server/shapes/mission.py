@@ -1,0 +1,127 @@
+"""A mission on the wire: programs as graphs, the team, the world's name."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, Field
+
+from kitrobot.graph import Arc, Note, Program, Vertex
+from kitrobot.mission import Agent, Goal, Mission, Team
+
+MOST_VERTICES = 100_000
+MOST_AGENTS = 10_000
+MOST_PROGRAMS = 1_000
+
+
+class NoteShape(BaseModel):
+    """A comment of the user."""
+
+    text: str
+    at: str
+
+
+class VertexShape(BaseModel):
+    """A program element; `unknown` is XML of the file inside it that nobody knows, kept word for word."""
+
+    id: str
+    element: str
+    settings: dict[str, str]
+    notes: list[NoteShape]
+    unknown: str = ""
+
+
+class ArcShape(BaseModel):
+    """From the port `out` of one vertex to the port `at` of another."""
+
+    source: str
+    target: str
+    out: str
+    at: str
+
+
+class ProgramShape(BaseModel):
+    """A graph and the robot it is for."""
+
+    name: str
+    robot: str
+    vertices: Annotated[list[VertexShape], Field(max_length=MOST_VERTICES)]
+    arcs: Annotated[list[ArcShape], Field(max_length=2 * MOST_VERTICES)]
+
+
+class AgentShape(BaseModel):
+    """A robot of the team; `start` is a place of the world, "" for the one with the agent's name."""
+
+    name: str
+    program: str
+    start: str
+
+
+class GoalShape(BaseModel):
+    """What ends the mission as done: this storehouse holds this stock (a number, or `all`)."""
+
+    storehouse: str
+    stock: str
+
+
+class MissionShape(BaseModel):
+    """All of a `.krt`; `world` is the name of a world's file, "" for the empty world."""
+
+    version: Literal[1]
+    programs: Annotated[list[ProgramShape], Field(max_length=MOST_PROGRAMS)]
+    agents: Annotated[list[AgentShape], Field(max_length=MOST_AGENTS)]
+    goals: Annotated[list[GoalShape], Field(max_length=MOST_AGENTS)]
+    world: str
+
+
+def mission_shape(mission: Mission) -> MissionShape:
+    """A mission as it travels."""
+    return MissionShape(
+        version=1,
+        programs=[_program_shape(program) for program in mission.programs],
+        agents=[AgentShape(name=agent.name, program=agent.program, start=agent.start) for agent in mission.team.agents],
+        goals=[GoalShape(storehouse=goal.storehouse, stock=goal.stock) for goal in mission.team.goals],
+        world=mission.world_href,
+    )
+
+
+def mission_from_shape(shape: MissionShape) -> Mission:
+    """The mission that travelled."""
+    team = Team(
+        agents=[Agent(name=agent.name, program=agent.program, start=agent.start) for agent in shape.agents],
+        goals=[Goal(storehouse=goal.storehouse, stock=goal.stock) for goal in shape.goals],
+    )
+    programs = [_program(program) for program in shape.programs]
+    return Mission(version=shape.version, programs=programs, team=team, world_href=shape.world)
+
+
+def _program_shape(program: Program) -> ProgramShape:
+    return ProgramShape(
+        name=program.name,
+        robot=program.robot,
+        vertices=[
+            VertexShape(
+                id=vertex.id,
+                element=vertex.element,
+                settings=vertex.settings,
+                notes=[NoteShape(text=note.text, at=note.at) for note in vertex.notes],
+                unknown=vertex.unknown,
+            )
+            for vertex in program.vertices
+        ],
+        arcs=[ArcShape(source=arc.source, target=arc.target, out=arc.out, at=arc.at) for arc in program.arcs],
+    )
+
+
+def _program(shape: ProgramShape) -> Program:
+    vertices = [
+        Vertex(
+            id=vertex.id,
+            element=vertex.element,
+            settings=vertex.settings,
+            notes=[Note(note.text, note.at) for note in vertex.notes],
+            unknown=vertex.unknown,
+        )
+        for vertex in shape.vertices
+    ]
+    return Program(shape.name, shape.robot, vertices, [Arc(a.source, a.target, a.out, a.at) for a in shape.arcs])

@@ -1,0 +1,40 @@
+"""What is wrong, on the wire."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Literal
+
+from pydantic import BaseModel
+
+from kitrobot.diagnostics import Diagnostic, to_page_json
+
+
+class ProblemShape(BaseModel):
+    """A diagnostic; lines and columns count from 1 and are 0 where there is no file."""
+
+    file: str
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+    severity: Literal["error", "warning", "hint"]
+    code: str
+    message: str
+    help: str
+    program: str
+    vertices: list[str]
+    arcs: list[tuple[str, str, str, str]]
+
+
+class FailureShape(BaseModel):
+    """Why a request could not be done: a sentence and a way out; `problems` where a file was the reason."""
+
+    message: str
+    help: str
+    problems: list[ProblemShape] = []
+
+
+def problem_shapes(diagnostics: Iterable[Diagnostic]) -> list[ProblemShape]:
+    """Diagnostics as they travel."""
+    return [ProblemShape.model_validate(to_page_json(diagnostic)) for diagnostic in diagnostics]

@@ -1,0 +1,62 @@
+"""What the programs of a mission become, on the wire."""
+
+from __future__ import annotations
+
+from pydantic import BaseModel
+
+from kitrobot.server.shapes.mission import MissionShape
+from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
+from kitrobot.workspace import Report
+
+
+class SpanEntryShape(BaseModel):
+    """The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1."""
+
+    vertex: str
+    start: int
+    end: int
+    line: int
+
+
+class ProgramReportShape(BaseModel):
+    """What a program becomes: LLL with the place of each vertex, and three-address code."""
+
+    name: str
+    lll: str
+    spans: list[SpanEntryShape]
+    listing: str
+    instructions: int
+
+
+class ReportShape(BaseModel):
+    """A mission looked through."""
+
+    programs: list[ProgramReportShape]
+    problems: list[ProblemShape]
+
+
+class CheckShape(BaseModel):
+    """A request to look a mission through; `path` is the file it was opened from, "" for a new one."""
+
+    mission: MissionShape
+    path: str
+
+
+def report_shape(report: Report) -> ReportShape:
+    """A report as it travels."""
+    return ReportShape(
+        programs=[
+            ProgramReportShape(
+                name=program.name,
+                lll=program.lll,
+                spans=[
+                    SpanEntryShape(vertex=span.vertex, start=span.start, end=span.end, line=span.line)
+                    for span in program.spans
+                ],
+                listing=program.listing,
+                instructions=program.instructions,
+            )
+            for program in report.programs
+        ],
+        problems=problem_shapes(report.problems),
+    )

@@ -1,0 +1,141 @@
+"""A world on the wire: mm and radians, x right, y up; roads are sampled so finely that their points can be stroked."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel
+
+from kitrobot.world import LOAD, Dock, Start, World
+
+
+class WallShape(BaseModel):
+    """A straight wall."""
+
+    x1: float
+    y1: float
+    x2: float
+    y2: float
+
+
+class SectionShape(BaseModel):
+    """A numbered stretch of a road, by the distance along it."""
+
+    sign: int
+    from_mm: float
+    to_mm: float
+
+
+class RoadShape(BaseModel):
+    """A road as the line along its middle."""
+
+    name: str
+    width_mm: float
+    closed: bool
+    points: list[tuple[float, float]]
+    sections: list[SectionShape]
+
+
+class DockShape(BaseModel):
+    """Where stock goes from a storehouse onto a carrier, or back."""
+
+    name: str
+    road: str
+    at_mm: float
+    reach_mm: float
+    storehouse: str
+    kind: Literal["load", "unload"]
+    x_mm: float
+    y_mm: float
+    heading_rad: float
+
+
+class StorehouseShape(BaseModel):
+    """A place for stock; `x_mm`, `y_mm` is its lower left corner."""
+
+    name: str
+    x_mm: float
+    y_mm: float
+    width_mm: float
+    height_mm: float
+    capacity: int
+    stock: int
+
+
+class StartPoseShape(BaseModel):
+    """Where an agent may start."""
+
+    name: str
+    x_mm: float
+    y_mm: float
+    heading_rad: float
+
+
+class WorldShape(BaseModel):
+    """The place of a mission."""
+
+    name: str
+    width_mm: float
+    height_mm: float
+    walls: list[WallShape]
+    roads: list[RoadShape]
+    docks: list[DockShape]
+    storehouses: list[StorehouseShape]
+    starts: list[StartPoseShape]
+
+
+def world_shape(world: World) -> WorldShape:
+    """A world as it travels."""
+    return WorldShape(
+        name=world.name,
+        width_mm=world.width_mm,
+        height_mm=world.height_mm,
+        walls=[WallShape(x1=wall.x1_mm, y1=wall.y1_mm, x2=wall.x2_mm, y2=wall.y2_mm) for wall in world.walls],
+        roads=[
+            RoadShape(
+                name=road.name,
+                width_mm=road.width_mm,
+                closed=road.closed,
+                points=list(zip(road.line.xs, road.line.ys, strict=True)),
+                sections=[
+                    SectionShape(sign=section.sign, from_mm=section.from_mm, to_mm=section.to_mm)
+                    for section in road.sections
+                ],
+            )
+            for road in world.roads
+        ],
+        docks=[_dock(world, dock) for dock in world.docks],
+        storehouses=[
+            StorehouseShape(
+                name=house.name,
+                x_mm=house.x_mm,
+                y_mm=house.y_mm,
+                width_mm=house.width_mm,
+                height_mm=house.height_mm,
+                capacity=house.capacity,
+                stock=house.stock,
+            )
+            for house in world.storehouses
+        ],
+        starts=[_start(world, start) for start in world.starts],
+    )
+
+
+def _dock(world: World, dock: Dock) -> DockShape:
+    pose = world.dock_pose(dock)
+    return DockShape(
+        name=dock.name,
+        road=dock.road,
+        at_mm=dock.at_mm,
+        reach_mm=dock.reach_mm,
+        storehouse=dock.storehouse,
+        kind="load" if dock.kind == LOAD else "unload",
+        x_mm=pose.x_mm,
+        y_mm=pose.y_mm,
+        heading_rad=pose.heading_rad,
+    )
+
+
+def _start(world: World, start: Start) -> StartPoseShape:
+    pose = world.start_pose(start)
+    return StartPoseShape(name=start.name, x_mm=pose.x_mm, y_mm=pose.y_mm, heading_rad=pose.heading_rad)

@@ -1,0 +1,186 @@
+"""A program from one form into another, by the endings of the files' names.
+
+    .krt → .lll .kri .kra      .lll → .krt .kri .kra      .kri → .kra      .kra → .kri
+
+Going down, every pass of the compiler has its say; nothing is written when one finds an error that the form cannot bear.
+An image keeps no names, so there is no way up from it. The file that is read is never written to.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from kitrobot.compiler import check, compile_program, compile_text, graph_to_lll, lll_to_graph
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
+from kitrobot.graph import Program
+from kitrobot.image import Image, disassemble
+from kitrobot.lll import is_name, parse, print_program
+from kitrobot.mission import save
+from kitrobot.primitives import Robot, load_catalogue
+from kitrobot.workspace.files import read_text, same_file, write_atomic
+from kitrobot.workspace.forms import Form, form_of
+from kitrobot.workspace.images import read_image, read_listing, why_unsafe
+from kitrobot.workspace.opening import mission_of, open_mission
+from kitrobot.workspace.robots import find_robot
+
+UNSAFE = rule(
+    "image-unsafe",
+    Severity.WARNING,
+    "No host would run this image",
+    "An image is looked through before any host runs it. This one could leave its arrays or never end a tick.",
+)
+ROBOT_ELSEWHERE = rule(
+    "robot-elsewhere",
+    Severity.WARNING,
+    "The mission names a robot that is not beside it",
+    "A mission finds its robots among those that come with KitRobot, the user's own, and those in its own folder. Put the"
+    " robot's file into the mission's folder.",
+)
+
+_NO_NAMES = {
+    Form.IMAGE: "An image keeps no names, so it cannot be turned into",
+    Form.LISTING: "A listing of an image keeps no names, so it cannot be turned into",
+}
+
+
+class ConversionError(KitRobotError):
+    """There is no way from the one form to the other."""
+
+
+@dataclass(frozen=True)
+class Converted:
+    """What became of a conversion: whether the file was written, and what there is to say, with the texts it points into."""
+
+    target: Path
+    written: bool
+    diagnostics: tuple[Diagnostic, ...] = ()
+    sources: tuple[Source, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Made:
+    """The bytes of the new form, or a program for a mission; None when there are errors."""
+
+    data: bytes | None
+    diagnostics: list[Diagnostic]
+    sources: tuple[Source, ...] = ()
+    program: Program | None = None
+
+
+def convert(source: Path, target: Path, *, program: str | None = None, robot: str | None = None) -> Converted:
+    """Turns the program in `source` into the form that the name of `target` tells, and writes it there.
+
+    Args:
+        source: the file to read.
+        target: the file to write.
+        program: which program of a mission with several; or what to call the one that is made for a mission.
+        robot: the robot's name or file; needed for an LLL text, and in place of the mission's own otherwise.
+
+    Raises:
+        FormError: an ending that is not known.
+        ConversionError: there is no way between these forms, or they are the same file.
+        KitRobotError: a file cannot be read or written, a robot or program is not there.
+    """
+    form, wanted = form_of(source), form_of(target)
+    if form is wanted:
+        raise ConversionError(f"`{source}` and `{target}` are both {form.words}", f"give B another ending: {_ways(form)}")
+    if wanted not in _WAYS[form]:
+        raise ConversionError(
+            f"{_NO_NAMES[form]} {_article(wanted)}",
+            f"convert the `.krt` or `.lll` that it was made from; `{form.value}` goes to {_ways(form)}",
+        )
+    if same_file(source, target):
+        raise ConversionError(f"`{target}` is the file that would be read", "choose another name for B")
+    if form is Form.MISSION:
+        made = _from_mission(source, wanted, program, robot)
+    elif form is Form.TEXT:
+        made = _from_text(source, target, wanted, program, robot)
+    else:
+        made = _from_image(source, form)
+    if made.program is not None:
+        save(target, mission_of(made.program))
+    elif made.data is not None:
+        write_atomic(target, made.data)
+    written = made.program is not None or made.data is not None
+    return Converted(target, written, tuple(made.diagnostics), made.sources)
+
+
+def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | None) -> _Made:
+    opened = open_mission(source, robot=robot)
+    found = list(opened.diagnostics)
+    if any(item.is_error for item in found):
+        return _Made(None, found, opened.sources)
+    program = opened.program(name)
+    if wanted is Form.TEXT:
+        translation = graph_to_lll(program, opened.catalogue)
+        text = Source(f"{program.name}.lll", print_program(translation.program))
+        found += translation.diagnostics
+        found += check(translation.program, opened.catalogue.robot(program.robot), text, program.name)
+        data = text.text.encode() if translation.ok else None
+    else:
+        compiled = compile_program(program, opened.catalogue)
+        found += compiled.diagnostics
+        data = _image_data(compiled.image, wanted)
+    return _Made(data, opened.placed(found), opened.sources)
+
+
+def _from_text(source: Path, target: Path, wanted: Form, name: str | None, word: str | None) -> _Made:
+    if word is None:
+        raise ConversionError(
+            "an LLL text does not say which robot it is for", "name the robot with --robot, a name or a `.robot.xml`"
+        )
+    robot = find_robot(word, source.parent)
+    text = Source(str(source), read_text(source))
+    if wanted is not Form.MISSION:
+        compiled = compile_text(text.text, robot, text.name)
+        return _Made(_image_data(compiled.image, wanted), compiled.diagnostics, (text,))
+    parsed = parse(text.text, text.name)
+    found = parsed.diagnostics + check(parsed.program, robot, text)
+    if any(item.is_error for item in found):
+        return _Made(None, found, (text,))
+    catalogue = load_catalogue([source.parent])
+    program = lll_to_graph(parsed.program, robot, catalogue, name or _program_name(target))
+    return _Made(None, found + _robot_elsewhere(robot, target), (text,), program)
+
+
+def _from_image(source: Path, form: Form) -> _Made:
+    if form is Form.IMAGE:
+        return _Made(disassemble(read_image(source)).encode(), [])
+    image = read_listing(source)
+    unsafe = why_unsafe(image)
+    found = [UNSAFE(unsafe.message, Place(str(source)))] if unsafe is not None else []
+    return _Made(image.to_bytes(), found)
+
+
+def _image_data(image: Image | None, wanted: Form) -> bytes | None:
+    if image is None:
+        return None
+    return image.to_bytes() if wanted is Form.IMAGE else disassemble(image).encode()
+
+
+def _robot_elsewhere(robot: Robot, target: Path) -> list[Diagnostic]:
+    known = load_catalogue([target.parent]).robots.get(robot.name)
+    if known is not None and known.fingerprint == robot.fingerprint:
+        return []
+    return [ROBOT_ELSEWHERE(f"`{target}` needs the robot `{robot.name}`, which is not beside it", Place(str(target)))]
+
+
+def _program_name(target: Path) -> str:
+    return target.stem if is_name(target.stem.replace("-", "_")) else "program-1"
+
+
+_WAYS = {
+    Form.MISSION: (Form.TEXT, Form.IMAGE, Form.LISTING),
+    Form.TEXT: (Form.MISSION, Form.IMAGE, Form.LISTING),
+    Form.IMAGE: (Form.LISTING,),
+    Form.LISTING: (Form.IMAGE,),
+}
+
+
+def _ways(form: Form) -> str:
+    return ", ".join(f"`{way.value}`" for way in _WAYS[form])
+
+
+def _article(form: Form) -> str:
+    return f"an {form.words} (`.lll`)" if form is Form.TEXT else f"a {form.words} (`{form.value}`)"

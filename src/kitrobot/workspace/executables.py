@@ -1,0 +1,99 @@
+"""What `exec` runs: an image, its robot and the script of inputs, from files of any form."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from kitrobot.compiler import compile_program, compile_text
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Source
+from kitrobot.image import Image, Machine
+from kitrobot.primitives import Robot
+from kitrobot.workspace.files import read_text
+from kitrobot.workspace.forms import Form, form_of
+from kitrobot.workspace.images import read_image
+from kitrobot.workspace.inputs import Inputs, read_inputs
+from kitrobot.workspace.opening import open_mission
+from kitrobot.workspace.robots import find_robot
+
+FORMS = (Form.TEXT, Form.IMAGE, Form.MISSION)
+
+
+class NoRobotError(KitRobotError):
+    """Nothing says which robot the program is for."""
+
+
+@dataclass(frozen=True)
+class Executable:
+    """A program ready to be executed: `image` or `inputs` is None when `diagnostics` holds an error of theirs."""
+
+    robot: Robot
+    image: Image | None
+    inputs: Inputs | None
+    diagnostics: tuple[Diagnostic, ...]
+    sources: tuple[Source, ...]
+
+
+@dataclass(frozen=True)
+class _Loaded:
+    robot: Robot
+    image: Image | None
+    diagnostics: list[Diagnostic]
+    sources: tuple[Source, ...] = ()
+
+
+def load_executable(
+    path: Path, *, robot: str | None = None, program: str | None = None, inputs: Path | None = None
+) -> Executable:
+    """Loads a program of any form, and the inputs scripted for it.
+
+    Args:
+        path: a `.lll`, `.kri` or `.krt`.
+        robot: the robot's name or file; needed unless a mission names it.
+        program: which program of a mission with several.
+        inputs: a table of inputs (CSV); None for none.
+
+    Raises:
+        KitRobotError: a file cannot be read, the robot or program is not there, the image is damaged or not for the robot.
+    """
+    form = form_of(path, FORMS)
+    if form is Form.MISSION:
+        loaded = _mission(path, robot, program)
+    elif robot is None:
+        raise NoRobotError(f"`{path}` does not say which robot it is for", "name the robot with --robot, a name or a `.robot.xml`")
+    elif form is Form.TEXT:
+        loaded = _text(path, find_robot(robot, path.parent))
+    else:
+        loaded = _image(path, find_robot(robot, path.parent))
+    script, found, sources = _inputs(inputs, loaded.robot)
+    return Executable(loaded.robot, loaded.image, script, (*loaded.diagnostics, *found), (*loaded.sources, *sources))
+
+
+def _mission(path: Path, robot: str | None, name: str | None) -> _Loaded:
+    opened = open_mission(path, robot=robot)
+    program = opened.program(name)
+    compiled = compile_program(program, opened.catalogue)
+    found = opened.placed([*opened.diagnostics, *compiled.diagnostics])
+    image = None if any(item.is_error for item in opened.diagnostics) else compiled.image
+    return _Loaded(opened.catalogue.robot(program.robot), image, found, opened.sources)
+
+
+def _text(path: Path, robot: Robot) -> _Loaded:
+    source = Source(str(path), read_text(path))
+    compiled = compile_text(source.text, robot, source.name)
+    return _Loaded(robot, compiled.image, compiled.diagnostics, (source,))
+
+
+def _image(path: Path, robot: Robot) -> _Loaded:
+    image = read_image(path)
+    Machine(image, robot)  # refuses an image for another robot, and one that cannot be run safely
+    return _Loaded(robot, image, [])
+
+
+def _inputs(path: Path | None, robot: Robot) -> tuple[Inputs | None, list[Diagnostic], tuple[Source, ...]]:
+    if path is None:
+        return Inputs(), [], ()
+    source = Source(str(path), read_text(path))
+    inputs, found = read_inputs(source.text, source.name, robot)
+    wrong = any(item.is_error for item in found)
+    return (None if wrong else inputs), found, (source,)

@@ -1,0 +1,148 @@
+"""Files on disk: read whole or refused with a sentence, written whole or not at all.
+
+Every way a file can fail (missing, a folder, not ours to read, too large, not UTF-8) becomes a `FileError` that names
+the file and a way out. A write goes to a temporary file beside its place and is moved there, so a reader, or a power cut,
+finds the old content or the new one. Left to others: what the bytes mean.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, rule
+
+LARGEST_FILE_BYTES = 64 * 1024 * 1024
+"""More than any mission, world or image; a device or a film given by mistake is refused instead of filling memory."""
+
+UNREADABLE = rule(
+    "file-unreadable",
+    Severity.ERROR,
+    "A file could not be read",
+    "The file is missing, is a folder, may not be read, is too large, or is not text in UTF-8. The other files that were"
+    " named in the same command are still looked at.",
+)
+
+
+@dataclass(eq=False)
+class FileError(KitRobotError):
+    """A file could not be read or written; `place` is where in it, when that is known."""
+
+    path: Path = Path()
+    place: Place | None = None
+
+    def as_diagnostic(self) -> Diagnostic:
+        """The same as a diagnostic, for commands that look at many files."""
+        return UNREADABLE(self.message, self.place or Place(str(self.path)), help=self.help)
+
+
+def read_bytes(path: Path) -> bytes:
+    """The content of a file.
+
+    Raises:
+        FileError: there is no such file, it is a folder, may not be read, or is larger than `LARGEST_FILE_BYTES`.
+    """
+    try:
+        if path.is_dir():
+            raise _unreadable(path, f"`{path}` is a folder, not a file", "name a file in it")
+        with path.open("rb") as stream:
+            data = stream.read(LARGEST_FILE_BYTES + 1)
+    except FileNotFoundError:
+        raise _unreadable(path, f"there is no file `{path}`", look_alike(path)) from None
+    except (OSError, ValueError) as error:
+        raise _unreadable(path, f"`{path}` could not be read: {_reason(error)}", "") from None
+    if len(data) > LARGEST_FILE_BYTES:
+        limit = LARGEST_FILE_BYTES // (1024 * 1024)
+        raise _unreadable(path, f"`{path}` is larger than {limit} MB", "no file of KitRobot is that large")
+    return data
+
+
+def read_text(path: Path) -> str:
+    """The content of a text file in UTF-8, with or without a byte order mark.
+
+    Raises:
+        FileError: as for `read_bytes`, and when the bytes are not UTF-8 (the place is the first wrong byte).
+    """
+    return decode(read_bytes(path), path)
+
+
+def decode(data: bytes, path: Path) -> str:
+    """Bytes of a file as text.
+
+    Raises:
+        FileError: they are not UTF-8.
+    """
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        before = data[: error.start].decode("utf-8", errors="replace")
+        line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
+        place = Place(str(path), line, column, line, column + 1)
+        byte = data[error.start]
+        message = f"`{path}` is not text in UTF-8: byte {byte:#04x} in line {line}, column {column}"
+        raise FileError(message, "save the file with the encoding UTF-8", path=path, place=place) from None
+
+
+def write_atomic(path: Path, data: bytes) -> None:
+    """Writes a whole file or leaves the old one as it was; a link is followed, the file's mode is kept.
+
+    Raises:
+        FileError: the folder is missing or may not be written to, or the disk is full.
+    """
+    target = Path(os.path.realpath(path))
+    if target.is_dir():
+        raise _unreadable(path, f"`{path}` is a folder, not a file", "name a file in it")
+    temporary: str | None = None
+    try:
+        handle, temporary = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".part", dir=target.parent)
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(data)
+            stream.flush()
+            os.fsync(stream.fileno())
+        os.chmod(temporary, target.stat().st_mode & 0o777 if target.exists() else _new_file_mode())
+        os.replace(temporary, target)
+    except (OSError, ValueError) as error:
+        if temporary is not None:
+            with contextlib.suppress(OSError):
+                os.unlink(temporary)
+        if not target.parent.is_dir():
+            raise _unreadable(path, f"there is no folder `{path.parent}`", "make the folder first") from None
+        raise _unreadable(path, f"`{path}` could not be written: {_reason(error)}", "") from None
+
+
+def same_file(one: Path, other: Path) -> bool:
+    """Whether two paths lead to one file, by whatever links."""
+    try:
+        return one.samefile(other)
+    except OSError:
+        return os.path.realpath(one) == os.path.realpath(other)
+
+
+def _new_file_mode() -> int:
+    mask = os.umask(0o077)
+    os.umask(mask)
+    return 0o666 & ~mask
+
+
+def _unreadable(path: Path, message: str, help: str) -> FileError:
+    return FileError(message, help, path=path)
+
+
+def _reason(error: Exception) -> str:
+    reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+    return reason[:1].lower() + reason[1:]
+
+
+def look_alike(path: Path) -> str:
+    """The nearest name in the folder, as a help sentence; empty when nothing is near."""
+    from difflib import get_close_matches
+
+    try:
+        names = [entry.name for entry in path.parent.iterdir()]
+    except OSError:
+        return ""
+    near = get_close_matches(path.name, names, n=1)
+    return f"did you mean `{path.parent / near[0]}`?" if near else ""

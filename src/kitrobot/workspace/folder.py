@@ -1,0 +1,199 @@
+"""The missions of one folder, and the examples beside them: listed, read, saved; nothing outside can be reached.
+
+A mission is named by its path relative to the folder, with `/` between the parts; an example by `example:` and its path
+among the examples, and it is read-only. A name is followed through links before it is used, and refused when it leads out
+of its folder. A *revision* names a file's content, so that a save which would overwrite what somebody else wrote
+meanwhile is noticed. Left to others: what a mission says.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import threading
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path, PurePosixPath
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.workspace.examples import examples_folder
+from kitrobot.workspace.files import read_bytes
+
+ENDING = ".krt"
+EXAMPLE = "example:"
+DEEPEST = 5
+MOST_LISTED = 500
+MOST_LOOKED_AT = 20_000
+"""Entries of folders that a listing looks at: the folder may be somebody's whole home."""
+
+_ON_WINDOWS = re.compile(r"[\\:*?\"<>|\x00-\x1f\x7f]")
+
+
+class MissionNameError(KitRobotError):
+    """A name that leads to no mission of the folder."""
+
+
+class ReadOnlyError(KitRobotError):
+    """An example cannot be written to."""
+
+
+@dataclass(eq=False)
+class ConflictError(KitRobotError):
+    """The file is not what it was; `revision` is what it is now ("" when it is gone)."""
+
+    revision: str = ""
+
+
+@dataclass(frozen=True)
+class MissionEntry:
+    """A mission of the folder, or an example; `modified` is a moment in UTC (ISO 8601)."""
+
+    path: str
+    name: str
+    title: str
+    example: bool
+    modified: str
+
+
+class MissionFolder:
+    """The missions of `root`. Safe to use from many threads: one save at a time."""
+
+    def __init__(self, root: Path, examples: Path | None = None) -> None:
+        self.root = root.resolve()
+        self.examples = (examples or examples_folder() or Path(os.devnull)).resolve()
+        self._saving = threading.Lock()
+
+    def missions(self) -> list[MissionEntry]:
+        """The missions of the folder by path, then the examples."""
+        own = [_entry(path, self.root, "") for path in _missions_below(self.root)]
+        # A folder of examples that is open as the folder itself is not listed twice.
+        if self.examples == self.root or self.root in self.examples.parents:
+            return own
+        return own + [_entry(path, self.examples, EXAMPLE) for path in _missions_below(self.examples)]
+
+    def name_of(self, path: Path) -> str:
+        """The name of a file in the folder or among the examples.
+
+        Raises:
+            MissionNameError: it is in neither.
+        """
+        real = path.resolve()
+        for root, prefix in ((self.root, ""), (self.examples, EXAMPLE)):
+            if root in real.parents:
+                return prefix + real.relative_to(root).as_posix()
+        raise MissionNameError(f"`{path}` is not in the folder `{self.root.name}`", "open its own folder")
+
+    def path_of(self, name: str) -> Path:
+        """The file that a name leads to; it need not exist.
+
+        Raises:
+            MissionNameError: the name is no name of a mission, or leads out of the folder.
+        """
+        root, inner = self.root, name
+        if name.startswith(EXAMPLE):
+            root, inner = self.examples, name.removeprefix(EXAMPLE)
+        pure = PurePosixPath(inner)
+        wrong = not inner or pure.is_absolute() or ".." in pure.parts or _ON_WINDOWS.search(inner) or len(inner) > 1000
+        if wrong or pure.suffix.lower() != ENDING or not pure.stem.strip("."):
+            raise MissionNameError(f"`{name[:80]}` is no name of a mission", f"give a name in this folder that ends with `{ENDING}`")
+        path = root / pure
+        try:
+            real = path.resolve()
+        except (OSError, RuntimeError):
+            raise MissionNameError(f"`{name[:80]}` leads nowhere", "") from None
+        if root not in real.parents:
+            raise MissionNameError(f"`{name[:80]}` leads out of the folder", "open the mission's own folder")
+        return path
+
+    def folder_of(self, name: str) -> Path:
+        """The folder that a mission's own robots, constructors and worlds are in; `root` for a mission without a name."""
+        return self.path_of(name).parent if name else self.root
+
+    def read(self, name: str) -> tuple[bytes, str]:
+        """The content of a mission's file and its revision.
+
+        Raises:
+            MissionNameError: the name leads to no mission.
+            FileError: the file cannot be read.
+        """
+        data = read_bytes(self.path_of(name))
+        return data, revision_of(data)
+
+    def hold(self, name: str, revision: str) -> _Hold:
+        """For saving: a context in which nobody else saves, entered only when the file still has that revision.
+
+        Raises:
+            MissionNameError: the name is no name of a mission.
+            ReadOnlyError: it is an example.
+            ConflictError: the file is not what it was.
+        """
+        if name.startswith(EXAMPLE):
+            raise ReadOnlyError("an example cannot be changed", "save the mission under a name of your own")
+        return _Hold(self, self.path_of(name), name, revision)
+
+
+class _Hold:
+    """The lock of a folder around one save."""
+
+    def __init__(self, folder: MissionFolder, path: Path, name: str, revision: str) -> None:
+        self._folder = folder
+        self._path = path
+        self._name = name
+        self._revision = revision
+
+    def __enter__(self) -> Path:
+        lock = self._folder._saving
+        lock.acquire()
+        try:
+            now = revision_of(read_bytes(self._path)) if self._path.exists() else ""
+            if now != self._revision:
+                raise _conflict(self._name, self._revision, now)
+            return self._path
+        except BaseException:
+            lock.release()
+            raise
+
+    def __exit__(self, *reason: object) -> None:
+        self._folder._saving.release()
+
+
+def revision_of(data: bytes) -> str:
+    """The name of a content: the same for the same bytes."""
+    return hashlib.sha256(data).hexdigest()[:20]
+
+
+def _conflict(name: str, before: str, now: str) -> ConflictError:
+    if not before:
+        sentence, help = f"there is a mission `{name}` already", "choose another name, or save again to replace it"
+    elif not now:
+        sentence, help = f"the file of `{name}` was removed meanwhile", "save again to write it anew"
+    else:
+        sentence, help = f"the file of `{name}` was changed by somebody else meanwhile", "open it again, or save again to replace it"
+    return ConflictError(sentence, help, revision=now)
+
+
+def _missions_below(root: Path) -> list[Path]:
+    return sorted(_walk(root), key=lambda path: path.relative_to(root).as_posix().casefold())[:MOST_LISTED]
+
+
+def _walk(root: Path) -> Iterator[Path]:
+    looked_at = 0
+    for folder, folders, files in os.walk(root):
+        looked_at += len(folders) + len(files)
+        depth = len(Path(folder).relative_to(root).parts)
+        hidden = looked_at > MOST_LOOKED_AT or depth >= DEEPEST
+        folders[:] = [] if hidden else sorted(name for name in folders if not name.startswith((".", "node_modules")))
+        yield from (Path(folder, name) for name in files if name.lower().endswith(ENDING) and not name.startswith("."))
+
+
+def _entry(path: Path, root: Path, prefix: str) -> MissionEntry:
+    words = path.stem.replace("-", " ").replace("_", " ").strip()
+    try:
+        seconds = path.stat().st_mtime
+    except OSError:
+        seconds = 0.0
+    modified = datetime.fromtimestamp(seconds, UTC).isoformat(timespec="seconds")
+    name = prefix + path.relative_to(root).as_posix()
+    return MissionEntry(name, path.stem, words[:1].upper() + words[1:], bool(prefix), modified)

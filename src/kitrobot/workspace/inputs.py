@@ -1,0 +1,210 @@
+"""Scripted inputs: a CSV table that says what a robot senses, tick by tick.
+
+    tick,Captor,done:Motor
+    0,40,
+    12,8,0
+
+The header names the columns: `tick`, then sensors (`Captor`) and devices' done flags (`done:Motor`). A row holds from its
+tick on; an empty cell changes nothing. Representation: the changes of each tick, in the order of the rows; nothing in
+them is unknown or out of order. Numbers are kept as written: the machine clamps them to the sensor's range. A tolerant
+reader of the format itself: byte order mark, any line ends, quoted cells, spaces around cells and blank lines are fine.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+
+from kitrobot.diagnostics import Diagnostic, Severity, Source, rule
+from kitrobot.primitives import Robot
+
+HEADER = rule(
+    "inputs-header",
+    Severity.ERROR,
+    "The table of inputs has no header",
+    "The first line of a table of inputs names its columns: `tick` and then sensors or `done:ACTUATOR`.",
+)
+UNKNOWN = rule(
+    "inputs-unknown-name",
+    Severity.ERROR,
+    "A column is no input of the robot",
+    "Every column after `tick` is the name of a sensor, or `done:` and the name of an actuator.",
+)
+TWICE = rule(
+    "inputs-column-twice",
+    Severity.ERROR,
+    "Two columns have one name",
+    "Each input has one column, so that a row can say one thing about it.",
+)
+CELLS = rule(
+    "inputs-cells",
+    Severity.ERROR,
+    "A row has too few or too many cells",
+    "Every row has as many cells as the header; a cell may be empty.",
+)
+NUMBER = rule(
+    "inputs-number",
+    Severity.ERROR,
+    "A cell is not a whole number",
+    "Ticks are whole numbers from 0, sensors take whole numbers, `done:` takes 0 or 1.",
+)
+ORDER = rule(
+    "inputs-tick-order",
+    Severity.ERROR,
+    "The ticks are out of order",
+    "The rows of a table of inputs go forward in time.",
+)
+REPEATED = rule(
+    "inputs-tick-twice",
+    Severity.WARNING,
+    "Two rows have one tick",
+    "Both rows hold from that tick on; where both fill a cell, the later row wins.",
+)
+
+DONE = "done:"
+_CELL = re.compile(r'[ \t]*(?:"((?:[^"]|"")*)"[ \t]*|([^,]*))(?=,|$)')
+_NUMBER = re.compile(r"[+-]?[0-9]{1,18}")
+
+
+@dataclass(frozen=True)
+class Change:
+    """One cell: from its tick on, this input (a sensor's, or an actuator's done flag) is `value`."""
+
+    name: str
+    done: bool
+    value: int
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """What changes in which tick; empty when nothing is scripted."""
+
+    changes: Mapping[int, tuple[Change, ...]] = field(default_factory=dict)
+
+    def at(self, tick: int) -> tuple[Change, ...]:
+        """What changes in this tick."""
+        return self.changes.get(tick, ())
+
+
+@dataclass(frozen=True)
+class _Cell:
+    text: str
+    start: int
+    end: int
+
+
+def read_inputs(text: str, name: str, robot: Robot) -> tuple[Inputs, list[Diagnostic]]:
+    """The table in `text`, checked against the robot; what is wrong is told, and the rest is still read."""
+    source = Source(name, text)
+    problems: list[Diagnostic] = []
+    rows = _rows(text)
+    header = next(rows, None)
+    if header is None or header[0].text != "tick":
+        problems.append(_header_problem(source, header))
+        return Inputs(), problems
+    columns = [_column(source, cell, robot, problems) for cell in header[1:]]
+    for number, cell in enumerate(header[1:], start=1):
+        if cell.text and cell.text in [other.text for other in header[1:number]]:
+            place = source.place(cell.start, cell.end)
+            problems.append(TWICE(f"The column `{cell.text}` stands here a second time", place))
+    changes: dict[int, tuple[Change, ...]] = {}
+    last = -1
+    for row in rows:
+        if len(row) != len(header):
+            place = source.place(row[0].start, row[-1].end)
+            count = f"{len(row)} cell{'s' if len(row) != 1 else ''}"
+            problems.append(CELLS(f"this row has {count}, the header has {len(header)}", place))
+            continue
+        tick = _number(source, row[0], "a tick", 0, None, problems)
+        if tick is None:
+            continue
+        if tick < last:
+            message = f"tick {tick} comes after tick {last}"
+            problems.append(ORDER(message, source.place(row[0].start, row[0].end), help="sort the rows by their tick"))
+            continue
+        if tick == last:
+            message = f"tick {tick} stands in two rows; where both fill a cell, this one wins"
+            problems.append(REPEATED(message, source.place(row[0].start, row[0].end)))
+        last = tick
+        made = changes.get(tick, ())
+        for cell, column in zip(row[1:], columns, strict=True):
+            if not cell.text or column is None:
+                continue
+            input_name, done = column
+            value = _number(source, cell, "0 or 1" if done else "a whole number", *_bounds(done), problems)
+            if value is not None:
+                made += (Change(input_name, done, value),)
+        changes[tick] = made
+    return Inputs(changes), problems
+
+
+def _rows(text: str) -> Iterator[list[_Cell]]:
+    """The lines that hold something, as cells with their offsets."""
+    for line in re.finditer(r"[^\r\n]+", text):
+        if not line.group().strip():
+            continue
+        cells: list[_Cell] = []
+        at = line.start()
+        while True:
+            match = _CELL.match(text, at, line.end())
+            assert match is not None  # the plain cell takes whatever stands before a comma or the end
+            quoted, plain = match.groups()
+            raw, end = plain if quoted is None else quoted.replace('""', '"'), match.end()
+            # The place of a cell is what it shows, without the spaces around it.
+            shown = text[at:end]
+            start = at + len(shown) - len(shown.lstrip())
+            cells.append(_Cell(raw.strip(), start, max(start, at + len(shown.rstrip()))))
+            if end >= line.end():
+                break
+            at = end + 1
+        yield cells
+
+
+def _header_problem(source: Source, header: list[_Cell] | None) -> Diagnostic:
+    help = "begin the file with a line such as `tick,Captor,done:Motor`"
+    if header is None:
+        return HEADER("the table of inputs is empty", source.place(0, 0), help=help)
+    first = header[0]
+    if ";" in first.text:
+        help = "separate the cells with commas, not with semicolons"
+    elif "\t" in first.text:
+        help = "separate the cells with commas, not with tabs"
+    message = f"the first column should be `tick`, found `{first.text[:40]}`"
+    return HEADER(message, source.place(first.start, first.end), help=help)
+
+
+def _column(source: Source, cell: _Cell, robot: Robot, problems: list[Diagnostic]) -> tuple[str, bool] | None:
+    """(input, whether it is a done flag) of a column, or None when the robot has no such input."""
+    done = cell.text.startswith(DONE)
+    wanted = cell.text.removeprefix(DONE).strip() if done else cell.text
+    names = [part.name for part in (robot.actuators if done else robot.sensors)]
+    if wanted in names:
+        return wanted, done
+    known = [part.name for part in robot.sensors] + [DONE + part.name for part in robot.actuators]
+    near = get_close_matches(cell.text, known, n=1)
+    if near:
+        help = f"did you mean `{near[0]}`?"
+    else:
+        help = "known: " + ", ".join(f"`{name}`" for name in known) if known else "this robot has no inputs"
+    what = "actuator" if done else "sensor"
+    message = f"the robot `{robot.name}` has no {what} `{wanted}`"
+    problems.append(UNKNOWN(message, source.place(cell.start, cell.end), help=help))
+    return None
+
+
+def _bounds(done: bool) -> tuple[int | None, int | None]:
+    return (0, 1) if done else (None, None)
+
+
+def _number(
+    source: Source, cell: _Cell, what: str, least: int | None, most: int | None, problems: list[Diagnostic]
+) -> int | None:
+    if _NUMBER.fullmatch(cell.text):
+        value = int(cell.text)
+        if (least is None or value >= least) and (most is None or value <= most):
+            return value
+    found = f"`{cell.text[:40]}`" if cell.text else "an empty cell"
+    problems.append(NUMBER(f"expected {what}, found {found}", source.place(cell.start, cell.end)))
+    return None

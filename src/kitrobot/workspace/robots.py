@@ -1,0 +1,38 @@
+"""A robot by the word that people gave: the name of one that is at hand, or a `.robot.xml` file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from kitrobot.diagnostics import Source
+from kitrobot.primitives import Robot, load_catalogue, read_robot
+from kitrobot.workspace.files import read_bytes
+from kitrobot.workspace.problems import ProblemsError
+
+
+def find_robot(word: str, folder: Path | None = None) -> Robot:
+    """The robot that `word` means; names are looked up among the shipped, the user's, and those of `folder`.
+
+    Raises:
+        KitRobotError: no robot has that name.
+        FileError: the file cannot be read.
+        ProblemsError: the file is no good robot.
+    """
+    if word.lower().endswith(".xml") or "/" in word or "\\" in word:
+        return read_robot_file(Path(word))
+    return load_catalogue([folder] if folder else []).robot(word)
+
+
+def read_robot_file(path: Path) -> Robot:
+    """The robot of a file.
+
+    Raises:
+        FileError: the file cannot be read.
+        ProblemsError: the file is no good robot.
+    """
+    data = read_bytes(path)
+    robot, diagnostics = read_robot(data, str(path))
+    if robot is None:
+        source = Source(str(path), data.decode("utf-8-sig", errors="replace"))
+        raise ProblemsError(f"the robot of `{path}` cannot be used", "mend its file", tuple(diagnostics), (source,))
+    return robot
