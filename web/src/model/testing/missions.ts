@@ -126,8 +126,9 @@ export function growProgram(seed: number, size: number, parked = false): Program
   const random = randomFrom(seed);
   let program = emptyProgram("grown", "carrier");
   for (let tries = 0; program.vertices.length < size && tries < size * 20; tries++) {
-    const place = pick(random, placesOf(program));
-    if (place.kind === "void" && (!parked || random() < 0.7)) continue;
+    const aside = parked && random() < 0.08;
+    const place: Place = aside ? { kind: "void" } : pick(random, placesOf(program));
+    if (place.kind === "void" && !aside) continue;
     const command = insertPart(program, CARRIER_PARTS, place, pick(random, CARRIER_PARTS.all).element);
     program = command?.execute(missionOf(program)).programs[0] ?? program;
   }

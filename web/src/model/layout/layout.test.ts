@@ -1,0 +1,284 @@
+import { describe, expect, it } from "vitest";
+
+import { emptyProgram } from "../commands/changePrograms";
+import { readStructure } from "../structure";
+import { CARRIER, CARRIER_PARTS as PARTS, growProgram } from "../testing/missions";
+import type { Block, Structure } from "../structure";
+import type { Program } from "../types";
+import {
+  distanceToLine,
+  headPath,
+  type Layout,
+  type LayoutArc,
+  type LayoutNode,
+  layoutStructure,
+  roundedPath,
+} from ".";
+
+const layout = (program: Program) => layoutStructure(readStructure(program, PARTS));
+
+function node(of: Layout, id: string): LayoutNode {
+  const found = of.nodes.find((one) => one.id === id);
+  if (found === undefined) throw new Error(`no node ${id}`);
+  return found;
+}
+
+function arc(of: Layout, id: string): LayoutArc {
+  const found = of.arcs.find((one) => one.id === id);
+  if (found === undefined) throw new Error(`no arc ${id}`);
+  return found;
+}
+
+const middle = ({ y, h }: LayoutNode) => y + h / 2;
+
+describe("the carrier of the picture", () => {
+  const drawn = layout(CARRIER);
+
+  it("has its rows where the picture has them", () => {
+    const rows = [
+      "start",
+      "v1",
+      "v3",
+      "v4",
+      "v6",
+      "v8",
+      "v9",
+      "v11",
+      "v13",
+      "v14",
+      "v17",
+      "v3:end",
+      "v18",
+      "v20",
+      "stop",
+    ];
+    expect(rows.map((id) => middle(node(drawn, id)) + 40)).toEqual([
+      40, 104, 152, 200, 264, 200, 264, 328, 392, 456, 520, 592, 640, 704, 800,
+    ]);
+  });
+
+  it("has its columns where the picture has them", () => {
+    const columns = ["v1", "v4", "v8", "v9"].map((id) => node(drawn, id).x + node(drawn, id).w / 2 + 456);
+    expect(columns).toEqual([456, 240, 616, 616]);
+  });
+
+  it("draws vertices in the picture's widths", () => {
+    expect(["v1", "v4", "v6", "v8", "v11", "v3"].map((id) => node(drawn, id).w)).toEqual([
+      256, 280, 256, 288, 296, 752,
+    ]);
+  });
+
+  it("draws loops as their own frames and choices as legend boxes", () => {
+    const frames = drawn.frames.map(({ id, kind, x, y, w, h }) => [id, kind, x + 456, y + 40, w, h]);
+    expect(frames).toEqual([
+      ["v1", "loop", 56, 104, 800, 640],
+      ["v3", "parallel", 80, 152, 752, 440],
+      ["v4", "legend", 88, 200, 304, 94],
+      ["v9", "loop", 416, 264, 400, 304],
+      ["v11", "legend", 440, 328, 352, 230],
+      ["v14", "legend", 456, 456, 320, 94],
+      ["v18", "legend", 304, 640, 304, 94],
+    ]);
+  });
+
+  it("shows a marked action as one vertex, its arcs by the mark's name", () => {
+    expect(node(drawn, "v8").mark?.vertex.id).toBe("v7");
+    expect(drawn.nodes.some((one) => one.id === "v7")).toBe(false);
+    expect(arc(drawn, "v7.next").points).toEqual([
+      { x: 160, y: 182 },
+      { x: 160, y: 202 },
+    ]);
+  });
+
+  it("returns on the left edge and leaves by the right one, straight into the bar at the end of a branch", () => {
+    expect(arc(drawn, "v18.next")).toMatchObject({ colour: "loop", head: true });
+    expect(arc(drawn, "v18.next").points.at(-1)).toEqual({ x: -128, y: 64 });
+    expect(arc(drawn, "v9.next").points).toEqual([
+      { x: 288, y: 224 },
+      { x: 360, y: 224 },
+      { x: 360, y: 548 },
+    ]);
+    expect(arc(drawn, "v1.next").points.at(-1)).toEqual({ x: 0, y: 738 });
+  });
+
+  it("colours an arc by who owns it", () => {
+    const colours = ["start.next", "v1.body", "v3.branch.1", "v4.body", "v6.next", "v4.next", "v13.next", "v3.next"];
+    expect(colours.map((id) => arc(drawn, id).colour)).toEqual([
+      "flow",
+      "loop",
+      "parallel",
+      "choice",
+      "parallel",
+      "parallel",
+      "flow",
+      "parallel",
+    ]);
+  });
+
+  it("draws every arc of the file between vertices", () => {
+    const flow = CARRIER.arcs.filter((one) => one.at === "in" || one.at === "return");
+    expect(new Set(drawn.arcs.map((one) => one.id))).toEqual(new Set(flow.map((one) => `${one.source}.${one.out}`)));
+  });
+});
+
+describe("other programs", () => {
+  it("shows the place for the first part in an empty one", () => {
+    const drawn = layout(emptyProgram("p", "carrier"));
+    expect(drawn.nodes.map((one) => [one.id, middle(one)])).toEqual([
+      ["start", 0],
+      ["place", 104],
+      ["stop", 200],
+    ]);
+  });
+
+  it("gives an empty body an arc one can drop on", () => {
+    const program = growFrom("While");
+    expect(arc(layout(program), "v1.body").points.length).toBeGreaterThan(3);
+    expect(arc(layout(program), "v1.body").label?.text).toBe("do");
+  });
+
+  it("sets the columns of a choice apart and lets them meet again", () => {
+    const drawn = layout(growFrom("If Then Else"));
+    const [yes, no] = [arc(drawn, "v1.then"), arc(drawn, "v1.else")];
+    expect([yes.label?.text, no.label?.text]).toEqual(["yes", "no"]);
+    expect(yes.points.at(-1)).toEqual(no.points.at(-1));
+    expect(arc(drawn, "v1.next").points[0]).toEqual(yes.points.at(-1));
+  });
+
+  it("draws a body that does not return as far as it goes", () => {
+    const arcs = CARRIER.arcs.filter((one) => one.source !== "v6");
+    const drawn = layout({ ...CARRIER, arcs });
+    expect(arc(drawn, "v6.next").missing).toBe(true);
+  });
+
+  it("keeps parked chains beside the program, each in a frame", () => {
+    const drawn = layout(growProgram(3, 40, true));
+    const right = Math.max(...drawn.nodes.filter((one) => !one.parked).map((one) => one.x + one.w));
+    const parked = drawn.nodes.filter((one) => one.parked);
+    expect(parked.length).toBeGreaterThan(0);
+    for (const one of parked) expect(one.x).toBeGreaterThan(right);
+  });
+
+  it("survives programs without ends", () => {
+    const lonely: Program = { name: "p", robot: "carrier", vertices: [], arcs: [] };
+    expect(layout(lonely).nodes).toEqual([]);
+    const start = { ...emptyProgram("p", "carrier"), arcs: [] };
+    expect(arc(layout(start), "start.next").missing).toBe(true);
+  });
+});
+
+function growFrom(element: string): Program {
+  const empty = emptyProgram("p", "carrier");
+  const flows = PARTS.shape(element).flows.map((flow) => flow.name);
+  return {
+    ...empty,
+    vertices: [
+      ...empty.vertices.slice(0, 1),
+      { id: "v1", element, settings: {}, notes: [] },
+      ...empty.vertices.slice(1),
+    ],
+    arcs: [
+      { source: "start", target: "v1", out: "next", at: "in" },
+      ...flows.map((out) => ({ source: "v1", target: "v1", out, at: "return" })),
+      { source: "v1", target: "stop", out: "next", at: "in" },
+    ],
+  };
+}
+
+interface Box {
+  x: number;
+  y: number;
+  w: number;
+  h: number;
+}
+
+const overlap = (a: Box, b: Box) => a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
+const inside = (a: Box, b: Box) => a.x >= b.x && a.y >= b.y - 22 && a.x + a.w <= b.x + b.w && a.y + a.h <= b.y + b.h;
+
+/** Every pair (block, block directly in one of its bodies). */
+function pairs(structure: Structure): [Block, Block][] {
+  const all: [Block, Block][] = [];
+  const down = (owner: Block | null, chain: Block[]) => {
+    for (const one of chain) {
+      if (owner !== null) all.push([owner, one]);
+      for (const body of one.bodies) down(one, body.chain);
+    }
+  };
+  down(null, structure.main.chain);
+  for (const chain of structure.parked) down(null, chain);
+  return all;
+}
+
+describe("random programs", () => {
+  for (let seed = 1; seed <= 30; seed++) {
+    it(`overlap nowhere and stay in their frames (seed ${String(seed)})`, () => {
+      const structure = readStructure(growProgram(seed, 60, true), PARTS);
+      const drawn = layoutStructure(structure);
+      const vertices = drawn.nodes.filter((one) => one.kind !== "barEnd" && one.kind !== "bar");
+      vertices.forEach((a, index) => {
+        for (const b of vertices.slice(index + 1)) expect(overlap(a, b), `${a.id} on ${b.id}`).toBe(false);
+      });
+      const frames = new Map(drawn.frames.filter((one) => one.kind !== "parked").map((one) => [one.id, one]));
+      for (const [owner, child] of pairs(structure)) {
+        const frame = frames.get(owner.vertex.id);
+        const shown = drawn.nodes.find((one) => one.id === child.vertex.id || one.mark?.vertex.id === child.vertex.id);
+        if (frame === undefined || shown === undefined) throw new Error(`nothing drawn for ${child.vertex.id}`);
+        expect(inside(shown, frame), `${shown.id} in ${owner.vertex.id}`).toBe(true);
+        const inner = frames.get(child.vertex.id);
+        if (inner !== undefined) expect(inside(inner, frame), `${child.vertex.id} in ${owner.vertex.id}`).toBe(true);
+      }
+      for (const one of drawn.arcs) {
+        one.points.slice(1).forEach((point, index) => {
+          const before = one.points[index];
+          expect(before?.x === point.x || before?.y === point.y, `${one.id} is slanted`).toBe(true);
+        });
+        if (one.head) expect(one.points.length).toBeGreaterThan(1);
+      }
+    });
+  }
+
+  it("of 5 000 vertices are laid out in under 100 ms", () => {
+    const chain = Array.from({ length: 230 }, () => CARRIER).map((program, copy) => ({
+      vertices: program.vertices.slice(1, -1).map((one) => ({ ...one, id: `${one.id}-${String(copy)}` })),
+      arcs: program.arcs
+        .filter((one) => one.source !== "start" && one.target !== "stop")
+        .map((one) => ({ ...one, source: `${one.source}-${String(copy)}`, target: `${one.target}-${String(copy)}` })),
+    }));
+    const empty = emptyProgram("big", "carrier");
+    const joints = ["start", ...chain.map((_, copy) => `v1-${String(copy)}`), "stop"];
+    const big: Program = {
+      ...empty,
+      vertices: [...empty.vertices.slice(0, 1), ...chain.flatMap((one) => one.vertices), ...empty.vertices.slice(1)],
+      arcs: [
+        ...joints.slice(1).map((target, at) => ({ source: joints[at] ?? "", target, out: "next", at: "in" })),
+        ...chain.flatMap((one) => one.arcs),
+      ],
+    };
+    expect(big.vertices.length).toBeGreaterThan(4500);
+    layout(big);
+    const times = [1, 2, 3].map(() => {
+      const before = performance.now();
+      layout(big);
+      return performance.now() - before;
+    });
+    expect(Math.min(...times)).toBeLessThan(100);
+  });
+});
+
+describe("lines", () => {
+  const bend = [
+    { x: 0, y: 0 },
+    { x: 0, y: 40 },
+    { x: 40, y: 40 },
+  ];
+
+  it("have round corners and stop short of their head", () => {
+    expect(roundedPath(bend, true)).toBe("M0 0L0 32Q0 40 8 40L33 40");
+    expect(headPath(bend)).toBe("M40 40L31 44L31 36Z");
+  });
+
+  it("know how far a point is from them", () => {
+    expect(distanceToLine(bend, { x: 10, y: 20 })).toBe(10);
+    expect(distanceToLine(bend, { x: 50, y: 40 })).toBe(10);
+  });
+});

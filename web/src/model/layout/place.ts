@@ -1,0 +1,428 @@
+/**
+ * The flowchart: one walk down a structure that gives every vertex, frame and arc its place.
+ *
+ * A chain is drawn down a middle line, the next vertex one PITCH below. What is still to be drawn of the arc that leaves
+ * a vertex is its `Tail`: it ends where the next vertex, a bar or a loop takes it. A tail may hold several arcs that follow
+ * each other (the end of a body, then the arc that leaves its owner) and may stand on a lane: a loop's exit has gone to
+ * the right edge of the loop's frame and only comes back to the middle where somebody needs it there.
+ *
+ * Rules (look.md): a loop is its own frame, its left edge the return and its right edge the exit; a legend box has its
+ * vertex on the top edge; branches run between two bars; the columns of a choice meet again. Colours say who owns an arc.
+ */
+import type { Block, Body, Structure } from "../structure";
+import { text } from "../texts";
+import type { Colour, Vertex } from "../types";
+import { ceilTo, HALF_BAR, HALF_ROW, type Measured, PITCH, Sizes, TO_BAR } from "./sizes";
+import type { ArcColour, ArcLabel, Layout, LayoutArc, LayoutFrame, LayoutNode, NodeKind, Point } from "./types";
+
+interface Piece {
+  source: string;
+  out: string;
+  colour: ArcColour;
+  /** Keeps its colour whoever takes it: the exit of a loop. */
+  fixed: boolean;
+  points: Point[];
+  label: ArcLabel | null;
+}
+
+interface Tail {
+  pieces: Piece[];
+  /** Whether the last point is on a lane beside the middle line. */
+  lane: boolean;
+}
+
+interface Placed {
+  tail: Tail;
+  bottom: number;
+  /** The y on which a lane comes back to the middle. */
+  laneY: number;
+  /** The middle of the vertex that follows. */
+  next: number;
+}
+
+/** Words that are ours, not the constructors'. */
+export interface LayoutWords {
+  done: string;
+}
+
+const EXIT_BELOW = 16;
+const PLACE = { w: 320, h: 56, middle: 104, stop: 200 };
+const NO_FACE = { object: "", name: "", boxes: [], chips: [] };
+const PARKED_GAP = 64;
+
+export class Placer {
+  readonly nodes: LayoutNode[] = [];
+  readonly frames: LayoutFrame[] = [];
+  readonly arcs: LayoutArc[] = [];
+  private readonly sizes = new Sizes();
+  private readonly words: LayoutWords;
+  private parked = false;
+
+  constructor(words: LayoutWords) {
+    this.words = words;
+  }
+
+  layout(structure: Structure): Layout {
+    this.placeMain(structure);
+    this.placeParked(structure);
+    return { nodes: this.nodes, frames: this.frames, arcs: this.arcs, bounds: this.bounds() };
+  }
+
+  private placeMain({ start, stop, main, strays, parked }: Structure): void {
+    if (start !== null) this.terminal(start, "start", 0);
+    const from = this.piece(start?.id ?? "", "next", "flow", { x: 0, y: HALF_ROW });
+    const entry: Tail = { pieces: start === null ? [] : [from], lane: false };
+    if (main.chain.length === 0 && main.closed && strays.length === 0 && parked.length === 0 && stop !== null) {
+      this.placeEmpty(stop, from);
+      return;
+    }
+    const placed = this.placeChain(main.chain, entry, 0, PITCH, HALF_ROW);
+    if (stop !== null) this.terminal(stop, "stop", placed.next);
+    this.end(placed, main.closed, [{ x: 0, y: placed.next - HALF_ROW }], 0);
+  }
+
+  /** A new program: a place to drop the first part on, in the middle of its only arc. */
+  private placeEmpty(stop: Vertex, from: Piece): void {
+    const { w, h, middle } = PLACE;
+    const face = NO_FACE;
+    const common = { colour: "action" as const, face, block: null, mark: null, parked: false };
+    this.nodes.push({ ...common, id: "place", vertex: "", x: -w / 2, y: middle - h / 2, w, h, kind: "place" });
+    from.points.push({ x: 0, y: middle - h / 2 });
+    this.emit([from]);
+    const below = this.piece(from.source, "next", "flow", { x: 0, y: middle + h / 2 });
+    below.points.push({ x: 0, y: PLACE.stop - HALF_ROW });
+    this.emit([below]);
+    this.terminal(stop, "stop", PLACE.stop);
+  }
+
+  private placeParked({ parked }: Structure): void {
+    this.parked = true;
+    let x = PARKED_GAP + this.nodes.reduce((right, node) => Math.max(right, node.x + node.w), 0);
+    x = this.frames.reduce((right, frame) => Math.max(right, frame.x + frame.w + PARKED_GAP), x);
+    let y = -HALF_ROW;
+    for (const chain of parked) {
+      const half = this.sizes.halfOf(chain);
+      const frame = this.frame("parked", chain[0]?.vertex.id ?? "", "team", x, y, 2 * half + 32);
+      const middle = x + half + 16;
+      const first = y + 40 + HALF_ROW;
+      const placed = this.placeChain(chain, { pieces: [], lane: false }, middle, first, first);
+      const goesOn = chain.at(-1)?.shape.role === "instruction";
+      if (goesOn) this.end(placed, false, [], middle);
+      frame.h = placed.bottom + (goesOn ? 40 : 16) - frame.y;
+      y = frame.y + frame.h + 24;
+    }
+  }
+
+  /** Places a chain from its first middle downwards; `bottom` is where what leads into it begins. */
+  private placeChain(chain: Block[], entry: Tail, x: number, first: number, bottom: number): Placed {
+    let placed: Placed = { tail: entry, bottom, laneY: bottom + EXIT_BELOW, next: first };
+    for (const block of chain) {
+      const measured = this.sizes.of(block);
+      const middle = placed.next;
+      const top = measured.style === "bars" ? middle - 16 - HALF_BAR : middle - HALF_ROW;
+      this.take(placed, { x, y: top });
+      placed = this.placeBlock(measured, x, middle);
+    }
+    return placed;
+  }
+
+  /** Draws a tail to its end at `point`, back from its lane if it is on one. */
+  private take({ tail, laneY }: Placed, point: Point): void {
+    const last = tail.pieces.at(-1);
+    if (last === undefined) return;
+    const at = last.points.at(-1);
+    if (tail.lane && at !== undefined) last.points.push({ x: at.x, y: laneY }, { x: point.x, y: laneY });
+    last.points.push(point);
+    this.emit(tail.pieces);
+  }
+
+  private placeBlock(measured: Measured, x: number, middle: number): Placed {
+    switch (measured.style) {
+      case "chip":
+      case "simple":
+        return this.placeSimple(measured, x, middle);
+      case "legend":
+        return this.placeLegend(measured, x, middle);
+      case "loop":
+        return this.placeLoop(measured, x, middle);
+      case "bars":
+        return this.placeBars(measured, x, middle);
+      case "columns":
+        return this.placeColumns(measured, x, middle);
+    }
+  }
+
+  private placeSimple(measured: Measured, x: number, middle: number): Placed {
+    const kind = measured.style === "chip" ? "chip" : measured.hexagon ? "hexagon" : "rect";
+    this.node(measured, kind, x, middle);
+    const bottom = middle + HALF_ROW;
+    const leaving = this.piece(arcId(measured), "next", "flow", { x, y: bottom });
+    return { tail: { pieces: [leaving], lane: false }, bottom, laneY: bottom, next: middle + PITCH };
+  }
+
+  private placeLegend(measured: Measured, x: number, middle: number): Placed {
+    const { shown, half } = measured;
+    const frame = this.frame("legend", shown.vertex.id, shown.shape.colour, x - half, middle, 2 * half);
+    this.node(measured, measured.hexagon ? "hexagon" : "rect", x, middle);
+    const [body] = shown.bodies;
+    const inner = this.placeBody(measured, body, x, middle + PITCH, { x, y: middle + HALF_ROW }, 56 - HALF_ROW);
+    const bottom = inner.bottom + 8;
+    frame.h = bottom - middle;
+    const { pieces, lane } = inner.tail;
+    const last = pieces.at(-1);
+    const at = last?.points.at(-1);
+    const out = { x: lane && at !== undefined ? at.x : x, y: bottom };
+    last?.points.push(out);
+    const leaving = this.piece(arcId(measured), "next", "flow", out);
+    return {
+      tail: { pieces: [...pieces, leaving], lane },
+      bottom,
+      laneY: bottom + EXIT_BELOW,
+      next: ceilTo(8, bottom + (lane ? 56 : PITCH - HALF_ROW)),
+    };
+  }
+
+  private placeLoop(measured: Measured, x: number, middle: number): Placed {
+    const { shown, half, width } = measured;
+    const { colour } = shown.shape;
+    const frame = this.frame("loop", shown.vertex.id, colour, x - half, middle, 2 * half);
+    this.node(measured, measured.hexagon ? "hexagon" : "rect", x, middle);
+    const [body] = shown.bodies;
+    const label: ArcLabel = { text: bodyLabel(shown, body), x: x + 8, y: middle + HALF_ROW + 10, anchor: "start" };
+    const inner = this.placeBody(
+      measured,
+      body,
+      x,
+      middle + PITCH,
+      { x, y: middle + HALF_ROW },
+      PITCH - HALF_ROW,
+      label,
+    );
+    const bottom = ceilTo(8, inner.bottom + (inner.tail.lane ? EXIT_BELOW : 8));
+    frame.h = bottom - middle;
+    const left = x - half;
+    this.close(
+      inner.tail,
+      x,
+      bottom,
+      [
+        { x: left, y: bottom },
+        { x: left, y: middle },
+        { x: x - width / 2, y: middle },
+      ],
+      colour,
+    );
+    const leaving = this.piece(arcId(measured), "next", colour, { x: x + width / 2, y: middle });
+    leaving.fixed = true;
+    leaving.points.push({ x: x + half, y: middle });
+    leaving.label = { text: this.words.done, x: x + width / 2 + 8, y: middle - 11, anchor: "start" };
+    return { tail: { pieces: [leaving], lane: true }, bottom, laneY: bottom + EXIT_BELOW, next: bottom + 56 };
+  }
+
+  private placeBars(measured: Measured, x: number, middle: number): Placed {
+    const { shown, half, columns } = measured;
+    const { colour } = shown.shape;
+    const bar = middle - 16;
+    const frame = this.frame("parallel", shown.vertex.id, colour, x - half, bar, 2 * half);
+    this.bar(measured, "bar", x, bar);
+    const inner = shown.bodies.map((body, index) => {
+      const at = x + (columns[index] ?? 0);
+      return this.placeBody(measured, body, at, bar + TO_BAR, { x: at, y: bar + HALF_BAR }, 52);
+    });
+    const deepest = inner.reduce((most, placed) => Math.max(most, placed.bottom), bar + 40);
+    const end = ceilTo(8, deepest + 24);
+    frame.h = end - bar;
+    inner.forEach(({ tail }, index) => {
+      this.close(tail, x + (columns[index] ?? 0), end - HALF_BAR, [], colour);
+    });
+    this.bar(measured, "barEnd", x, end);
+    const leaving = this.piece(arcId(measured), "next", colour, { x, y: end + HALF_BAR });
+    const bottom = end + HALF_BAR;
+    return { tail: { pieces: [leaving], lane: false }, bottom, laneY: bottom, next: end + TO_BAR };
+  }
+
+  private placeColumns(measured: Measured, x: number, middle: number): Placed {
+    const { shown, half, width, columns } = measured;
+    const { colour } = shown.shape;
+    const frame = this.frame("legend", shown.vertex.id, colour, x - half, middle, 2 * half);
+    this.node(measured, "hexagon", x, middle);
+    const inner = shown.bodies.map((body, index) => {
+      const at = x + (columns[index] ?? 0);
+      const side = Math.sign(index - (shown.bodies.length - 1) / 2);
+      const label: ArcLabel = {
+        text: bodyLabel(shown, body),
+        x: side === 0 ? x + 8 : x + side * (width / 2 + 8),
+        y: side === 0 ? middle + HALF_ROW + 10 : middle - 11,
+        anchor: side < 0 ? "end" : "start",
+      };
+      const from = side === 0 ? { x, y: middle + HALF_ROW } : { x: x + (side * width) / 2, y: middle };
+      return this.placeBody(measured, body, at, middle + PITCH, from, side === 0 ? 42 : PITCH, label);
+    });
+    const meet = ceilTo(8, inner.reduce((most, placed) => Math.max(most, placed.bottom), middle) + EXIT_BELOW);
+    inner.forEach(({ tail }, index) => {
+      const column = x + (columns[index] ?? 0);
+      this.close(tail, column, meet, column === x && !tail.lane ? [] : [{ x, y: meet }], colour, false);
+    });
+    const bottom = meet + 8;
+    frame.h = bottom - middle;
+    const leaving = this.piece(arcId(measured), "next", "flow", { x, y: meet });
+    const next = ceilTo(8, bottom + PITCH - HALF_ROW);
+    return { tail: { pieces: [leaving], lane: false }, bottom, laneY: bottom, next };
+  }
+
+  /** Places the chain of a body below `from`; an empty one is an arc that goes `empty` further down. */
+  private placeBody(
+    owner: Measured,
+    body: Body | undefined,
+    x: number,
+    first: number,
+    from: Point,
+    empty: number,
+    label: ArcLabel | null = null,
+  ): Placed {
+    const { shape, vertex } = owner.shown;
+    const leaving = this.piece(vertex.id, body?.out ?? "", shape.colour, from);
+    leaving.label = label;
+    if (from.x !== x) this.bend(leaving, from, x, owner, first);
+    const chain = body?.chain ?? [];
+    const bottom = chain.length === 0 ? from.y + empty : from.y;
+    const placed = this.placeChain(chain, { pieces: [leaving], lane: false }, x, first, bottom);
+    if (body?.closed !== false) return placed;
+    this.end(placed, false, [], x);
+    return { ...placed, tail: { pieces: [], lane: false }, bottom: placed.bottom + EXIT_BELOW };
+  }
+
+  /** From the side of a vertex straight over its column; from its bottom by way of a step. */
+  private bend(leaving: Piece, from: Point, x: number, owner: Measured, first: number): void {
+    const sideways = from.y === first - PITCH;
+    const y = sideways || owner.style !== "columns" ? from.y : from.y + 10;
+    if (y !== from.y) leaving.points.push({ x: from.x, y });
+    leaving.points.push({ x, y });
+  }
+
+  /** Ends a body: down to `y`, then along `after`, all of it in its owner's colour. */
+  private close(tail: Tail, x: number, y: number, after: Point[], colour: Colour, head = true): void {
+    const last = tail.pieces.at(-1);
+    const at = last?.points.at(-1);
+    if (last === undefined || at === undefined) return;
+    last.points.push({ x: tail.lane ? at.x : x, y }, ...after);
+    for (const piece of tail.pieces) if (!piece.fixed) piece.colour = colour;
+    this.emit(tail.pieces, head);
+  }
+
+  /** Ends a chain that has no owner to return to: at `points`, or as a stub where an arc is missing. */
+  private end(placed: Placed, closed: boolean, points: Point[], x: number): void {
+    const [point] = points;
+    if (closed && point !== undefined) {
+      this.take(placed, point);
+      return;
+    }
+    const last = placed.tail.pieces.at(-1);
+    const at = last?.points.at(-1);
+    if (last === undefined || at === undefined) return;
+    last.points.push({ x: placed.tail.lane ? at.x : x, y: placed.bottom + EXIT_BELOW });
+    this.emit(placed.tail.pieces, false, true);
+  }
+
+  private piece(source: string, out: string, colour: ArcColour, from: Point): Piece {
+    return { source, out, colour, fixed: false, points: [from], label: null };
+  }
+
+  private emit(pieces: Piece[], head = true, missing = false): void {
+    pieces.forEach(({ source, out, colour, points, label }, index) => {
+      const last = index === pieces.length - 1;
+      this.arcs.push({
+        id: `${source}.${out}`,
+        source,
+        out,
+        colour,
+        points: straightened(points),
+        head: last && head,
+        label,
+        missing: last && missing,
+      });
+    });
+  }
+
+  private terminal(vertex: Vertex, kind: "start" | "stop", middle: number): void {
+    const box = { x: -60, y: middle - HALF_ROW, w: 120, h: 2 * HALF_ROW };
+    const face = { ...NO_FACE, name: vertex.element };
+    const common = { face, block: null, mark: null, parked: false, colour: "action" as const };
+    this.nodes.push({ id: vertex.id, vertex: vertex.id, ...box, kind, ...common });
+  }
+
+  private node({ shown, mark, face, width }: Measured, kind: NodeKind, x: number, middle: number): void {
+    const { id } = shown.vertex;
+    const h = kind === "chip" ? 28 : 2 * HALF_ROW;
+    const box = { x: x - width / 2, y: middle - h / 2, w: width, h };
+    this.nodes.push({
+      id,
+      vertex: id,
+      ...box,
+      kind,
+      colour: shown.shape.colour,
+      face,
+      block: shown,
+      mark,
+      parked: this.parked,
+    });
+  }
+
+  private bar({ shown, face, half }: Measured, kind: "bar" | "barEnd", x: number, y: number): void {
+    const { id } = shown.vertex;
+    this.nodes.push({
+      id: kind === "bar" ? id : `${id}:end`,
+      vertex: id,
+      x: x - half,
+      y: y - 14,
+      w: 2 * half,
+      h: 28,
+      kind,
+      colour: shown.shape.colour,
+      face,
+      block: shown,
+      mark: null,
+      parked: this.parked,
+    });
+  }
+
+  private frame(kind: LayoutFrame["kind"], id: string, colour: Colour, x: number, y: number, w: number): LayoutFrame {
+    const frame = { id, kind, colour, x, y, w, h: 0 };
+    this.frames.push(frame);
+    return frame;
+  }
+
+  private bounds(): Layout["bounds"] {
+    const boxes = [...this.nodes, ...this.frames];
+    const fold = (start: number, pick: (most: number, box: LayoutNode | LayoutFrame) => number) =>
+      boxes.reduce(pick, start);
+    const x = fold(0, (least, box) => Math.min(least, box.x));
+    const y = fold(0, (least, box) => Math.min(least, box.y));
+    const right = fold(0, (most, box) => Math.max(most, box.x + box.w));
+    const bottom = fold(0, (most, box) => Math.max(most, box.y + box.h));
+    return { x, y, w: right - x, h: bottom - y };
+  }
+}
+
+/** The vertex by which arcs leave: the mark around an action, else the vertex itself. */
+function arcId({ shown, mark }: Measured): string {
+  return (mark ?? shown).vertex.id;
+}
+
+function bodyLabel({ shape }: Block, body: Body | undefined): string {
+  const flow = shape.flows.find((one) => one.name === body?.out);
+  return flow === undefined ? (body?.out ?? "") : text(flow.label, flow.name);
+}
+
+/** Without points that lie on the line between their neighbours. */
+function straightened(points: Point[]): Point[] {
+  return points.filter((point, index) => {
+    const before = points[index - 1];
+    const after = points[index + 1];
+    if (before === undefined || after === undefined) return true;
+    const repeated = point.x === before.x && point.y === before.y;
+    return (
+      !repeated && !(before.x === point.x && point.x === after.x) && !(before.y === point.y && point.y === after.y)
+    );
+  });
+}

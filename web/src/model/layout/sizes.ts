@@ -1,0 +1,142 @@
+/**
+ * Widths: of each vertex, and of each block with all it holds. Everything is symmetric about its middle line, so one
+ * number a block, its half width, is enough; halves are multiples of 8, which keeps middles on the grid.
+ */
+import { chipOf, chipWidth, type Face, faceOf, faceWidth } from "../face";
+import { textWidth } from "../measure";
+import { isMark } from "../parts";
+import type { Block } from "../structure";
+
+export type Style = "simple" | "legend" | "loop" | "bars" | "columns" | "chip";
+
+/** Half the height of a vertex. */
+export const HALF_ROW = 22;
+/** From the middle of a vertex to the middle of the next one. */
+export const PITCH = 64;
+/** From the middle of a vertex to a bar. */
+export const TO_BAR = 48;
+export const HALF_BAR = 4;
+export const GAP = 24;
+export const LOOP_SIDE = 24;
+export const LEGEND_SIDE = 16;
+
+export interface Measured {
+  style: Style;
+  /** What is drawn: the action inside a mark, else the block itself. */
+  shown: Block;
+  mark: Block | null;
+  face: Face;
+  /** Whether the vertex itself is a stretched diamond. */
+  hexagon: boolean;
+  /** Width of the vertex itself. */
+  width: number;
+  /** Half the width with all it holds. */
+  half: number;
+  /** Middles of the bodies' columns, from the block's middle. */
+  columns: number[];
+}
+
+export function ceilTo(grid: number, value: number): number {
+  return Math.ceil(value / grid) * grid;
+}
+
+function styleOf({ shape, bodies }: Block): Style {
+  if (shape.role === "condition" || shape.role === "value") return "chip";
+  if (bodies.length === 0 && !shape.flows.some((flow) => flow.repeat)) return "simple";
+  if (shape.flows.some((flow) => flow.repeat)) return "bars";
+  if (bodies.length > 1) return "columns";
+  return shape.flows[0]?.loop === true ? "loop" : "legend";
+}
+
+export class Sizes {
+  private readonly table = new Map<Block, Measured>();
+
+  of(block: Block): Measured {
+    let measured = this.table.get(block);
+    if (measured === undefined) this.table.set(block, (measured = this.measure(block)));
+    return measured;
+  }
+
+  /** Half the width of a chain; an empty one still has room for an arc to drop on. */
+  halfOf(chain: Block[]): number {
+    return chain.reduce((widest, block) => Math.max(widest, this.of(block).half), 48);
+  }
+
+  private measure(block: Block): Measured {
+    const held = isMark(block.shape) ? block.plugs[0]?.block : null;
+    const shown = held ?? block;
+    const style = styleOf(shown);
+    const face = faceOf(shown);
+    const hexagon = style === "columns" || (style !== "loop" && style !== "bars" && isChoice(shown));
+    const width = vertexWidth(shown, style, face, hexagon);
+    const measured = { style, shown, mark: held == null ? null : block, face, hexagon, width };
+    const halves = shown.bodies.map((body) => this.halfOf(body.chain));
+    return { ...measured, ...extent(style, width, halves) };
+  }
+}
+
+/** A condition that is looked at without a loop makes a diamond. */
+function isChoice({ shape }: Block): boolean {
+  return shape.kind === "constructor" && shape.plugs.some((plug) => plug.accepts === "condition");
+}
+
+function vertexWidth(block: Block, style: Style, face: Face, hexagon: boolean): number {
+  if (style === "chip") return ceilTo(8, chipWidth(chipOf(block)));
+  if (style === "bars") return ceilTo(8, textWidth(face.name, 14, true) + 64);
+  const needed = faceWidth(face, hexagon);
+  if (hexagon) return Math.max(280, ceilTo(16, needed - 8) + 8);
+  const usual = face.boxes.length > 0 && style === "simple" ? 288 : 256;
+  return Math.max(usual, ceilTo(16, needed));
+}
+
+function extent(style: Style, width: number, halves: number[]): { half: number; columns: number[] } {
+  const widest = Math.max(48, ...halves);
+  switch (style) {
+    case "simple":
+    case "chip":
+      return { half: ceilTo(8, width / 2), columns: [] };
+    case "legend":
+      return { half: ceilTo(8, Math.max(widest + LEGEND_SIDE, width / 2 + 12)), columns: [0] };
+    case "loop":
+      // Beside the vertex there is room for the word at its exit.
+      return { half: ceilTo(8, Math.max(widest + LOOP_SIDE, width / 2 + 48)), columns: [0] };
+    case "bars":
+      return bars(width, halves);
+    case "columns":
+      return columns(width, halves);
+  }
+}
+
+/** Columns side by side, their middles from the left edge of the first. */
+function sideBySide(halves: number[]): { total: number; middles: number[] } {
+  let at = 0;
+  const middles = halves.map((half) => {
+    const middle = at + half;
+    at = middle + half + GAP;
+    return middle;
+  });
+  return { total: Math.max(0, at - GAP), middles };
+}
+
+function bars(tag: number, halves: number[]): { half: number; columns: number[] } {
+  const { total, middles } = sideBySide(halves);
+  const half = ceilTo(8, Math.max(total + 16, tag + 48) / 2);
+  const first = ceilTo(8, -total / 2 - 7);
+  return { half, columns: middles.map((middle) => first + middle) };
+}
+
+function columns(width: number, halves: number[]): { half: number; columns: number[] } {
+  const { total, middles } = sideBySide(halves);
+  const first = ceilTo(8, -total / 2 - 7);
+  const clear = ceilTo(8, width / 2 + GAP);
+  const last = halves.length - 1;
+  // Lines leave the vertex sideways, so no column but a middle one may stand under it.
+  const spread = middles.map((middle) => first + middle);
+  const left = spread[0] ?? 0;
+  const right = spread[last] ?? 0;
+  const leftBy = Math.max(0, left + clear);
+  const rightBy = Math.max(0, clear - right);
+  const moved = spread.map((at, index) => (index < last / 2 ? at - leftBy : index > last / 2 ? at + rightBy : at));
+  const reach = moved.reduce((most, at, index) => Math.max(most, Math.abs(at) + (halves[index] ?? 0)), width / 2);
+  return { half: ceilTo(8, reach + LEGEND_SIDE), columns: moved };
+}

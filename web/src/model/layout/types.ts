@@ -1,0 +1,70 @@
+/** What the layout gives: where everything is, in px at zoom 1. The middle of Start is the origin; y grows downwards. */
+import type { Face } from "../face";
+import type { Block } from "../structure";
+import type { Colour } from "../types";
+
+export interface Point {
+  x: number;
+  y: number;
+}
+
+export type NodeKind = "start" | "stop" | "rect" | "hexagon" | "bar" | "barEnd" | "chip" | "place";
+
+export interface LayoutNode {
+  /** The vertex's id; the second bar of a parallel has ":end" after it. */
+  id: string;
+  vertex: string;
+  x: number;
+  y: number;
+  w: number;
+  h: number;
+  kind: NodeKind;
+  colour: Colour;
+  face: Face;
+  /** The block that is shown, or null for Start, Stop and the place of an empty program. */
+  block: Block | null;
+  /** The mark around it (a badge), if any: arcs leave and enter by the mark's id. */
+  mark: Block | null;
+  parked: boolean;
+}
+
+/** A tinted box around bodies, drawn under everything else; owners come before what they hold. */
+export interface LayoutFrame {
+  id: string;
+  kind: "loop" | "parallel" | "legend" | "parked";
+  colour: Colour;
+  x: number;
+  y: number;
+  w: number;
+  h: number;
+}
+
+export interface ArcLabel {
+  text: string;
+  x: number;
+  y: number;
+  anchor: "start" | "end";
+}
+
+export type ArcColour = Colour | "flow";
+
+export interface LayoutArc {
+  /** "SOURCE.OUT". */
+  id: string;
+  source: string;
+  out: string;
+  points: Point[];
+  colour: ArcColour;
+  /** Whether it ends in an arrowhead: not where another arc takes over. */
+  head: boolean;
+  label: ArcLabel | null;
+  /** A place for an arc that is not there yet: the end of a parked chain, a body that does not return. */
+  missing: boolean;
+}
+
+export interface Layout {
+  nodes: LayoutNode[];
+  frames: LayoutFrame[];
+  arcs: LayoutArc[];
+  bounds: { x: number; y: number; w: number; h: number };
+}
