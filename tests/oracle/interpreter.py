@@ -19,10 +19,11 @@ Readings, where the definition leaves room:
     does not exist (the parser drops it).
 5.  A stop gives way when the command that would win its actuator was posted in this tick by a thread of another slot
     than the one of the marked action: an outer, an inner or a neighbouring branch, its command marked or not, itself
-    ended or abandoned in this tick or not. The slot's own commands never protect. Stops do not protect from stops.
-6.  Where two stops meet on one actuator the last wins, and their order is: an outer parallel before an inner one; in a
-    parallel by slot; in a slot in the order in which the marked actions were started for the last time. It shows only
-    on a robot with several stop procedures for one actuator.
+    ended or abandoned in this tick or not. The slot's own commands never protect.
+6.  A stop is itself a command of its branch, so where the stops of two branches meet on one actuator the second gives
+    way to the first; where two of one branch meet the last wins. Their order is that of the slots (as everywhere in a
+    tick), in a slot that of their first appearance in the text. All this shows only on a robot with several stop
+    procedures for one actuator.
 7.  A marked action that is `later` and has already been done is stopped all the same: the rule says "each".
 8.  A marked action of a variable, or a marked operation, marks the branch and has nothing to stop.
 9.  Clamping an input to its sensor's range does not raise the fault; only variables and procedures do.
@@ -65,6 +66,9 @@ from tests.oracle.passes import back_edge_costs_a_tick
 Thread = Generator[None, None, bool]
 """Yields to give up the tick; returns whether it was left by BREAK."""
 
+Stop = tuple[str, str]
+"""An actuator and its procedure that ends the effect of a marked action."""
+
 
 class Outcome(NamedTuple):
     """What one tick did: the commands handed to the devices, and the variables, fault flag and end after it."""
@@ -87,15 +91,16 @@ class Command(NamedTuple):
 class Branch:
     """A live or ended thread: the program, or one branch of a running parallel.
 
-    `stops` are the stops due for the marked actions it has started (actuator, procedure), the last started at the end.
+    `stops` are the stops due for the marked actions it has started (actuator, procedure).
     """
 
     slot: int
+    body: Seq
     marked: bool
     thread: Thread = field(init=False)
     ended: bool = False
     run: Run | None = None
-    stops: list[tuple[str, str]] = field(default_factory=list)
+    stops: set[Stop] = field(default_factory=set)
 
     def step(self) -> None:
         """Runs until the thread ends or blocks."""
@@ -151,9 +156,8 @@ class Oracle:
                 if branch.slot == slot:
                     branch.step()
                     break
-        winners = dict(self.posted)
-        for branch, actuator, procedure in list(self.settle(self.program)):
-            winner = winners.get(actuator)
+        for branch, actuator, procedure in sorted(self.settle(self.program), key=lambda stop: stop[0].slot):
+            winner = self.posted.get(actuator)
             if winner is None or winner.slot == branch.slot:
                 self.posted[actuator] = Command(branch.slot, procedure, [])
 
@@ -171,14 +175,35 @@ class Oracle:
             return
         if run.is_over():
             run.settled = True
-            yield from stops_of(run)
+            yield from self.stops_of(run)
         else:
             for inner in run.branches:
                 if not inner.ended:
                     yield from self.settle(inner)
 
+    def stops_of(self, run: Run) -> Iterator[tuple[Branch, str, str]]:
+        """The stops due when a parallel is over: its own, and those of the parallels that are abandoned with it."""
+        for branch in run.branches:
+            # A dictionary as a set that keeps the order.
+            for actuator, procedure in dict.fromkeys(self.stops_in_text(branch.body)):
+                if (actuator, procedure) in branch.stops:
+                    yield branch, actuator, procedure
+            if not branch.ended and branch.run is not None:
+                yield from self.stops_of(branch.run)
+
+    def stops_in_text(self, seq: Seq) -> Iterator[Stop]:
+        """The stops of the marked actions of a branch in reading order."""
+        for item in seq.items:
+            if isinstance(item, Interrupt):
+                assert isinstance(item.call, Call)
+                part, method = self.robot.calls[item.call.object, item.call.method]
+                if method.stop is not None:
+                    yield part.name, method.stop
+            for body in inner_bodies(item):
+                yield from self.stops_in_text(body)
+
     def start(self, body: Seq, marked: bool) -> Branch:
-        branch = Branch(self.slots[id(body)], marked)
+        branch = Branch(self.slots[id(body)], body, marked)
         branch.thread = self.do_all(body, branch)
         return branch
 
@@ -252,8 +277,7 @@ class Oracle:
             ]
             self.posted[part.name] = Command(branch.slot, method.name, arguments)
             if marked and method.stop is not None:
-                stop = (part.name, method.stop)
-                branch.stops = [other for other in branch.stops if other != stop] + [stop]
+                branch.stops.add((part.name, method.stop))
             if method.completes_later:
                 yield
                 while not self.done[part.name]:
@@ -365,13 +389,3 @@ def live_branches(branch: Branch) -> Iterator[Branch]:
     if branch.run is not None:
         for inner in branch.run.branches:
             yield from live_branches(inner)
-
-
-def stops_of(run: Run) -> Iterator[tuple[Branch, str, str]]:
-    """The stops due when a parallel is over: its own, then those of the parallels that are abandoned with it."""
-    for branch in run.branches:
-        for actuator, procedure in branch.stops:
-            yield branch, actuator, procedure
-    for branch in run.branches:
-        if not branch.ended and branch.run is not None:
-            yield from stops_of(branch.run)
