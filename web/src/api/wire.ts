@@ -6,6 +6,10 @@
  */
 import type { Mission, Problem, World } from "./types";
 
+export type Road = World["roads"][number];
+export type Dock = World["docks"][number];
+export type Storehouse = World["storehouses"][number];
+
 export type AgentActivity = "running" | "waiting" | "idle" | "failed";
 export type RunOutcome = "done" | "failed" | "stuck" | "time" | "stopped";
 

@@ -16,23 +16,24 @@ const JUMP_MM = 600;
 
 let before: Arrived | null = null;
 let last: Arrived | null = null;
-let version = 0;
+const watchers = new Set<() => void>();
+
+/** Calls back whenever there is something new to draw; the returned function ends it. */
+export function watchFrames(callback: () => void): () => void {
+  watchers.add(callback);
+  return () => watchers.delete(callback);
+}
 
 export function pushFrame(frame: PoseFrame, now: number): void {
   before = last !== null && last.poses.length === frame.poses.length && frame.tick >= last.tick ? last : null;
   last = { ...frame, at: now };
-  version += 1;
+  for (const callback of watchers) callback();
 }
 
 export function clearFrames(): void {
   before = null;
   last = null;
-  version += 1;
-}
-
-/** Grows with every frame: the arena draws again when it has changed. */
-export function framesVersion(): number {
-  return version;
+  for (const callback of watchers) callback();
 }
 
 function turn(from: number, to: number, share: number): number {

@@ -13,8 +13,7 @@ import { type Failure, openRunSocket, type RunSocket } from "../api/socket";
 import type { AgentReport, RunEvent, RunMessage, StartedAgent } from "../api/wire";
 import { clearFrames, pushFrame } from "./poses";
 
-export type RunStatus =
-  "idle" | "connecting" | "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped";
+export type RunStatus = "idle" | "connecting" | "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped";
 
 export interface RunAgent extends StartedAgent, AgentReport {}
 
@@ -45,7 +44,8 @@ export interface RunState {
   stop: () => void;
   step: () => void;
   setSpeed: (speed: number) => void;
-  selectAgent: (name: string) => void;
+  /** Watches that agent in its program's tab; before a run its program has to be said. */
+  selectAgent: (name: string, program?: string) => void;
   /** Forgets the run: the arena shows the mission's own world again. */
   reset: () => void;
   dismissError: () => void;
@@ -184,10 +184,10 @@ export const useRun = create<RunState>((set, get) => ({
     set({ speed });
     if (isLive(get().status)) socket?.send({ type: "speed", value: speed });
   },
-  selectAgent: (name) =>
+  selectAgent: (name, program) =>
     set((state) => {
-      const agent = state.agents.find((one) => one.name === name);
-      return agent === undefined ? {} : { selectedAgent: { ...state.selectedAgent, [agent.program]: name } };
+      const tab = program ?? state.agents.find((one) => one.name === name)?.program;
+      return tab === undefined ? {} : { selectedAgent: { ...state.selectedAgent, [tab]: name } };
     }),
   reset: () => {
     hangUp();

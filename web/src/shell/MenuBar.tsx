@@ -116,7 +116,14 @@ export function MenuBar({ menus }: { menus: MenuPart[] }) {
             {menu.label}
           </button>
           {open === index ? (
-            <Menu key={menu.id} id={`menu-list-${menu.id}`} label={menu.label} entries={menu.entries} onClose={close} onAside={aside} />
+            <Menu
+              key={menu.id}
+              id={`menu-list-${menu.id}`}
+              label={menu.label}
+              entries={menu.entries}
+              onClose={close}
+              onAside={aside}
+            />
           ) : null}
         </div>
       ))}

@@ -1,8 +1,8 @@
-/**
- * What the shell can do, each as one function, shared by menus, toolbar and keys.
- */
-import { addProgram, deleteProgram } from "../model/commands/programs";
+/** What the shell can do, each as one function, shared by menus, toolbar and keys. */
+import type { Command } from "../model/command";
+import { addProgram, removeProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
+import type { Mission } from "../model/types";
 import { isLive, useRun } from "../run/run";
 
 export function run(): void {
@@ -21,16 +21,40 @@ export function pause(): void {
   else hold();
 }
 
-export function addProgramFor(robot: string): void {
-  const { mission, execute, setActiveProgram } = useStudio.getState();
-  const { command, name } = addProgram(mission, robot);
-  execute(command);
-  setActiveProgram(name);
+/** `stem-1`, `stem-2`, …: the first that is not taken. */
+export function freeName(stem: string, taken: readonly string[]): string {
+  for (let number = 1; ; number++) {
+    const name = `${stem}-${String(number)}`;
+    if (!taken.includes(name)) return name;
+  }
 }
 
-export function removeProgram(name: string): void {
+/** A new program and one agent that runs it: what is drawn should also move. */
+export function programWithAgent(mission: Mission, robot: string): { command: Command; name: string } | null {
+  const names = mission.programs.map((program) => program.name);
+  const name = freeName("program", names);
+  const inner = addProgram(mission, name, robot);
+  if (inner === null) return null;
+  const agents = mission.agents.map((one) => one.name);
+  const agent = { name: freeName(robot, agents), program: name, start: "" };
+  const execute = (before: Mission): Mission => {
+    const after = inner.execute(before);
+    return { ...after, agents: [...after.agents, agent] };
+  };
+  return { command: { ...inner, execute }, name };
+}
+
+export function addProgramFor(robot: string): void {
+  const { mission, execute, setActiveProgram } = useStudio.getState();
+  const added = programWithAgent(mission, robot);
+  if (added === null) return;
+  execute(added.command);
+  setActiveProgram(added.name);
+}
+
+export function removeProgramNamed(name: string): void {
   const { mission, execute } = useStudio.getState();
-  const command = deleteProgram(mission, name);
+  const command = removeProgram(mission, name);
   if (command !== null) execute(command);
 }
 

@@ -60,7 +60,9 @@ export function dismissBanner(): void {
 /** Says that something failed, with a way to try again where there is one. */
 export function complain(cause: unknown, again?: () => void): void {
   const [message, help] =
-    cause instanceof ApiError ? [cause.message, cause.help] : [cause instanceof Error ? cause.message : String(cause), ""];
+    cause instanceof ApiError
+      ? [cause.message, cause.help]
+      : [cause instanceof Error ? cause.message : String(cause), ""];
   const actions = again === undefined ? [] : [{ label: t("banner.retry"), run: again }];
   set({ banner: { kind: "error", message, help, actions } });
 }

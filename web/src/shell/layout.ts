@@ -33,15 +33,18 @@ function within(edge: Edge, size: number): number {
   return Math.round(Math.min(Math.max(size, LEAST[edge]), MOST[edge]));
 }
 
+function parsed(text: string | null): unknown {
+  try {
+    return JSON.parse(text ?? "null");
+  } catch {
+    return null;
+  }
+}
+
 /** What was remembered, as far as it makes sense. */
 export function readLayout(text: string | null): { sizes: Sizes; folded: Record<Panel, boolean> } {
   const layout = { sizes: { ...USUAL }, folded: { ...OPEN } };
-  let found: unknown = null;
-  try {
-    found = JSON.parse(text ?? "null");
-  } catch {
-    return layout;
-  }
+  const found = parsed(text);
   if (typeof found !== "object" || found === null) return layout;
   const { sizes, folded } = found as { sizes?: Record<string, unknown>; folded?: Record<string, unknown> };
   for (const edge of Object.keys(USUAL) as Edge[]) {

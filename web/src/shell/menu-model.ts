@@ -27,7 +27,7 @@ export function isItem(entry: MenuEntry): entry is MenuItem {
 export function stepItem(entries: readonly MenuEntry[], from: number, by: 1 | -1): number {
   const count = entries.length;
   for (let move = 1; move <= count; move++) {
-    const at = (((from < 0 && by < 0 ? count : from) + by * move) % count + count) % count;
+    const at = ((((from < 0 && by < 0 ? count : from) + by * move) % count) + count) % count;
     const entry = entries[at];
     if (entry !== undefined && isItem(entry)) return at;
   }

@@ -5,7 +5,7 @@
  * it is there, and for a name that nobody knows, a plain square stands in.
  */
 import type { LucideIcon } from "lucide-react";
-import { useEffect, useState } from "react";
+import { createElement, useEffect, useState } from "react";
 
 import { ICONS } from "./icons";
 
@@ -46,8 +46,8 @@ function known(name: string): LucideIcon | undefined {
 
 export function Icon({ name, size = 16, label, className }: IconProps) {
   const [, setLoaded] = useState(0);
-  const Found = known(name);
-  const missing = Found === undefined && name !== "" && all === null;
+  const found = known(name);
+  const missing = found === undefined && name !== "" && all === null;
   useEffect(() => {
     if (!missing) return;
     let alive = true;
@@ -58,8 +58,12 @@ export function Icon({ name, size = 16, label, className }: IconProps) {
       alive = false;
     };
   }, [missing]);
-  const Drawn = Found ?? ICONS[FALLBACK];
-  if (Drawn === undefined) return null;
-  const spoken = label === undefined ? { "aria-hidden": true } : { role: "img", "aria-label": label };
-  return <Drawn size={size} strokeWidth={size >= 20 ? 1.75 : 2} className={className ?? ""} data-icon={name} {...spoken} />;
+  const drawn = found ?? ICONS[FALLBACK];
+  if (drawn === undefined) return null;
+  return createElement(drawn, {
+    size,
+    strokeWidth: size >= 20 ? 1.75 : 2,
+    className: className ?? "",
+    ...(label === undefined ? { "aria-hidden": true } : { role: "img", "aria-label": label }),
+  });
 }

@@ -143,7 +143,7 @@ import Hourglass from "lucide-react/icons/hourglass";
 import House from "lucide-react/icons/house";
 import Image from "lucide-react/icons/image";
 import Inbox from "lucide-react/icons/inbox";
-import Infinity from "lucide-react/icons/infinity";
+import InfinityIcon from "lucide-react/icons/infinity";
 import Info from "lucide-react/icons/info";
 import IterationCcw from "lucide-react/icons/iteration-ccw";
 import IterationCw from "lucide-react/icons/iteration-cw";
@@ -456,7 +456,7 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   house: House,
   image: Image,
   inbox: Inbox,
-  infinity: Infinity,
+  infinity: InfinityIcon,
   info: Info,
   "iteration-ccw": IterationCcw,
   "iteration-cw": IterationCw,

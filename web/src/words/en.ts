@@ -1,5 +1,8 @@
+import { EDITOR_EN } from "./en-editor";
+
 /** English: the complete table, whose keys every other language has. */
 export const EN = {
+  ...EDITOR_EN,
   "app.name": "KitRobot",
   "app.parts": "Parts",
   "app.canvas": "Program graph",
@@ -106,6 +109,8 @@ export const EN = {
   "open.computer": "From this computer…",
   "open.loading": "Looking…",
   "open.cancel": "Cancel",
+
+  "examples.or": "Or open an example",
 
   "save.title": "Save as",
   "save.name": "File name",

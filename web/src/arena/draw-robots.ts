@@ -1,0 +1,235 @@
+/** Draws who is in the world: robots with lamps, number, bed and load; arms at docks; rings, crosses and the tag. */
+import { t } from "../words/words";
+import { ARM_OUT, LAMP } from "../api/wire";
+import { toScreen } from "./camera";
+import { type Brush, drawBox, write } from "./draw-world";
+import { boundsOf } from "./geometry";
+import type { Scene, Seen } from "./scene";
+
+const MOST_SENSES = 3;
+
+function line(brush: Brush, width: number, colour: string): void {
+  brush.pen.strokeStyle = colour;
+  brush.pen.lineWidth = width;
+  brush.pen.stroke();
+}
+
+/** In the robot's own axes: x forward, y to the left hand, in px; the canvas' y goes down, hence the minus signs. */
+function drawBody(brush: Brush, { pose, actor }: Seen): void {
+  const { pen, colours, unit: u } = brush;
+  pen.fillStyle = colours.wheel;
+  for (const x of [-16, 10]) {
+    for (const y of [-21.5, 16.5]) {
+      pen.beginPath();
+      pen.roundRect(x * u, y * u, 10 * u, 5 * u, 1.5 * u);
+      pen.fill();
+    }
+  }
+  if ((pose.flags & LAMP) !== 0) {
+    pen.fillStyle = colours.glow;
+    for (const y of [-10, 10]) {
+      pen.beginPath();
+      pen.moveTo(25 * u, y * u);
+      pen.arc(25 * u, y * u, 26 * u, -0.42, 0.42);
+      pen.fill();
+    }
+  }
+  pen.beginPath();
+  pen.roundRect(-27 * u, -19 * u, 54 * u, 38 * u, 7 * u);
+  pen.fillStyle = colours.robot;
+  pen.fill();
+  line(brush, Math.max(2 * u, 1), colours.robotLine);
+  pen.beginPath();
+  pen.roundRect(-22 * u, -14 * u, 24 * u, 28 * u, 3 * u);
+  pen.fillStyle = colours.bed;
+  pen.fill();
+  if (pose.load > 0) drawLoad(brush, pose.load);
+  for (const y of [-11, 11]) {
+    pen.beginPath();
+    pen.arc(22 * u, y * u, 2.4 * u, 0, Math.PI * 2);
+    pen.fillStyle = (pose.flags & LAMP) !== 0 ? "#ffcf4a" : colours.robotLine;
+    pen.fill();
+    if ((pose.flags & LAMP) !== 0) line(brush, u, colours.robotLine);
+  }
+  pen.save();
+  pen.translate(12.5 * u, 0);
+  pen.rotate(pose.heading_rad);
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  // White bodies in both themes: the number is always dark.
+  write(brush, String(actor.number), 0, 0.5 * u, (actor.number > 99 ? 10 : 13) * u, 700, "#1b1f27");
+  pen.restore();
+}
+
+function drawLoad(brush: Brush, load: number): void {
+  const { unit: u } = brush;
+  drawBox(brush, -19 * u, -9 * u, 18 * u);
+  if (load < 2) return;
+  brush.pen.textAlign = "center";
+  brush.pen.textBaseline = "middle";
+  write(brush, String(load), -10 * u, 2 * u, 11 * u, 700, "#1b1f27");
+}
+
+/** An arm: a foot, a link that lies along the road or reaches over it, a gripper. */
+function drawArm(brush: Brush, { pose }: Seen): void {
+  const { pen, colours, unit: u } = brush;
+  const out = (pose.flags & ARM_OUT) !== 0;
+  pen.save();
+  if (!out) pen.rotate(-Math.PI / 2);
+  const reach = (out ? 30 : 24) * u;
+  pen.lineCap = "round";
+  pen.beginPath();
+  pen.moveTo(0, 0);
+  pen.lineTo(reach, 0);
+  line(brush, 7 * u, colours.robotLine);
+  line(brush, 3.5 * u, colours.robot);
+  pen.beginPath();
+  pen.moveTo(reach + 7 * u, -7 * u);
+  pen.lineTo(reach, -7 * u);
+  pen.lineTo(reach, 7 * u);
+  pen.lineTo(reach + 7 * u, 7 * u);
+  line(brush, 2.5 * u, colours.robotLine);
+  pen.lineCap = "butt";
+  pen.restore();
+  pen.beginPath();
+  pen.arc(0, 0, 10 * u, 0, Math.PI * 2);
+  pen.fillStyle = colours.robot;
+  pen.fill();
+  line(brush, 2 * u, colours.robotLine);
+  pen.beginPath();
+  pen.arc(0, 0, 4 * u, 0, Math.PI * 2);
+  pen.fillStyle = colours.robotLine;
+  pen.fill();
+}
+
+function drawCross({ pen, colours, unit: u }: Brush): void {
+  pen.lineCap = "round";
+  pen.beginPath();
+  pen.moveTo(-20 * u, -20 * u);
+  pen.lineTo(20 * u, 20 * u);
+  pen.moveTo(20 * u, -20 * u);
+  pen.lineTo(-20 * u, 20 * u);
+  pen.strokeStyle = colours.panel;
+  pen.lineWidth = 8 * u;
+  pen.stroke();
+  pen.strokeStyle = colours.ink;
+  pen.lineWidth = 4 * u;
+  pen.stroke();
+  pen.lineCap = "butt";
+}
+
+/** Short strokes before the bumper. */
+function drawBump({ pen, colours, unit: u }: Brush): void {
+  pen.lineCap = "round";
+  pen.beginPath();
+  for (const angle of [-0.7, -0.25, 0.25, 0.7]) {
+    pen.moveTo(Math.cos(angle) * 33 * u, Math.sin(angle) * 33 * u);
+    pen.lineTo(Math.cos(angle) * 40 * u, Math.sin(angle) * 40 * u);
+  }
+  pen.strokeStyle = colours.ink;
+  pen.lineWidth = 2.5 * u;
+  pen.stroke();
+  pen.lineCap = "butt";
+}
+
+function drawSeen(brush: Brush, one: Seen, selected: boolean): void {
+  const { pen, camera, colours, unit } = brush;
+  if (one.actor.role === "keeper") return;
+  const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
+  pen.save();
+  pen.translate(x, y);
+  pen.rotate(-one.pose.heading_rad);
+  if (one.actor.role === "arm") drawArm(brush, one);
+  else drawBody(brush, one);
+  if (one.collided) drawBump(brush);
+  pen.restore();
+  pen.save();
+  pen.translate(x, y);
+  if (one.failed) drawCross(brush);
+  if (selected) {
+    pen.beginPath();
+    pen.arc(0, 0, (one.actor.role === "arm" ? 17 : 34) * unit, 0, Math.PI * 2);
+    pen.strokeStyle = colours.ink;
+    pen.lineWidth = 2;
+    pen.stroke();
+  }
+  pen.restore();
+}
+
+/** The tag beside the robot that is watched: its number and what it senses. */
+function drawTag(brush: Brush, one: Seen): void {
+  const { pen, camera, room, colours, unit } = brush;
+  const { senses, number, role, name } = one.actor;
+  if (senses.length === 0 || role === "keeper") return;
+  const words = [role === "robot" ? String(number) : name, ...senses.slice(0, MOST_SENSES)].join(" · ");
+  const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
+  pen.font = `600 13px "Inter Variable", system-ui, sans-serif`;
+  const width = pen.measureText(words).width + 24;
+  const height = 24;
+  const right = x < room.width / 2 ? -1 : 1;
+  const away = 34 * unit;
+  const left = Math.min(Math.max(x + right * (away + 26) - (right < 0 ? width : 0), 8), room.width - width - 8);
+  const below = y + away * 0.7 + height + 8 < room.height ? 1 : -1;
+  const top = below > 0 ? y + away * 0.7 : y - away * 0.7 - height;
+  const edge = right > 0 ? left : left + width;
+  pen.beginPath();
+  pen.moveTo(x + right * away * 0.72, y + below * away * 0.72);
+  pen.lineTo(x + right * (away * 0.72 + 10), top + height / 2);
+  pen.lineTo(edge, top + height / 2);
+  pen.strokeStyle = colours.ink;
+  pen.lineWidth = 1.5;
+  pen.stroke();
+  pen.beginPath();
+  pen.roundRect(left, top, width, height, 6);
+  pen.fillStyle = colours.ink;
+  pen.fill();
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  write(brush, words, left + width / 2, top + height / 2 + 0.5, 13, 600, colours.onInk);
+}
+
+/** "7 of 12 delivered": in the middle of the ring, else at the top. */
+function drawScore(brush: Brush, scene: Scene): void {
+  if (scene.total === 0) return;
+  const { pen, camera, room, colours, unit } = brush;
+  const ring = scene.world.roads.find((road) => road.closed);
+  const words = t("arena.of", { done: scene.delivered, total: scene.total });
+  pen.textAlign = "center";
+  pen.textBaseline = "alphabetic";
+  if (ring === undefined) {
+    write(brush, `${words} ${t("arena.delivered")}`, room.width / 2, 24, 14, 600, colours.text);
+    return;
+  }
+  const box = boundsOf(ring);
+  const [x, y] = toScreen(camera, (box.left + box.right) / 2, (box.bottom + box.top) / 2);
+  write(brush, words, x, y + 3 * unit, 20 * unit, 700, colours.text);
+  write(brush, t("arena.delivered"), x, y + 22 * unit, 13 * unit, 400, colours.muted);
+}
+
+/** Where there is no road to see it by: place and direction of the robot that is watched. */
+function drawPlace(brush: Brush, scene: Scene, one: Seen): void {
+  if (scene.world.roads.length > 0 || one.actor.role !== "robot") return;
+  const { pen, room, colours } = brush;
+  const angle = Math.round((one.pose.heading_rad * 180) / Math.PI);
+  pen.textAlign = "left";
+  pen.textBaseline = "alphabetic";
+  const words = t("arena.pose", {
+    name: one.actor.name,
+    x: Math.round(one.pose.x_mm),
+    y: Math.round(one.pose.y_mm),
+    angle: ((angle % 360) + 360) % 360,
+  });
+  write(brush, words, 24, room.height - 14, 12, 500, colours.muted);
+}
+
+export function drawActors(brush: Brush, scene: Scene, seen: readonly Seen[], selected: string): void {
+  drawScore(brush, scene);
+  const order = { keeper: 0, robot: 1, arm: 2 };
+  for (const one of [...seen].sort((a, b) => order[a.actor.role] - order[b.actor.role])) {
+    drawSeen(brush, one, one.actor.name === selected);
+  }
+  const watched = seen.find((one) => one.actor.name === selected);
+  if (watched === undefined) return;
+  drawTag(brush, watched);
+  drawPlace(brush, scene, watched);
+}

@@ -1,0 +1,123 @@
+/**
+ * Paints the arena on a canvas when something has changed, and only then.
+ *
+ * It keeps the camera: fitted to the panel until the person zooms or pans, then left alone. Robots are on the move between
+ * two frames, so painting goes on until they stand where the last frame says.
+ */
+import { posesAt } from "../run/poses";
+import { type Camera, fit, type Room, toScreen, zoomAt } from "./camera";
+import { readColours, type Colours } from "./colours";
+import { drawActors } from "./draw-robots";
+import { drawWorld, unitOf } from "./draw-world";
+import { lookAt, type Scene, type Seen } from "./scene";
+
+const WALL_MARGIN = 20;
+const ORIGIN: Camera = { scale: 1, x: 0, y: 0 };
+
+export class Painter {
+  private readonly canvas: HTMLCanvasElement;
+  private room: Room = { width: 0, height: 0 };
+  private camera: Camera = ORIGIN;
+  private moved = false;
+  private scene: Scene | null = null;
+  private selected = "";
+  private colours: Colours | null = null;
+  private request = 0;
+  private readonly smooth: () => boolean;
+
+  constructor(canvas: HTMLCanvasElement, smooth: () => boolean) {
+    this.canvas = canvas;
+    this.smooth = smooth;
+  }
+
+  setScene(scene: Scene, selected: string): void {
+    const other = this.scene?.world !== scene.world;
+    this.scene = scene;
+    this.selected = selected;
+    if (other) this.showAll();
+    this.paintSoon();
+  }
+
+  themeChanged(): void {
+    this.colours = null;
+    this.paintSoon();
+  }
+
+  resize(width: number, height: number): void {
+    this.room = { width, height };
+    const ratio = window.devicePixelRatio || 1;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    if (!this.moved) this.showAll();
+    this.paint();
+  }
+
+  private whole(): Camera {
+    const world = this.scene?.world;
+    return world === undefined ? ORIGIN : fit(world, this.room, world.walls.length > 0 ? WALL_MARGIN : 0);
+  }
+
+  showAll(): void {
+    this.moved = false;
+    this.camera = this.whole();
+    this.paintSoon();
+  }
+
+  zoom(factor: number, x = this.room.width / 2, y = this.room.height / 2): void {
+    this.camera = zoomAt(this.camera, this.whole(), factor, x, y);
+    this.moved = true;
+    this.paintSoon();
+  }
+
+  pan(dx: number, dy: number): void {
+    this.camera = { ...this.camera, x: this.camera.x + dx, y: this.camera.y + dy };
+    this.moved = true;
+    this.paintSoon();
+  }
+
+  /** Who is under a point of the canvas. */
+  actorAt(x: number, y: number): Seen | null {
+    if (this.scene === null) return null;
+    const reach = 34 * unitOf(this.camera);
+    let best: { seen: Seen; off: number } | null = null;
+    for (const seen of this.seen(performance.now()).seen) {
+      if (seen.actor.role === "keeper") continue;
+      const [sx, sy] = toScreen(this.camera, seen.pose.x_mm, seen.pose.y_mm);
+      const off = Math.hypot(sx - x, sy - y);
+      if (off < reach && (best === null || off < best.off)) best = { seen, off };
+    }
+    return best?.seen ?? null;
+  }
+
+  private seen(now: number): { seen: Seen[]; still: boolean } {
+    if (this.scene === null) return { seen: [], still: true };
+    const shown = this.scene.running ? posesAt(now, this.smooth()) : null;
+    return { seen: lookAt(this.scene, shown?.poses ?? null), still: shown?.still ?? true };
+  }
+
+  paintSoon(): void {
+    if (this.request !== 0) return;
+    this.request = requestAnimationFrame(() => {
+      this.request = 0;
+      this.paint();
+    });
+  }
+
+  private paint(): void {
+    const pen = this.canvas.getContext("2d");
+    if (pen === null || this.scene === null || this.room.width === 0) return;
+    const { seen, still } = this.seen(performance.now());
+    const ratio = window.devicePixelRatio || 1;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.colours ??= readColours();
+    const { camera, room, colours } = this;
+    const brush = { pen, camera, room, unit: unitOf(camera), colours };
+    drawWorld(brush, this.scene);
+    drawActors(brush, this.scene, seen, this.selected);
+    if (!still) this.paintSoon();
+  }
+
+  end(): void {
+    cancelAnimationFrame(this.request);
+  }
+}

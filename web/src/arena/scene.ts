@@ -1,0 +1,157 @@
+/**
+ * What the arena shows: the world, who is in it and where, the stock; before a run, as the mission starts.
+ *
+ * Who drives, who is an arm beside a dock and who sits in a storehouse is read from where they start: that decides how
+ * they are drawn and nothing else.
+ */
+import type { Catalogue, Goal, Mission, World } from "../api/types";
+import { COLLISION, FAILED, type Pose } from "../api/wire";
+import type { RunAgent, RunState } from "../run/run";
+import { signAt } from "./geometry";
+
+export type Role = "robot" | "arm" | "keeper";
+
+export interface Actor {
+  name: string;
+  program: string;
+  number: number;
+  role: Role;
+  start: Pose;
+  /** "Sign = 4", "Cargo": what its sensors say now. */
+  senses: string[];
+  failed: boolean;
+}
+
+export interface Scene {
+  world: World;
+  actors: Actor[];
+  stock: Record<string, number>;
+  delivered: number;
+  total: number;
+  collisions: number;
+  running: boolean;
+}
+
+const ARM_REACH_MM = 90;
+
+export function roleAt(world: World, x: number, y: number): Role {
+  const inside = world.storehouses.some(
+    (house) =>
+      x >= house.x_mm && x <= house.x_mm + house.width_mm && y >= house.y_mm && y <= house.y_mm + house.height_mm,
+  );
+  if (inside) return "keeper";
+  const beside = world.docks.some((dock) => {
+    const half = (world.roads.find((road) => road.name === dock.road)?.width_mm ?? 0) / 2;
+    const off = Math.hypot(dock.x_mm - x, dock.y_mm - y);
+    return off > half && off < half + ARM_REACH_MM;
+  });
+  return beside ? "arm" : "robot";
+}
+
+function numberOf(name: string, index: number): number {
+  const digits = /(\d+)$/.exec(name)?.[1];
+  return digits === undefined ? index + 1 : Number(digits);
+}
+
+function startPose(world: World, name: string): Pose {
+  const start = world.starts.find((one) => one.name === name);
+  const middle = { x_mm: world.width_mm / 2, y_mm: world.height_mm / 2, heading_rad: 0 };
+  const { x_mm, y_mm, heading_rad } = start ?? middle;
+  return { x_mm, y_mm, heading_rad, load: 0, flags: 0 };
+}
+
+/** How much has to be delivered; "all" is everything that lies elsewhere. */
+export function totalOf(world: World, goals: readonly Goal[]): number {
+  let total = 0;
+  for (const { storehouse, stock } of goals) {
+    const elsewhere = world.storehouses.filter((house) => house.name !== storehouse);
+    total += stock === "all" ? elsewhere.reduce((sum, house) => sum + house.stock, 0) : Number(stock) || 0;
+  }
+  return total;
+}
+
+/** A robot's sensors in words; tests say their name only while they are true. */
+export function sensesOf(agent: RunAgent, catalogue: Catalogue): string[] {
+  const objects = catalogue.robots.find((robot) => robot.name === agent.robot)?.objects ?? [];
+  const words: string[] = [];
+  for (const [name, value] of Object.entries(agent.inputs)) {
+    const object = objects.find((one) => one.name === name);
+    if (object?.category !== "sensor") continue;
+    const label = object.label[""] ?? name;
+    if (object.type === "boolean") {
+      if (value !== 0) words.push(label);
+    } else {
+      words.push(`${label} = ${String(value)}`);
+    }
+  }
+  return words;
+}
+
+export function sceneBefore(mission: Mission, world: World): Scene {
+  return {
+    world,
+    actors: mission.agents.map((agent, index) => {
+      const start = startPose(world, agent.start === "" ? agent.name : agent.start);
+      return {
+        name: agent.name,
+        program: agent.program,
+        number: numberOf(agent.name, index),
+        role: roleAt(world, start.x_mm, start.y_mm),
+        start,
+        senses: [],
+        failed: false,
+      };
+    }),
+    stock: Object.fromEntries(world.storehouses.map((house) => [house.name, house.stock])),
+    delivered: 0,
+    total: totalOf(world, mission.goals),
+    collisions: 0,
+    running: false,
+  };
+}
+
+export function sceneOf(run: RunState, mission: Mission, catalogue: Catalogue, world: World): Scene {
+  return {
+    world,
+    actors: run.agents.map((agent) => {
+      const start = mission.agents.find((one) => one.name === agent.name)?.start ?? "";
+      const pose = startPose(world, start === "" ? agent.name : start);
+      return {
+        name: agent.name,
+        program: agent.program,
+        number: agent.number,
+        role: roleAt(world, pose.x_mm, pose.y_mm),
+        start: pose,
+        senses: sensesOf(agent, catalogue),
+        failed: agent.state === "failed",
+      };
+    }),
+    stock: run.stock,
+    delivered: Object.values(run.delivered).reduce((sum, count) => sum + count, 0),
+    total: run.total,
+    collisions: run.collisions,
+    running: true,
+  };
+}
+
+export interface Seen {
+  actor: Actor;
+  pose: Pose;
+  sign: number | null;
+  failed: boolean;
+  collided: boolean;
+}
+
+/** The actors at their poses. */
+export function lookAt(scene: Scene, poses: readonly Pose[] | null): Seen[] {
+  return scene.actors.map((actor, index) => {
+    const pose = poses?.[index] ?? actor.start;
+    return {
+      actor,
+      pose,
+      sign: actor.role === "robot" ? signAt(scene.world, pose.x_mm, pose.y_mm) : null,
+      failed: actor.failed || (pose.flags & FAILED) !== 0,
+      collided: (pose.flags & COLLISION) !== 0,
+    };
+  });
+}

@@ -1,0 +1,132 @@
+/**
+ * The program in view as text: LLL beside the graph, and the three-address code it becomes.
+ *
+ * Selecting on either side shows the other; lines where threads of the watched agent stand are marked.
+ */
+import { useCallback, useEffect, useMemo, useState } from "react";
+
+import { useStudio } from "../model/studio";
+import { useActiveVertices } from "../run/run";
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import "./code.css";
+import { listingExtensions, lllExtensions } from "./extensions";
+import { activeLines, vertexAt, vertexOfLine } from "./spans";
+import { TextView } from "./TextView";
+
+type Side = "lll" | "listing";
+const SIDES: Side[] = ["lll", "listing"];
+const COPIED_MS = 1500;
+
+function CopyButton({ text }: { text: string }) {
+  const [copied, setCopied] = useState(false);
+  useEffect(() => {
+    if (!copied) return;
+    const timer = setTimeout(() => setCopied(false), COPIED_MS);
+    return () => clearTimeout(timer);
+  }, [copied]);
+  const label = copied ? t("code.copied") : t("code.copy");
+  return (
+    <button
+      type="button"
+      className="tool small"
+      data-testid="copy-code"
+      aria-label={label}
+      title={label}
+      onClick={() => {
+        navigator.clipboard.writeText(text).then(
+          () => setCopied(true),
+          () => setCopied(false),
+        );
+      }}
+    >
+      <Icon name={copied ? "check" : "copy"} size={16} />
+    </button>
+  );
+}
+
+function Lll({ text, program }: { text: string; program: string }) {
+  const report = useStudio((studio) => studio.report);
+  const selection = useStudio((studio) => studio.selection);
+  const active = useActiveVertices(program);
+  const spans = useMemo(() => report?.programs.find((one) => one.name === program)?.spans ?? [], [report, program]);
+  const shown = useMemo(
+    () => ({
+      active: activeLines(spans, active),
+      selected: spans.filter((span) => selection.includes(span.vertex)),
+    }),
+    [spans, active, selection],
+  );
+  const onPick = useCallback(
+    (offset: number, byMouse: boolean) => {
+      const line = text.slice(0, offset).split("\n").length;
+      const start = text.lastIndexOf("\n", offset - 1) + 1;
+      const indent = /^\s*/.exec(text.slice(start))?.[0].length ?? 0;
+      const inText = offset >= start + indent;
+      const found = byMouse || inText ? vertexAt(spans, offset) : vertexOfLine(spans, line, start + indent);
+      if (found !== null) useStudio.getState().select([found]);
+    },
+    [text, spans],
+  );
+  const empty = text.trim() === "";
+  return (
+    <TextView
+      text={empty ? t("code.empty") : text}
+      label={t("code.label", { name: program })}
+      extensions={lllExtensions}
+      shown={shown}
+      onPick={onPick}
+    />
+  );
+}
+
+export function Code() {
+  const [side, setSide] = useState<Side>("lll");
+  const program = useStudio((studio) => studio.activeProgram);
+  const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
+  const lll = found?.lll ?? "";
+  const listing = found?.listing ?? "";
+  const loaded = found !== undefined;
+  return (
+    <div className="code" data-testid="code">
+      <header className="side-tabs">
+        <div role="tablist" aria-label={t("view.code")} className="side-tablist">
+          {SIDES.map((one) => (
+            <button
+              key={one}
+              type="button"
+              role="tab"
+              className="side-tab"
+              id={`code-tab-${one}`}
+              data-testid={`code-tab-${one}`}
+              aria-selected={side === one}
+              aria-controls="code-panel"
+              tabIndex={side === one ? 0 : -1}
+              onClick={() => setSide(one)}
+              onKeyDown={(event) => {
+                if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
+                const next = one === "lll" ? "listing" : "lll";
+                setSide(next);
+                document.getElementById(`code-tab-${next}`)?.focus();
+              }}
+            >
+              {t(`code.${one}`)}
+            </button>
+          ))}
+        </div>
+        <CopyButton text={side === "lll" ? lll : listing} />
+      </header>
+      <div className="code-panel" id="code-panel" role="tabpanel" aria-labelledby={`code-tab-${side}`}>
+        {!loaded ? null : side === "lll" ? (
+          <Lll text={lll} program={program} />
+        ) : (
+          <TextView
+            text={listing === "" ? t("code.no-listing") : listing}
+            label={t("code.listing-label", { name: program })}
+            extensions={listingExtensions}
+          />
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,111 @@
+/** The list of problems above the bottom bar, and the button that opens it. */
+import { useEffect, useMemo, useRef } from "react";
+
+import type { Problem } from "../api/types";
+import { useStudio } from "../model/studio";
+import { useRun } from "../run/run";
+import { useDocument } from "../shell/document";
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import "./problems.css";
+import { goTo, orderProblems, useProblemList } from "./walk";
+
+const SHAPES = { error: "octagon-x", warning: "triangle-alert", hint: "lightbulb" } as const;
+
+function useProblems(): Problem[] {
+  const report = useStudio((studio) => studio.report);
+  const ofFile = useDocument((document) => document.fileProblems);
+  const ofRun = useRun((run) => run.problems);
+  return useMemo(() => orderProblems(report, [...ofFile, ...ofRun]), [report, ofFile, ofRun]);
+}
+
+export function ProblemsButton() {
+  const problems = useProblems();
+  const open = useProblemList((list) => list.open);
+  const errors = problems.some((problem) => problem.severity === "error");
+  return (
+    <button
+      type="button"
+      className="problems-button"
+      data-testid="problems"
+      aria-expanded={open}
+      aria-controls="problem-list"
+      title={`${t("problems.count", { count: problems.length })} (F8)`}
+      onClick={() => useProblemList.setState({ open: !open })}
+    >
+      <Icon name={problems.length === 0 ? "circle-check" : errors ? "octagon-x" : "triangle-alert"} size={16} />
+      {t("problems.title")}
+      <span className="problems-count">{problems.length}</span>
+    </button>
+  );
+}
+
+function Row({ problem, index, at }: { problem: Problem; index: number; at: number }) {
+  const button = useRef<HTMLButtonElement>(null);
+  const current = index === at;
+  useEffect(() => {
+    if (current) button.current?.scrollIntoView({ block: "nearest" });
+  }, [current]);
+  const place = problem.program !== "" ? problem.program : problem.file;
+  return (
+    <li>
+      <button
+        type="button"
+        ref={button}
+        className="problem"
+        data-testid={`problem-${String(index + 1)}`}
+        aria-current={current}
+        onClick={() => {
+          useProblemList.setState({ at: index });
+          goTo(problem);
+        }}
+      >
+        <Icon
+          name={SHAPES[problem.severity]}
+          size={16}
+          label={t(`problems.${problem.severity}`)}
+          className={`problem-${problem.severity}`}
+        />
+        <span className="problem-words">
+          <span className="problem-message">{problem.message}</span>
+          {problem.help === "" ? null : <span className="problem-help">{problem.help}</span>}
+        </span>
+        <span className="problem-place">
+          {place}
+          {problem.line > 0 && problem.program !== "" ? `:${String(problem.line)}` : ""}
+        </span>
+        <code className="problem-code">{problem.code}</code>
+      </button>
+    </li>
+  );
+}
+
+export function ProblemList() {
+  const problems = useProblems();
+  const { open, at } = useProblemList();
+  if (!open) return null;
+  return (
+    <section className="problem-list" id="problem-list" aria-label={t("problems.title")}>
+      <header className="problem-head">
+        <h2>{t("problems.count", { count: problems.length })}</h2>
+        <button
+          type="button"
+          className="tool small"
+          aria-label={t("problems.close")}
+          onClick={() => useProblemList.setState({ open: false })}
+        >
+          <Icon name="x" size={16} />
+        </button>
+      </header>
+      {problems.length === 0 ? (
+        <p className="problem-none">{t("problems.none")}</p>
+      ) : (
+        <ol>
+          {problems.map((problem, index) => (
+            <Row key={`${problem.code} ${String(index)}`} problem={problem} index={index} at={at} />
+          ))}
+        </ol>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,58 @@
+/**
+ * The problems in the order of the list, and the walk through them.
+ *
+ * Errors come first, then warnings, then hints; within one, as the server said them. What was wrong with the file when it was
+ * read stands beside what is wrong with the mission now.
+ */
+import { create } from "zustand";
+
+import type { Problem, Report } from "../api/types";
+import { useStudio } from "../model/studio";
+import { useRun } from "../run/run";
+import { useDocument } from "../shell/document";
+
+const RANK = { error: 0, warning: 1, hint: 2 } as const;
+
+function sameProblem(a: Problem, b: Problem): boolean {
+  return a.code === b.code && a.message === b.message && a.program === b.program && a.line === b.line;
+}
+
+export function orderProblems(report: Report | null, others: readonly Problem[]): Problem[] {
+  const found = [...(report?.problems ?? [])];
+  for (const problem of others) if (!found.some((one) => sameProblem(one, problem))) found.push(problem);
+  return found.sort((a, b) => RANK[a.severity] - RANK[b.severity]);
+}
+
+interface ProblemList {
+  open: boolean;
+  /** The problem that F8 is at; -1 before the first. */
+  at: number;
+}
+
+export const useProblemList = create<ProblemList>(() => ({ open: false, at: -1 }));
+
+export function problemsNow(): Problem[] {
+  const others = [...useDocument.getState().fileProblems, ...useRun.getState().problems];
+  return orderProblems(useStudio.getState().report, others);
+}
+
+/** Shows where a problem is: the tab of its program, its vertices selected. */
+export function goTo(problem: Problem): void {
+  const { mission, setActiveProgram, select } = useStudio.getState();
+  const program = mission.programs.find((one) => one.name === problem.program);
+  if (program === undefined) return;
+  setActiveProgram(program.name);
+  const ends = problem.arcs.flatMap(([from, , to]) => [from, to]);
+  const wanted = problem.vertices.length > 0 ? problem.vertices : ends;
+  select(wanted.filter((id) => program.vertices.some((vertex) => vertex.id === id)));
+}
+
+export function walkProblems(by: 1 | -1): void {
+  const problems = problemsNow();
+  if (problems.length === 0) return;
+  const { at } = useProblemList.getState();
+  const next = at < 0 && by < 0 ? problems.length - 1 : (at + by + problems.length) % problems.length;
+  useProblemList.setState({ open: true, at: next });
+  const problem = problems[next];
+  if (problem !== undefined) goTo(problem);
+}

@@ -1,0 +1,157 @@
+/**
+ * The whole page: menus and tools, parts, graph, the right column, the bottom bar, and what lies over them.
+ *
+ * Measures are in look.md; the panels' own are in `layout.ts`. Rooms of the page know nothing of where they stand.
+ */
+import { type CSSProperties, type DragEvent, useEffect } from "react";
+
+import { Arena } from "../arena/Arena";
+import { Code } from "../code/Code";
+import { Canvas } from "../editor/Canvas";
+import { Inspector } from "../inspector/Inspector";
+import { useStudio } from "../model/studio";
+import { Palette } from "../palette/Palette";
+import { ProblemList, ProblemsButton } from "../problems/Problems";
+import { t } from "../words/words";
+import { Banner } from "./Banner";
+import { Brand } from "./Brand";
+import { keepChecking } from "./checking";
+import { begin, openFromComputer, useDocument } from "./document";
+import { EventStrip } from "./EventStrip";
+import { Examples } from "./Examples";
+import { AboutSheet, ShortcutsSheet } from "./HelpSheets";
+import { useKeys } from "./keys";
+import { useLayout } from "./layout";
+import { MenuBar } from "./MenuBar";
+import { useMenus } from "./menus";
+import { OpenSheet } from "./OpenSheet";
+import { SaveAsSheet } from "./SaveAsSheet";
+import { Separator } from "./Separator";
+import { Tabs } from "./Tabs";
+import { Title } from "./Title";
+import { TeamStop, Toolbar } from "./Toolbar";
+import "./layout.css";
+import "./chrome.css";
+import "./sheets.css";
+
+let begun = false;
+
+/** Opens the first mission once, and keeps the report fresh while the page is there. */
+function useDocumentFlow(): void {
+  useEffect(() => {
+    if (!begun) {
+      begun = true;
+      void begin();
+    }
+    return keepChecking();
+  }, []);
+  useEffect(() => {
+    const ask = (event: BeforeUnloadEvent) => {
+      if (useStudio.getState().dirty) event.preventDefault();
+    };
+    window.addEventListener("beforeunload", ask);
+    return () => window.removeEventListener("beforeunload", ask);
+  }, []);
+}
+
+function carriesFile(event: DragEvent): boolean {
+  return event.dataTransfer.types.includes("Files");
+}
+
+function Side() {
+  const { sizes, folded } = useLayout();
+  // The last open panel of the column takes what the others leave.
+  const last = !folded.arena ? "arena" : !folded.code ? "code" : "inspector";
+  const height = (panel: "inspector" | "code"): CSSProperties =>
+    panel === last ? { flex: "1 1 0" } : { flex: `0 1 ${String(sizes[panel])}px` };
+  return (
+    <aside className="side" aria-label={t("app.side")} style={{ width: sizes.side }}>
+      {folded.inspector ? null : (
+        <section className="side-part side-inspector" style={height("inspector")} aria-label={t("view.inspector")}>
+          <Inspector />
+        </section>
+      )}
+      {folded.inspector || last === "inspector" ? null : (
+        <Separator edge="inspector" label={t("view.inspector")} along="y" />
+      )}
+      {folded.code ? null : (
+        <section className="side-part" style={height("code")} aria-label={t("view.code")}>
+          <Code />
+        </section>
+      )}
+      {folded.code || last === "code" ? null : <Separator edge="code" label={t("view.code")} along="y" />}
+      {folded.arena ? null : (
+        <section className="side-part side-arena" aria-label={t("view.arena")}>
+          <Arena />
+        </section>
+      )}
+    </aside>
+  );
+}
+
+export function App() {
+  useDocumentFlow();
+  useKeys();
+  const menus = useMenus();
+  const { sizes, folded } = useLayout();
+  const ready = useDocument((document) => document.ready);
+  const overlay = useDocument((document) => document.overlay);
+  const side = !(folded.inspector && folded.code && folded.arena);
+
+  return (
+    <div
+      className="studio"
+      onDragOver={(event) => {
+        if (carriesFile(event)) event.preventDefault();
+      }}
+      onDrop={(event) => {
+        if (!carriesFile(event)) return;
+        event.preventDefault();
+        const file = event.dataTransfer.files[0];
+        if (file !== undefined) openFromComputer(file);
+      }}
+    >
+      <header className="head">
+        <div className="head-menu">
+          <Brand />
+          <MenuBar menus={menus} />
+          <Title />
+        </div>
+        <Toolbar />
+        <TeamStop />
+      </header>
+      <Banner />
+      <div className="middle">
+        {folded.palette ? null : (
+          <>
+            <nav className="parts" aria-label={t("app.parts")} style={{ width: sizes.palette }}>
+              {ready ? <Palette /> : null}
+            </nav>
+            <Separator edge="palette" label={t("view.palette")} along="x" />
+          </>
+        )}
+        <main className="centre" aria-label={t("app.canvas")}>
+          <Tabs />
+          <div className="canvas-panel" id="canvas-panel" role="tabpanel" aria-label={t("app.canvas")}>
+            {ready ? <Canvas emptyExtras={<Examples />} /> : null}
+          </div>
+          <ProblemList />
+        </main>
+        {side ? (
+          <>
+            <Separator edge="side" label={t("app.side")} along="x" sense={-1} />
+            <Side />
+          </>
+        ) : null}
+      </div>
+      <footer className="bottom">
+        <ProblemsButton />
+        <EventStrip />
+      </footer>
+      {overlay === "open" ? <OpenSheet /> : null}
+      {overlay === "save-as" ? <SaveAsSheet /> : null}
+      {overlay === "shortcuts" ? <ShortcutsSheet /> : null}
+      {overlay === "about" ? <AboutSheet /> : null}
+    </div>
+  );
+}

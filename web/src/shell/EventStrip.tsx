@@ -1,0 +1,122 @@
+/**
+ * The strip of what has happened so far: a time axis with ▲ load ▼ unload ○ message ✕ collision ■ end.
+ *
+ * It only shows; nothing on it can be dragged. The axis is one minute long and doubles when the run outgrows it. Events that
+ * would lie on each other are drawn once.
+ */
+import { useLayoutEffect, useMemo, useRef, useState } from "react";
+
+import type { RunEvent, RunEventKind } from "../api/wire";
+import { useRun } from "../run/run";
+import { t } from "../words/words";
+import { axisTime, clock, grouped } from "./clock";
+
+const FIRST_S = 60;
+const LANE = 11;
+
+/** How many seconds the axis holds, and the distance of its marks. */
+export function axisFor(seconds: number): { length: number; step: number } {
+  let length = FIRST_S;
+  while (length < seconds) length *= 2;
+  return { length, step: length / 6 };
+}
+
+/** One event for each px and kind. */
+export function thinned(events: readonly RunEvent[], pxOf: (event: RunEvent) => number): RunEvent[] {
+  const seen = new Set<string>();
+  return events.filter((event) => {
+    const key = `${String(Math.round(pxOf(event) / 3))} ${event.kind}`;
+    if (seen.has(key)) return false;
+    seen.add(key);
+    return true;
+  });
+}
+
+function Mark({ kind, x, title }: { kind: RunEventKind; x: number; title: string }) {
+  const shape = {
+    load: <path d="M-4 3.5L0-3.5 4 3.5z" fill="currentColor" />,
+    unload: <path d="M-4-3.5L0 3.5 4-3.5z" fill="currentColor" />,
+    message: <circle r="3" fill="none" stroke="currentColor" strokeWidth="1.8" />,
+    collision: <path d="M-3-3l6 6M3-3l-6 6" stroke="currentColor" strokeWidth="1.8" />,
+    end: <rect x="-3.5" y="-3.5" width="7" height="7" fill="currentColor" />,
+  }[kind];
+  return (
+    <g transform={`translate(${x.toFixed(1)} ${String(LANE)})`} data-kind={kind}>
+      <title>{title}</title>
+      {shape}
+    </g>
+  );
+}
+
+export function EventStrip() {
+  const { events, seconds, tick, tickMs, status } = useRun();
+  const box = useRef<HTMLDivElement>(null);
+  const [width, setWidth] = useState(800);
+  useLayoutEffect(() => {
+    const element = box.current;
+    if (element === null) return;
+    const watcher = new ResizeObserver(([entry]) => {
+      if (entry !== undefined) setWidth(Math.max(entry.contentRect.width, 120));
+    });
+    watcher.observe(element);
+    return () => watcher.disconnect();
+  }, []);
+
+  const { length, step } = axisFor(seconds);
+  const room = width - 56;
+  const shown = useMemo(() => {
+    const place = (event: RunEvent) => (((event.tick * tickMs) / 1000) * room) / length;
+    return thinned(events, place).map((event) => ({ event, x: place(event) }));
+  }, [events, tickMs, room, length]);
+  const now = (seconds * room) / length;
+  const marks = Array.from({ length: 7 }, (_, index) => index * step);
+  const counts = (kind: RunEventKind) => events.filter((event) => event.kind === kind).length;
+  const idle = status === "idle" || status === "connecting";
+  const label = t("strip.now", { time: clock(seconds), tick: grouped(tick) });
+  // The label of the moment keeps inside the strip.
+  const labelAt = Math.min(now + 8, room + 20 - label.length * 6);
+  return (
+    <div className="strip" ref={box} data-testid="event-strip">
+      <svg width={width} height={44} role="img" aria-label={t("strip.label")}>
+        <g transform="translate(18 0)">
+          <rect className="strip-track" x={-3} y={20} width={room + 6} height={6} rx={3} />
+          {idle ? null : <rect className="strip-past" x={-3} y={20} width={now + 3} height={6} rx={3} />}
+          {marks.map((mark) => (
+            <g key={mark} transform={`translate(${String((mark * room) / length)} 0)`}>
+              <path className="strip-tick" d="M0 29v3" />
+              <text className="strip-time" y={42} textAnchor="middle">
+                {axisTime(mark)}
+              </text>
+            </g>
+          ))}
+          <g className="strip-events">
+            {shown.map(({ event, x }, index) => (
+              <Mark
+                key={index}
+                kind={event.kind}
+                x={x}
+                title={t("strip.event", {
+                  time: clock((event.tick * tickMs) / 1000),
+                  kind: t(`strip.${event.kind}`),
+                  agent: event.agent,
+                  text: event.text,
+                })}
+              />
+            ))}
+          </g>
+          {idle ? null : (
+            <>
+              <path className="strip-now" d={`M${now.toFixed(1)} 3v28`} />
+              <text className="strip-now-label" x={labelAt} y={12}>
+                {label}
+              </text>
+            </>
+          )}
+        </g>
+      </svg>
+      <span className="only-spoken">
+        {t("strip.counts", { load: counts("load"), unload: counts("unload"), collision: counts("collision") })}
+      </span>
+    </div>
+  );
+}

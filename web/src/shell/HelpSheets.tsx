@@ -1,0 +1,59 @@
+/** The keys that work, and what this program is. */
+import { type Key, t } from "../words/words";
+import { useDocument } from "./document";
+import { Sheet } from "./Sheet";
+
+const KEYS: [keys: string, meaning: Key][] = [
+  ["F5", "help.keys-run"],
+  ["F6", "help.keys-pause"],
+  ["F10", "help.keys-step"],
+  ["Shift+F5", "help.keys-stop"],
+  ["Ctrl+S", "help.keys-save"],
+  ["Ctrl+O", "help.keys-open"],
+  ["Ctrl+Alt+N", "help.keys-new"],
+  ["Ctrl+Z", "help.keys-undo"],
+  ["Ctrl+Y", "help.keys-redo"],
+  ["F8 · Shift+F8", "help.keys-problem"],
+  ["Alt", "help.keys-menu"],
+  ["?", "help.keys-this"],
+];
+
+const GRAPH_KEYS: [keys: string, meaning: Key][] = [
+  ["/", "help.keys-insert"],
+  ["↑ ↓ ← →", "help.keys-walk"],
+  ["Delete", "help.keys-delete"],
+];
+
+function Keys({ keys }: { keys: [string, Key][] }) {
+  return (
+    <dl className="keys">
+      {keys.map(([key, meaning]) => (
+        <div key={key}>
+          <dt>
+            <kbd>{key}</kbd>
+          </dt>
+          <dd>{t(meaning)}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+export function ShortcutsSheet() {
+  return (
+    <Sheet title={t("help.shortcuts")} testId="shortcuts-dialog">
+      <Keys keys={KEYS} />
+      <h3>{t("app.canvas")}</h3>
+      <Keys keys={GRAPH_KEYS} />
+    </Sheet>
+  );
+}
+
+export function AboutSheet() {
+  const version = useDocument((document) => document.session?.version ?? "");
+  return (
+    <Sheet title={t("app.name")} testId="about-dialog">
+      <p>{t("help.about-text", { version })}</p>
+    </Sheet>
+  );
+}

@@ -1,0 +1,81 @@
+/** The missions of the workspace and the examples, and a file of this computer. */
+import { useRef } from "react";
+
+import type { MissionEntry } from "../api/client";
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import { openFromComputer, openPath, show, useDocument } from "./document";
+import { useMissions } from "./missions";
+import { Sheet } from "./Sheet";
+
+function Entry({ entry }: { entry: MissionEntry }) {
+  const choose = () => {
+    show(null);
+    openPath(entry.path);
+  };
+  const second = entry.example ? entry.name : entry.path;
+  return (
+    <li>
+      <button type="button" className="open-entry" data-path={entry.path} onClick={choose}>
+        <Icon name={entry.example ? "puzzle" : "file"} size={18} />
+        <span className="open-title">{entry.title || entry.name}</span>
+        {second === entry.title ? null : <span className="open-path">{second}</span>}
+      </button>
+    </li>
+  );
+}
+
+export function OpenSheet() {
+  const missions = useMissions();
+  const workspace = useDocument((document) => document.session?.workspace ?? "");
+  const chooser = useRef<HTMLInputElement>(null);
+  const own = missions?.filter((entry) => !entry.example) ?? [];
+  const examples = missions?.filter((entry) => entry.example) ?? [];
+  return (
+    <Sheet title={t("open.title")} testId="open-dialog" wide>
+      {missions === null ? (
+        <p className="sheet-note">{t("open.loading")}</p>
+      ) : (
+        <div className="open-lists">
+          <h3>{t("open.workspace", { folder: workspace })}</h3>
+          {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
+          <ul>
+            {own.map((entry) => (
+              <Entry key={entry.path} entry={entry} />
+            ))}
+          </ul>
+          {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
+          <ul>
+            {examples.map((entry) => (
+              <Entry key={entry.path} entry={entry} />
+            ))}
+          </ul>
+        </div>
+      )}
+      <footer className="sheet-foot">
+        <input
+          ref={chooser}
+          className="only-spoken"
+          type="file"
+          accept=".krt,.xml"
+          tabIndex={-1}
+          aria-hidden="true"
+          data-testid="open-file"
+          onChange={(event) => {
+            const file = event.target.files?.[0];
+            if (file === undefined) return;
+            show(null);
+            openFromComputer(file);
+          }}
+        />
+        <button type="button" className="button" onClick={() => chooser.current?.click()}>
+          <Icon name="upload" size={16} />
+          {t("open.computer")}
+        </button>
+        <button type="button" className="button" onClick={() => show(null)}>
+          {t("open.cancel")}
+        </button>
+      </footer>
+    </Sheet>
+  );
+}

@@ -1,0 +1,44 @@
+/** A card over the page for a list or a short form; Escape, its button and a click beside it close it. */
+import { type ReactNode, useEffect, useRef } from "react";
+
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import { show } from "./document";
+
+interface SheetProps {
+  title: string;
+  testId: string;
+  children: ReactNode;
+  wide?: boolean;
+}
+
+export function Sheet({ title, testId, children, wide = false }: SheetProps) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => {
+    const element = dialog.current;
+    if (element !== null && !element.open) element.showModal();
+    return () => element?.close();
+  }, []);
+  return (
+    <dialog
+      className={wide ? "sheet sheet-wide" : "sheet"}
+      ref={dialog}
+      data-testid={testId}
+      aria-labelledby={`${testId}-title`}
+      onClose={() => show(null)}
+      onClick={(event) => {
+        if (event.target === dialog.current) show(null);
+      }}
+    >
+      <div className="sheet-body">
+        <header className="sheet-head">
+          <h2 id={`${testId}-title`}>{title}</h2>
+          <button type="button" className="tool small" aria-label={t("help.close")} onClick={() => show(null)}>
+            <Icon name="x" size={16} />
+          </button>
+        </header>
+        {children}
+      </div>
+    </dialog>
+  );
+}

@@ -1,0 +1,39 @@
+/** How fast the run goes: a logarithmic slider whose last notch is "as fast as it goes". */
+import { useRun } from "../run/run";
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import { MAX_POSITION, positionOf, speedAt } from "./speed";
+
+export function speedWords(speed: number): string {
+  return speed === 0 ? t("run.max") : t("run.times", { factor: speed });
+}
+
+export function SpeedControl() {
+  const speed = useRun((run) => run.speed);
+  const setSpeed = useRun((run) => run.setSpeed);
+  const position = positionOf(speed);
+  return (
+    <div className="speed" title={t("run.speed")}>
+      <Icon name="gauge" size={16} />
+      <input
+        className="slider"
+        type="range"
+        min={0}
+        max={MAX_POSITION}
+        step={1}
+        value={position}
+        style={{ "--share": `${String((position / MAX_POSITION) * 100)}%` } as React.CSSProperties}
+        aria-label={t("run.speed")}
+        aria-valuetext={speed === 0 ? t("run.as-fast") : speedWords(speed)}
+        data-testid="speed"
+        onChange={(event) => setSpeed(speedAt(Number(event.target.value)))}
+        onKeyDown={(event) => {
+          // One key press is one notch, also across the gap before the last one.
+          if (event.key === "ArrowRight" && position >= 100) setSpeed(0);
+        }}
+        onDoubleClick={() => setSpeed(1)}
+      />
+      <span className="speed-value">{speedWords(speed)}</span>
+    </div>
+  );
+}

@@ -1,0 +1,171 @@
+/**
+ * The programs of the mission as tabs, then what runs in the one that is open.
+ *
+ * Each tab shows how many agents run its program and, during a run, the state of the one that is watched. At the end of
+ * the row: which agent that is, where there are several, and a token per live thread that jumps to its vertex.
+ */
+import { type KeyboardEvent, useRef, useState } from "react";
+
+import { renameProgram } from "../model/commands/changePrograms";
+import { useStudio } from "../model/studio";
+import { useActiveVertices, useRun, watchedAgent } from "../run/run";
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import { reveal } from "./actions";
+import { AddProgram } from "./AddProgram";
+import { useRenaming } from "./renaming";
+import { StateShape } from "./StateShape";
+
+function NameField({ name }: { name: string }) {
+  const [text, setText] = useState(name);
+  const stop = () => useRenaming.setState({ program: null });
+  const { mission, execute } = useStudio.getState();
+  const wanted = text.trim();
+  const command = wanted === name ? null : renameProgram(mission, name, wanted);
+  const refused = command === null && wanted !== name;
+  const keep = () => {
+    if (command !== null) execute(command);
+    stop();
+  };
+  return (
+    <input
+      className="tab-name-field"
+      data-testid="tab-name-field"
+      aria-label={t("program.name")}
+      aria-invalid={refused}
+      value={text}
+      size={Math.max(text.length, 6)}
+      autoFocus
+      onFocus={(event) => event.target.select()}
+      onChange={(event) => setText(event.target.value)}
+      onBlur={keep}
+      onKeyDown={(event) => {
+        event.stopPropagation();
+        if (event.key === "Enter") keep();
+        else if (event.key === "Escape") stop();
+      }}
+    />
+  );
+}
+
+function Tab({ name, onKey }: { name: string; onKey: (event: KeyboardEvent) => void }) {
+  const active = useStudio((studio) => studio.activeProgram === name);
+  const count = useStudio((studio) => studio.mission.agents.filter((agent) => agent.program === name).length);
+  const errors = useStudio((studio) =>
+    studio.report?.problems.some((one) => one.program === name && one.severity === "error"),
+  );
+  const state = useRun((run) => watchedAgent(run, name)?.state ?? "idle");
+  return (
+    <button
+      type="button"
+      role="tab"
+      className="tab"
+      id={`tab-${name}`}
+      data-testid={`tab-${name}`}
+      data-program={name}
+      aria-selected={active}
+      aria-controls="canvas-panel"
+      tabIndex={active ? 0 : -1}
+      onClick={() => useStudio.getState().setActiveProgram(name)}
+      onDoubleClick={() => useRenaming.setState({ program: name })}
+      onKeyDown={onKey}
+    >
+      <StateShape state={state} label={t(`tabs.state-${state}`)} />
+      <span className="tab-name">{name}</span>
+      {count === 1 ? null : (
+        <span className="tab-count" aria-label={t("tabs.agents", { count })}>
+          ×{count}
+        </span>
+      )}
+      {errors === true ? <Icon name="circle-x" size={14} label={t("problems.error")} className="tab-error" /> : null}
+    </button>
+  );
+}
+
+function Watched({ program }: { program: string }) {
+  const agents = useRun((run) => run.agents);
+  const chosen = useRun((run) => watchedAgent(run, program)?.name ?? "");
+  const names = agents.filter((agent) => agent.program === program).map((agent) => agent.name);
+  if (names.length < 2) return null;
+  return (
+    <select
+      className="watched"
+      data-testid="watched-agent"
+      aria-label={t("tabs.watch")}
+      value={chosen}
+      onChange={(event) => useRun.getState().selectAgent(event.target.value)}
+    >
+      {names.map((name) => (
+        <option key={name}>{name}</option>
+      ))}
+    </select>
+  );
+}
+
+function Threads({ program }: { program: string }) {
+  const active = useActiveVertices(program);
+  if (active.size === 0) return null;
+  const threads = [...active]
+    .flatMap(([vertex, slots]) => slots.map((slot) => ({ slot, vertex })))
+    .sort((a, b) => a.slot - b.slot);
+  return (
+    <>
+      <span className="tabs-running">{t("tabs.running")}</span>
+      {threads.map(({ slot, vertex }) => (
+        <button
+          type="button"
+          key={slot}
+          className="token"
+          data-testid={`thread-${String(slot)}`}
+          aria-label={t("tabs.thread", { slot, vertex })}
+          onClick={() => reveal(program, [vertex])}
+        >
+          <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
+            <path d="M0 0l7 4-7 4z" fill="currentColor" />
+          </svg>
+          {slot}
+        </button>
+      ))}
+    </>
+  );
+}
+
+export function Tabs() {
+  const programs = useStudio((studio) => studio.mission.programs);
+  const activeProgram = useStudio((studio) => studio.activeProgram);
+  const renaming = useRenaming((state) => state.program);
+  const list = useRef<HTMLDivElement>(null);
+
+  const onKey = (event: KeyboardEvent) => {
+    const at = programs.findIndex((program) => program.name === activeProgram);
+    const steps: Record<string, number> = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: programs.length - 1 };
+    if (event.key === "F2") {
+      useRenaming.setState({ program: activeProgram });
+      return;
+    }
+    const wanted = steps[event.key];
+    if (wanted === undefined) return;
+    event.preventDefault();
+    const next = programs[(wanted + programs.length) % programs.length];
+    if (next === undefined) return;
+    useStudio.getState().setActiveProgram(next.name);
+    list.current?.querySelector<HTMLElement>(`[data-program="${CSS.escape(next.name)}"]`)?.focus();
+  };
+
+  return (
+    <div className="tabs">
+      <div className="tabs-scroll">
+        <div className="tabs-list" role="tablist" aria-label={t("tabs.label")} ref={list}>
+          {programs.map(({ name }) =>
+            renaming === name ? <NameField key={name} name={name} /> : <Tab key={name} name={name} onKey={onKey} />,
+          )}
+        </div>
+        <AddProgram />
+      </div>
+      <div className="tabs-end">
+        <Threads program={activeProgram} />
+        <Watched program={activeProgram} />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,31 @@
+/** The mission's name and whether it is on disk as it stands; the browser's title says the same. */
+import { useEffect } from "react";
+
+import { useStudio } from "../model/studio";
+import { t } from "../words/words";
+import { useDocument } from "./document";
+
+export function Title() {
+  const file = useStudio((studio) => studio.file);
+  const dirty = useStudio((studio) => studio.dirty);
+  const ready = useDocument((document) => document.ready);
+  const name = file.name === "" ? t("file.untitled") : file.name;
+  useEffect(() => {
+    document.title = ready ? `${dirty ? "• " : ""}${name} · ${t("app.name")}` : t("app.name");
+  }, [name, dirty, ready]);
+  if (!ready) return null;
+  const state = dirty
+    ? t("file.not-saved")
+    : file.path === ""
+      ? t("file.new-program")
+      : file.path.startsWith("example:")
+        ? t("file.example")
+        : t("file.saved");
+  return (
+    <div className="title" data-testid="title">
+      <strong>{name}</strong>
+      <span aria-hidden="true">·</span>
+      <span data-testid="saved-state">{state}</span>
+    </div>
+  );
+}

@@ -1,0 +1,122 @@
+/** The tools under the menus: undo and redo, the run and its speed, what it is doing; STOP at the end. */
+import { useStudio } from "../model/studio";
+import { isLive, useRun } from "../run/run";
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import { pause, run } from "./actions";
+import { RunStatus } from "./RunStatus";
+import { SpeedControl } from "./SpeedControl";
+
+interface ToolProps {
+  icon: string;
+  label: string;
+  keys?: string;
+  disabled?: boolean;
+  pressed?: boolean;
+  testId?: string;
+  onPress: () => void;
+}
+
+function Tool({ icon, label, keys, disabled = false, pressed, testId, onPress }: ToolProps) {
+  return (
+    <button
+      type="button"
+      className="tool"
+      aria-label={label}
+      title={keys === undefined ? label : `${label} (${keys})`}
+      disabled={disabled}
+      data-testid={testId}
+      {...(pressed === undefined ? {} : { "aria-pressed": pressed })}
+      onClick={onPress}
+    >
+      <Icon name={icon} size={18} />
+    </button>
+  );
+}
+
+export function Toolbar() {
+  const { canUndo, canRedo, undoLabel, redoLabel } = useStudio();
+  const { undo, redo } = useStudio.getState();
+  const status = useRun((state) => state.status);
+  const paused = status === "paused";
+  const live = isLive(status);
+  return (
+    <div className="toolbar" role="toolbar" aria-label={t("menu.run")}>
+      <Tool
+        icon="undo-2"
+        label={undoLabel === "" ? t("edit.undo") : t("edit.undo-what", { what: undoLabel })}
+        keys="Ctrl+Z"
+        disabled={!canUndo}
+        testId="undo"
+        onPress={undo}
+      />
+      <Tool
+        icon="redo-2"
+        label={redoLabel === "" ? t("edit.redo") : t("edit.redo-what", { what: redoLabel })}
+        keys="Ctrl+Y"
+        disabled={!canRedo}
+        testId="redo"
+        onPress={redo}
+      />
+      <span className="tool-line" />
+      <button
+        type="button"
+        className="run-button"
+        data-testid="run-button"
+        disabled={live && !paused}
+        title={`${paused ? t("run.resume") : t("run.run")} (F5)`}
+        onClick={run}
+      >
+        <Icon name="play" size={16} />
+        {paused ? t("run.resume") : t("run.run")}
+      </button>
+      <Tool
+        icon="pause"
+        label={t("run.pause")}
+        keys="F6"
+        disabled={status !== "running" && !paused}
+        pressed={paused}
+        testId="pause-button"
+        onPress={pause}
+      />
+      <Tool
+        icon="step-forward"
+        label={t("run.step")}
+        keys="F10"
+        disabled={!paused}
+        testId="step-button"
+        onPress={useRun.getState().step}
+      />
+      <Tool
+        icon="square"
+        label={t("run.stop")}
+        keys="Shift+F5"
+        disabled={!live}
+        testId="stop-button"
+        onPress={useRun.getState().stop}
+      />
+      <span className="tool-line" />
+      <SpeedControl />
+      <RunStatus />
+    </div>
+  );
+}
+
+/** The one red thing: ends the run and with it every robot of the team, from anywhere. */
+export function TeamStop() {
+  return (
+    <button
+      type="button"
+      className="team-stop"
+      data-testid="team-stop"
+      aria-label={t("stop.label")}
+      onClick={useRun.getState().stop}
+    >
+      <Icon name="octagon-x" size={24} />
+      <span>
+        <strong>{t("stop.big")}</strong>
+        <small>{t("stop.small")}</small>
+      </span>
+    </button>
+  );
+}

@@ -1,0 +1,40 @@
+/** The entries of the menus that work on the graph: undo, redo, the selection, the view. */
+import type { StudioState } from "../model/studio";
+import { programInView } from "../model/studio";
+import { t } from "../words/words";
+import type { MenuEntry } from "./menu-model";
+
+export function editEntries(studio: StudioState): MenuEntry[] {
+  const { undo, redo, canUndo, canRedo, undoLabel, redoLabel, select } = studio;
+  const program = programInView(studio);
+  return [
+    {
+      kind: "item",
+      id: "edit-undo",
+      label: undoLabel === "" ? t("edit.undo") : t("edit.undo-what", { what: undoLabel }),
+      keys: "Ctrl+Z",
+      disabled: !canUndo,
+      run: undo,
+    },
+    {
+      kind: "item",
+      id: "edit-redo",
+      label: redoLabel === "" ? t("edit.redo") : t("edit.redo-what", { what: redoLabel }),
+      keys: "Ctrl+Y",
+      disabled: !canRedo,
+      run: redo,
+    },
+    { kind: "line", id: "edit-1" },
+    {
+      kind: "item",
+      id: "edit-select-all",
+      label: t("edit.select-all"),
+      keys: "Ctrl+A",
+      run: () => select(program?.vertices.map((vertex) => vertex.id) ?? []),
+    },
+  ];
+}
+
+export function viewEntries(): MenuEntry[] {
+  return [];
+}
