@@ -1,6 +1,6 @@
 """The words a robot understands: constructors and robots, read from XML."""
 
-from kitrobot.primitives.catalogue import Catalogue, load_catalogue
+from kitrobot.primitives.catalogue import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.robot import (
@@ -25,6 +25,7 @@ __all__ = [
     "LARGEST_VALUE",
     "MAX_BYTES",
     "MAX_DEPTH",
+    "SHIPPED",
     "TEXTS",
     "Catalogue",
     "Category",
@@ -46,6 +47,7 @@ __all__ = [
     "Texts",
     "ValueType",
     "attributes",
+    "config_folder",
     "did_you_mean",
     "escape_text",
     "escape_value",

@@ -34,7 +34,8 @@ SHIPPED = Path(__file__).parent / "shipped"
 ROBOT_SUFFIX = ".robot.xml"
 """How the name of a robot's file ends."""
 
-_FIRST_ELEMENT = re.compile(rb"(?:\s|<\?.*?\?>|<!--.*?-->)*<([A-Za-z]+)", re.DOTALL)
+# Atomic groups: a hostile file must not make this search slow.
+_FIRST_ELEMENT = re.compile(rb"(?:\s|(?><\?.*?\?>)|(?><!--.*?-->))*+<([A-Za-z]+)", re.DOTALL)
 
 
 @dataclass
