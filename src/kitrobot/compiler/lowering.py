@@ -6,12 +6,10 @@ slot's code is written, one stretch after another. A loop's counter is shared by
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
-
 from kitrobot.compiler import rules
 from kitrobot.compiler.code import FAULT, Cell, Code, Label
 from kitrobot.compiler.flow import FlowAnalysis
+from kitrobot.compiler.slots import SlotTree
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.image import (
     LARGEST_VALUE,
@@ -25,7 +23,6 @@ from kitrobot.image import (
     Image,
     Layout,
     Origin,
-    ParallelRecord,
     SlotRecord,
     StopRecord,
 )
@@ -52,38 +49,6 @@ from kitrobot.lll import (
 from kitrobot.primitives import Category, Kind, Method, Robot, RobotObject
 
 
-@dataclass
-class _Branch:
-    """A slot while it is compiled."""
-
-    seq: Seq
-    parallel: int | None
-    marked: bool
-    end: int = 0
-    entry: int = 0
-
-
-@dataclass
-class _Tree:
-    """The slots and parallels of a program, numbered in reading order."""
-
-    slots: list[_Branch] = field(default_factory=list)
-    parallels: list[ParallelRecord] = field(default_factory=list)
-    number: dict[int, int] = field(default_factory=dict)
-
-    def add(self, seq: Seq, parallel: int | None, marked: bool) -> None:
-        slot = len(self.slots)
-        branch = _Branch(seq, parallel, marked)
-        self.slots.append(branch)
-        for node in _parallels(seq):
-            number = self.number[id(node)] = len(self.parallels)
-            self.parallels.append(ParallelRecord(slot, len(self.slots), 0))
-            for inner in node.branches:
-                self.add(inner, number, _is_marked(inner))
-            self.parallels[number] = self.parallels[number]._replace(end=len(self.slots))
-        branch.end = len(self.slots)
-
-
 def lower(program: Seq, robot: Robot) -> tuple[Image | None, DebugMap, list[Diagnostic]]:
     """The image of a program, or None and why it is too large; and where each instruction came from."""
     lowering = _Lowering(program, robot)
@@ -100,7 +65,7 @@ class _Lowering:
         self.layout = Layout(robot)
         self.flow = FlowAnalysis(robot)
         self.code = Code()
-        self.tree = _Tree()
+        self.tree = SlotTree()
         self.tree.add(program, None, marked=False)
         self.stops: dict[StopRecord, int] = {}
         self._counters: dict[tuple[int, int], int] = {}
@@ -361,36 +326,3 @@ class _Lowering:
                 else:
                     self.code.jump(ops.JNZ if wanted else ops.JZ, label, self.compare(condition))
                 self.code.free_temporaries()
-
-
-def _parallels(seq: Seq) -> Iterator[Parallel]:
-    """The parallels of a slot, in reading order, those that are never compiled left out; not what is nested in them."""
-    for node in seq.items:
-        match node:
-            case Parallel():
-                if node.branches:
-                    yield node
-            case Repeat():
-                if node.count != 0:
-                    yield from _parallels(node.body)
-            case While() | Event():
-                yield from _parallels(node.body)
-            case Conditional():
-                yield from _parallels(node.then)
-                if node.orelse is not None:
-                    yield from _parallels(node.orelse)
-
-
-def _is_marked(seq: Seq) -> bool:
-    """Whether a branch holds a marked action of its own (those of nested parallels mark their own branches)."""
-    for node in seq.items:
-        match node:
-            case Interrupt():
-                return True
-            case Repeat() | While() | Event():
-                if _is_marked(node.body):
-                    return True
-            case Conditional():
-                if _is_marked(node.then) or (node.orelse is not None and _is_marked(node.orelse)):
-                    return True
-    return False

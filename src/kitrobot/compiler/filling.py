@@ -1,0 +1,164 @@
+"""One vertex's template on its way to become LLL: the tree is copied, and each hole filled from the vertex's slots."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from kitrobot.compiler import graph_rules as rules
+from kitrobot.compiler.wiring import Wiring
+from kitrobot.diagnostics import Rule
+from kitrobot.graph import Vertex
+from kitrobot.lll import (
+    MAX_NUMBER,
+    And,
+    Break,
+    Call,
+    Condition,
+    Conditional,
+    Event,
+    Hole,
+    Interrupt,
+    Node,
+    Not,
+    Number,
+    Or,
+    Parallel,
+    Param,
+    Repeat,
+    Seq,
+    Wait,
+    While,
+)
+from kitrobot.primitives import Constructor, Slot, SlotKind
+
+
+class Walk(Protocol):
+    """What filling asks of the walk over the graph."""
+
+    wiring: Wiring
+    notes: list[str]
+
+    def report(self, rule: Rule, message: str, *vertices: str, help: str = "") -> None:
+        """Collects a diagnostic."""
+
+    def number(self, vertex: Vertex, name: str, text: str, low: int, high: int) -> int:
+        """A number that was typed in."""
+
+    def body(self, vertex: Vertex, port: str) -> Seq:
+        """What a flow slot leads to."""
+
+    def condition(self, vertex: Vertex) -> Condition:
+        """What a vertex in a condition slot becomes."""
+
+    def read(self, vertex: Vertex) -> Call:
+        """The call that a value or action vertex is."""
+
+
+def fill(walk: Walk, vertex: Vertex, constructor: Constructor) -> Any:
+    """The template of a constructor with its holes filled from a vertex of it."""
+    return _Filling(walk, vertex, constructor).node(constructor.template)
+
+
+class _Filling:
+    """One vertex's template on its way to become LLL."""
+
+    def __init__(self, walk: Walk, vertex: Vertex, constructor: Constructor) -> None:
+        self.walk = walk
+        self.vertex = vertex
+        self.constructor = constructor
+
+    def node(self, template: Any) -> Any:
+        made = _BUILDERS[type(template)](self, template)
+        made.vertex = made.vertex or self.vertex.id
+        return made
+
+    def slot(self, hole: Hole) -> Slot:
+        slot = self.constructor.slot(hole.name)
+        assert slot is not None, "a template's holes are its constructor's slots"
+        return slot
+
+    def number(self, value: int | Hole) -> int:
+        if isinstance(value, int):
+            return value
+        slot = self.slot(value)
+        text = self.vertex.settings.get(slot.name, slot.default or str(slot.minimum or 0))
+        low, high = max(0, slot.minimum or 0), MAX_NUMBER if slot.maximum is None else min(slot.maximum, MAX_NUMBER)
+        return self.walk.number(self.vertex, slot.name, text, low, high)
+
+    def filler(self, hole: Hole) -> Vertex | None:
+        filler = self.walk.wiring.fills.get((self.vertex.id, hole.name))
+        if filler is not None:
+            return self.walk.wiring.vertices[filler]
+        kind = self.slot(hole).kind
+        wanted = "a test" if kind is SlotKind.CONDITION else "an action" if kind is SlotKind.ACTION else "a value"
+        message = f"the slot `{hole.name}` of `{self.vertex.id}` ({self.vertex.element}) is empty"
+        self.walk.report(rules.EMPTY_SLOT, message, self.vertex.id, help=f"drop {wanted} on it")
+        return None
+
+    def condition(self, template: Any) -> Condition:
+        if isinstance(template, Hole):
+            vertex = self.filler(template)
+            return Call("", "") if vertex is None else self.walk.condition(vertex)
+        made: Condition = self.node(template)
+        return made
+
+    def param(self, template: Any) -> Param:
+        if not isinstance(template, Hole):
+            return Number(template.value) if isinstance(template, Number) else self.node(template)
+        if (self.vertex.id, template.name) in self.walk.wiring.fills:
+            vertex = self.filler(template)
+            assert vertex is not None
+            return self.walk.read(vertex)
+        return Number(self.number(template))
+
+    def action(self, template: Call | Hole) -> Call:
+        if isinstance(template, Hole):
+            vertex = self.filler(template)
+            return Call("", "") if vertex is None else self.walk.read(vertex)
+        made: Call = self.node(template)
+        return made
+
+    def body(self, template: Seq) -> Seq:
+        if template.hole is not None:
+            return self.walk.body(self.vertex, template.hole.name)
+        return Seq([self.node(item) for item in template.items], list(template.below))
+
+    def branches(self, templates: list[Seq]) -> list[Seq]:
+        branches: list[Seq] = []
+        for template in templates:
+            if template.hole is None or not self.slot(template.hole).repeat:
+                branches.append(self.body(template))
+                continue
+            base = template.hole.name + "."
+            ports = sorted(
+                (port for port in self.walk.wiring.ports.get(self.vertex.id, ()) if port.startswith(base)),
+                key=lambda port: int(port[len(base) :]),
+            )
+            for port in ports:
+                body = self.walk.body(self.vertex, port)
+                if body.items:
+                    branches.append(body)
+                else:
+                    self.walk.notes += body.below
+        return branches
+
+
+_BUILDERS: dict[type[Node], Callable[[_Filling, Any], Any]] = {
+    Seq: lambda f, t: f.body(t),
+    Call: lambda f, t: Call(t.object, t.method, [f.param(param) for param in t.params]),
+    Interrupt: lambda f, t: Interrupt(f.action(t.call)),
+    Repeat: lambda f, t: Repeat(f.number(t.count), f.body(t.body)),
+    While: lambda f, t: While(f.condition(t.condition), f.body(t.body)),
+    Conditional: lambda f, t: Conditional(
+        f.condition(t.condition), f.body(t.then), None if t.orelse is None else f.body(t.orelse)
+    ),
+    Event: lambda f, t: Event(f.condition(t.condition), f.body(t.body)),
+    Parallel: lambda f, t: Parallel(f.branches(t.branches)),
+    Wait: lambda f, t: Wait(f.number(t.duration)),
+    Break: lambda f, t: Break(),
+    And: lambda f, t: And(f.condition(t.left), f.condition(t.right)),
+    Or: lambda f, t: Or(f.condition(t.left), f.condition(t.right)),
+    Not: lambda f, t: Not(f.condition(t.condition)),
+    Hole: lambda f, t: f.condition(t),
+}
