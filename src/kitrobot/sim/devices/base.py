@@ -56,6 +56,10 @@ class Values:
         assert isinstance(value, str), f"{name} is a number"
         return value
 
+    def says(self, name: str, word: str) -> bool:
+        """Whether there is such a setting and it is that word."""
+        return self._values.get(name) == word
+
 
 @dataclass(frozen=True)
 class Standing:

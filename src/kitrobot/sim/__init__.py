@@ -1,0 +1,21 @@
+"""The simulator: a mission in its world, fixed step, seeded, the same run every time."""
+
+from kitrobot.sim.recording import Recorder, simulate
+from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Event, Outcome, Simulation
+from kitrobot.sim.staging import MAX_AGENTS, SimulationError
+
+__all__ = [
+    "ALARM",
+    "ARM",
+    "FAILED",
+    "LAMP",
+    "MAX_AGENTS",
+    "MOVING",
+    "AgentView",
+    "Event",
+    "Outcome",
+    "Recorder",
+    "Simulation",
+    "SimulationError",
+    "simulate",
+]

@@ -1,0 +1,51 @@
+"""The rules of runs: why a mission that reads and compiles still cannot be run in its world."""
+
+from __future__ import annotations
+
+from kitrobot.diagnostics import Severity, rule
+
+TOO_MANY = rule(
+    "run-too-many-agents",
+    Severity.ERROR,
+    "More agents than can be simulated",
+    "A run holds a limited number of agents; the message says how many.",
+)
+NO_AGENT = rule(
+    "run-no-agent",
+    Severity.ERROR,
+    "The team is empty",
+    "A run needs at least one agent: a name, and the program it runs.",
+)
+NO_PROGRAM = rule(
+    "run-no-program",
+    Severity.ERROR,
+    "A program cannot run",
+    "Every agent's program must be there, be without errors, and be for a robot that is at hand.",
+)
+START = rule(
+    "run-start",
+    Severity.ERROR,
+    "An agent cannot start",
+    "An agent starts at the world's `<start>` of its name, or the one its `start` names. What its devices need must be "
+    'there: wheels with guide="road" a road, arm and presence sensor a dock, a store sensor a storehouse. Robots start '
+    "apart from one another and from the walls.",
+)
+DEVICE = rule(
+    "run-device",
+    Severity.ERROR,
+    "A device cannot be simulated",
+    "`device` in a robot's XML names a device of the simulator; its settings are attributes with units and bounds, and "
+    "its procedures have the names the device understands.",
+)
+SHARED = rule(
+    "run-shared",
+    Severity.ERROR,
+    "A shared variable has two meanings",
+    "A shared variable is one for the whole team, so every robot that has it defines it alike: type, range, initial.",
+)
+GOAL = rule(
+    "run-goal",
+    Severity.ERROR,
+    "A goal names no storehouse",
+    "The storehouse of a goal must be in the mission's world.",
+)

@@ -1,0 +1,68 @@
+"""A device's settings, read from the attributes of its object in a robot's XML."""
+
+from __future__ import annotations
+
+import math
+
+from kitrobot.diagnostics import Diagnostic
+from kitrobot.primitives import Category, Robot, RobotObject, did_you_mean, one_of, shown
+from kitrobot.sim import rules
+from kitrobot.sim.devices import Actuator, Device, Sensor, Setting, Values, actuators, sensors
+
+
+def find_device(robot: Robot, part: RobotObject) -> tuple[type[Device] | None, list[Diagnostic]]:
+    """The bank for an actuator or sensor, and why there is none."""
+    known: dict[str, type[Device]] = dict(actuators() if part.category is Category.ACTUATOR else sensors())
+    device = known.get(part.device)
+    where = f"{robot.name}.{part.name}"
+    if device is None:
+        message = f"{where}: expected a device of the simulator ({one_of(sorted(known))}), found {shown(part.device)}"
+        return None, [rules.DEVICE(message, help=did_you_mean(part.device, known))]
+    problems = []
+    if issubclass(device, Actuator):
+        for method in part.methods:
+            if method.name not in device.procedures:
+                message = (
+                    f"{where}: the device {part.device} does {one_of(sorted(device.procedures))}, not {method.name}"
+                )
+                problems.append(rules.DEVICE(message, help=did_you_mean(method.name, device.procedures)))
+    assert issubclass(device, Actuator | Sensor)
+    return device, problems
+
+
+def read_settings(robot: Robot, part: RobotObject, device: type[Device]) -> tuple[Values, list[Diagnostic]]:
+    """The settings of one device, with what the XML leaves out filled in, and what is wrong with them."""
+    where = f"{robot.name}.{part.name}"
+    problems: list[Diagnostic] = []
+    known = {setting.name: setting for setting in device.settings}
+    values: dict[str, float | str] = {setting.name: setting.default for setting in device.settings}
+    for name, text in part.settings.items():
+        setting = known.get(name)
+        if setting is None:
+            message = f"{where}: the device {part.device} has no setting {shown(name)}"
+            problems.append(rules.DEVICE(message, help=did_you_mean(name, known)))
+            continue
+        value = _value(setting, text)
+        if value is None:
+            message = f"{where}: expected {_expected(setting)} in {name}, found {shown(text)}"
+            problems.append(rules.DEVICE(message, help=f"{name}: {setting.help}"))
+        else:
+            values[name] = value
+    return Values(values), problems
+
+
+def _value(setting: Setting, text: str) -> float | str | None:
+    if setting.words:
+        return text if text in setting.words else None
+    try:
+        number = float(text)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) and setting.least <= number <= setting.most else None
+
+
+def _expected(setting: Setting) -> str:
+    if setting.words:
+        return one_of(setting.words)
+    unit = f" {setting.unit}" if setting.unit else ""
+    return f"a number from {setting.least:g} to {setting.most:g}{unit}"
