@@ -50,7 +50,11 @@ def execute_program(
     if loaded.image is None or loaded.inputs is None:
         raise typer.Exit(1)
     made = execute(loaded.image, loaded.robot, ticks, loaded.inputs)
-    lines = (_json_line(tick) for tick in made) if as_json else _table(made, ticks, [variable.name for variable in loaded.robot.variables])
+    lines = (
+        (_json_line(tick) for tick in made)
+        if as_json
+        else _table(made, ticks, [variable.name for variable in loaded.robot.variables])
+    )
     held: list[str] = []
     for line in lines:
         held.append(line)

@@ -62,7 +62,10 @@ def _serve_page(app: FastAPI, static: Path) -> None:
     def page() -> Response:
         if index.is_file():
             return FileResponse(index, media_type="text/html")
-        message, help = "The studio's page has not been built", "run `python tools/web.py build` and load this page again"
+        message, help = (
+            "The studio's page has not been built",
+            "run `python tools/web.py build` and load this page again",
+        )
         return HTMLResponse(pages.sentence(message, help), status_code=503)
 
     app.mount("/", StaticFiles(directory=static, check_dir=False))

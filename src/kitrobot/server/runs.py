@@ -40,6 +40,7 @@ from kitrobot.server.shapes import (
 from kitrobot.server.sentences import spoken
 from kitrobot.server.studio import Studio
 from kitrobot.server.watching import Watch
+from kitrobot.workspace import ProblemsError
 
 LARGEST_MESSAGE_BYTES = 16 * 1024 * 1024
 MOST_RUNS = 8
@@ -148,10 +149,10 @@ class Session:
 
     def _prepare(self, request: StartRequest) -> Watch | ProblemsMessage:
         opened = self._studio.open(mission_from_shape(request.mission), request.path)
-        problems = opened.check().problems
-        if any(problem.is_error for problem in problems):
-            return ProblemsMessage(problems=problem_shapes(problems))
-        return Watch(opened.simulation(request.seed))
+        try:
+            return Watch(opened, opened.simulation(request.seed))
+        except ProblemsError as error:
+            return ProblemsMessage(problems=problem_shapes(error.diagnostics))
 
     async def _drive(self, watch: Watch, pace: Pace) -> None:
         self._watch, self._pace = watch, pace

@@ -1,0 +1,123 @@
+"""The use cases that the command line, the studio and Python share: open, check, convert, execute, lay out, run.
+
+The door opens lazily: a use case is imported when it is first asked for, so that laying out a text does not wait for
+the simulator.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from kitrobot.workspace.checking import FileReport, check_file
+    from kitrobot.workspace.conversion import ConversionError, Converted, convert
+    from kitrobot.workspace.examples import examples_folder, first_example
+    from kitrobot.workspace.executables import Executable, load_executable
+    from kitrobot.workspace.execution import Executed, execute
+    from kitrobot.workspace.files import FileError, look_alike
+    from kitrobot.workspace.folder import (
+        ConflictError,
+        MissionEntry,
+        MissionFolder,
+        MissionNameError,
+        ReadOnlyError,
+        revision_of,
+    )
+    from kitrobot.workspace.forms import Form, FormError
+    from kitrobot.workspace.inputs import Change, Inputs, read_inputs
+    from kitrobot.workspace.layout import Layout, lay_out, lay_out_file
+    from kitrobot.workspace.opening import (
+        NoProgramError,
+        OpenMission,
+        ProgramReport,
+        Report,
+        Span,
+        new_mission,
+        open_mission,
+        read_mission_data,
+        with_mission,
+    )
+    from kitrobot.workspace.problems import ProblemsError, with_help, written_out
+    from kitrobot.workspace.robots import find_robot
+    from kitrobot.workspace.running import Run, Timing
+
+_ROOMS = {
+    "checking": ("FileReport", "check_file"),
+    "conversion": ("ConversionError", "Converted", "convert"),
+    "examples": ("examples_folder", "first_example"),
+    "executables": ("Executable", "load_executable"),
+    "execution": ("Executed", "execute"),
+    "files": ("FileError", "look_alike"),
+    "folder": ("ConflictError", "MissionEntry", "MissionFolder", "MissionNameError", "ReadOnlyError", "revision_of"),
+    "forms": ("Form", "FormError"),
+    "inputs": ("Change", "Inputs", "read_inputs"),
+    "layout": ("Layout", "lay_out", "lay_out_file"),
+    "opening": (
+        "NoProgramError",
+        "OpenMission",
+        "ProgramReport",
+        "Report",
+        "Span",
+        "new_mission",
+        "open_mission",
+        "read_mission_data",
+        "with_mission",
+    ),
+    "problems": ("ProblemsError", "with_help", "written_out"),
+    "robots": ("find_robot",),
+    "running": ("Run", "Timing"),
+}
+_ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
+
+__all__ = [
+    "Change",
+    "ConflictError",
+    "ConversionError",
+    "Converted",
+    "Executable",
+    "Executed",
+    "FileError",
+    "FileReport",
+    "Form",
+    "FormError",
+    "Inputs",
+    "Layout",
+    "MissionEntry",
+    "MissionFolder",
+    "MissionNameError",
+    "NoProgramError",
+    "OpenMission",
+    "ProblemsError",
+    "ProgramReport",
+    "ReadOnlyError",
+    "Report",
+    "Run",
+    "Span",
+    "Timing",
+    "check_file",
+    "convert",
+    "examples_folder",
+    "execute",
+    "find_robot",
+    "first_example",
+    "lay_out",
+    "lay_out_file",
+    "load_executable",
+    "look_alike",
+    "new_mission",
+    "open_mission",
+    "read_inputs",
+    "read_mission_data",
+    "revision_of",
+    "with_help",
+    "with_mission",
+    "written_out",
+]
+
+
+def __getattr__(name: str) -> Any:
+    room = _ROOM_OF.get(name)
+    if room is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{room}"), name)

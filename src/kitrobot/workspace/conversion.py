@@ -84,7 +84,9 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
     """
     form, wanted = form_of(source), form_of(target)
     if form is wanted:
-        raise ConversionError(f"`{source}` and `{target}` are both {form.words}", f"give B another ending: {_ways(form)}")
+        raise ConversionError(
+            f"`{source}` and `{target}` are both {form.words}", f"give B another ending: {_ways(form)}"
+        )
     if wanted not in _WAYS[form]:
         raise ConversionError(
             f"{_NO_NAMES[form]} {_article(wanted)}",

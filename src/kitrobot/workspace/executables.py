@@ -60,7 +60,9 @@ def load_executable(
     if form is Form.MISSION:
         loaded = _mission(path, robot, program)
     elif robot is None:
-        raise NoRobotError(f"`{path}` does not say which robot it is for", "name the robot with --robot, a name or a `.robot.xml`")
+        raise NoRobotError(
+            f"`{path}` does not say which robot it is for", "name the robot with --robot, a name or a `.robot.xml`"
+        )
     elif form is Form.TEXT:
         loaded = _text(path, find_robot(robot, path.parent))
     else:

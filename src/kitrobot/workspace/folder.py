@@ -97,7 +97,9 @@ class MissionFolder:
         pure = PurePosixPath(inner)
         wrong = not inner or pure.is_absolute() or ".." in pure.parts or _ON_WINDOWS.search(inner) or len(inner) > 1000
         if wrong or pure.suffix.lower() != ENDING or not pure.stem.strip("."):
-            raise MissionNameError(f"`{name[:80]}` is no name of a mission", f"give a name in this folder that ends with `{ENDING}`")
+            raise MissionNameError(
+                f"`{name[:80]}` is no name of a mission", f"give a name in this folder that ends with `{ENDING}`"
+            )
         path = root / pure
         try:
             real = path.resolve()
@@ -170,7 +172,10 @@ def _conflict(name: str, before: str, now: str) -> ConflictError:
     elif not now:
         sentence, help = f"the file of `{name}` was removed meanwhile", "save again to write it anew"
     else:
-        sentence, help = f"the file of `{name}` was changed by somebody else meanwhile", "open it again, or save again to replace it"
+        sentence, help = (
+            f"the file of `{name}` was changed by somebody else meanwhile",
+            "open it again, or save again to replace it",
+        )
     return ConflictError(sentence, help, revision=now)
 
 

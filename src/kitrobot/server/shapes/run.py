@@ -62,9 +62,9 @@ class SpeedRequest(BaseModel):
 RunRequest = Annotated[
     StartRequest | PauseRequest | ResumeRequest | StepRequest | StopRequest | SpeedRequest, Field(discriminator="type")
 ]
-REQUEST: TypeAdapter[
-    StartRequest | PauseRequest | ResumeRequest | StepRequest | StopRequest | SpeedRequest
-] = TypeAdapter(RunRequest)
+REQUEST: TypeAdapter[StartRequest | PauseRequest | ResumeRequest | StepRequest | StopRequest | SpeedRequest] = (
+    TypeAdapter(RunRequest)
+)
 
 
 class StartedAgentShape(BaseModel):

@@ -1,0 +1,271 @@
+"""A mission opened: its parts, the robots and constructors it is made of, its world, and everything that is wrong with it.
+
+An `OpenMission` comes from a file or, in the studio, from the page; then there is no text to point into and diagnostics
+keep the places they have in the LLL. Opening reads; `check` looks everything through; `run` is in `running`. What is wrong
+with XML files that the mission does not need never stands in its way: it is in `catalogue.problems`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kitrobot.compiler import Compiled, compile_program
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
+from kitrobot.graph import Program, empty_program
+from kitrobot.image import disassemble
+from kitrobot.lll import nodes
+from kitrobot.mission import Agent, Mission, Team, read_mission
+from kitrobot.primitives import Catalogue, load_catalogue
+from kitrobot.workspace.files import read_bytes
+from kitrobot.workspace.places import Places
+from kitrobot.workspace.problems import ProblemsError
+from kitrobot.workspace.robots import find_robot
+from kitrobot.workspace.team import team_problems
+from kitrobot.world import World, find_world, read_world
+
+if TYPE_CHECKING:
+    from kitrobot.sim import Simulation
+    from kitrobot.workspace.running import Progress, Run
+
+NO_WORLD = rule(
+    "mission-no-world",
+    Severity.ERROR,
+    "The world of a mission is not there",
+    "A world's file is looked for in the mission's folder and among the worlds that come with KitRobot. A path that leads"
+    " out of the folder is not followed.",
+)
+NEW_PROGRAM, NEW_ROBOT, NEW_AGENT = "program-1", "mini-robot", "robot-1"
+
+
+class NoProgramError(KitRobotError):
+    """A mission has no such program, or several where one must be chosen."""
+
+
+@dataclass(frozen=True)
+class Span:
+    """The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1."""
+
+    vertex: str
+    start: int
+    end: int
+    line: int
+
+
+@dataclass(frozen=True)
+class ProgramReport:
+    """What a program becomes; `listing` is empty and `instructions` 0 when it has errors."""
+
+    name: str
+    lll: str
+    spans: tuple[Span, ...]
+    listing: str
+    instructions: int
+
+
+@dataclass(frozen=True)
+class Report:
+    """A mission looked through: each program, every problem, and the texts that the problems point into."""
+
+    programs: tuple[ProgramReport, ...]
+    problems: tuple[Diagnostic, ...]
+    sources: tuple[Source, ...] = ()
+
+    @property
+    def ok(self) -> bool:
+        """Whether the mission can run."""
+        return not any(problem.is_error for problem in self.problems)
+
+
+@dataclass(frozen=True)
+class OpenMission:
+    """A mission and what it needs. `diagnostics` is what its files say that is wrong; `text` is its `.krt`, if there is one."""
+
+    name: str
+    mission: Mission
+    catalogue: Catalogue
+    world: World | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+    sources: tuple[Source, ...] = ()
+    text: Source | None = None
+    path: Path | None = None
+
+    @cached_property
+    def places(self) -> Places | None:
+        """Where things stand in the `.krt`; None when there is no text."""
+        return Places(self.text) if self.text is not None else None
+
+    def placed(self, diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+        """Diagnostics about vertices and arcs with their places in the `.krt`, if there is one."""
+        return self.places.placed(diagnostics) if self.places is not None else list(diagnostics)
+
+    def program(self, name: str | None = None) -> Program:
+        """The program of that name; without a name, the only one.
+
+        Raises:
+            NoProgramError: there is none of that name, or there are several to choose from.
+        """
+        programs = self.mission.programs
+        names = ", ".join(f"`{program.name}`" for program in programs)
+        if name is None:
+            if len(programs) == 1:
+                return programs[0]
+            if not programs:
+                raise NoProgramError(f"`{self.name}` holds no program", "draw one in the studio")
+            raise NoProgramError(f"`{self.name}` holds {len(programs)} programs: {names}", "choose one with --program")
+        found = self.mission.program(name)
+        if found is None:
+            raise NoProgramError(f"`{self.name}` holds no program `{name}`", f"its programs: {names or 'none'}")
+        return found
+
+    @cached_property
+    def compiled(self) -> Mapping[str, Compiled]:
+        """Each program compiled, by name, as far as its robot is at hand."""
+        robots = self.catalogue.robots
+        return {
+            program.name: compile_program(program, self.catalogue)
+            for program in self.mission.programs
+            if program.robot in robots
+        }
+
+    def check(self) -> Report:
+        """Looks everything through: the files, the programs, and whether the parts fit together."""
+        return self.report
+
+    @cached_property
+    def report(self) -> Report:
+        """What `check` gives; worked out once."""
+        found = list(self.diagnostics)
+        found += team_problems(self.mission, self.catalogue, self.world, self.places)
+        for compiled in self.compiled.values():
+            found += self.placed(compiled.diagnostics)
+        if self.mission.team.agents and not any(item.is_error for item in found):
+            found += self._stage_problems()
+        sources = [*self.sources, *(compiled.source for compiled in self.compiled.values())]
+        return Report(tuple(self._program_reports()), tuple(found), tuple(sources))
+
+    def _stage_problems(self) -> tuple[Diagnostic, ...]:
+        """What keeps a team from taking its places in the world."""
+        from kitrobot.workspace.running import stage
+
+        try:
+            stage(self, seed=0)
+        except ProblemsError as error:
+            return error.diagnostics
+        return ()
+
+    def _program_reports(self) -> Iterable[ProgramReport]:
+        for program in self.mission.programs:
+            compiled = self.compiled.get(program.name)
+            if compiled is None:
+                yield ProgramReport(program.name, "", (), "", 0)
+                continue
+            image = compiled.image
+            listing = disassemble(image) if image is not None else ""
+            instructions = image.instructions if image is not None else 0
+            yield ProgramReport(program.name, compiled.source.text, tuple(_spans(compiled)), listing, instructions)
+
+    def simulation(self, seed: int = 1) -> Simulation:
+        """The mission in its world, before its first tick.
+
+        Raises:
+            ProblemsError: the mission has errors.
+        """
+        from kitrobot.workspace.running import simulation
+
+        return simulation(self, seed)
+
+    def run(
+        self, seed: int = 1, seconds: float = 600.0, trace: Path | None = None, progress: Progress | None = None
+    ) -> Run:
+        """Runs the mission in the simulator, as fast as it goes.
+
+        Args:
+            seed: where chance begins; the same seed gives the same run.
+            seconds: simulated seconds after which it is out of time.
+            trace: a file to record the run in.
+            progress: is told the simulated seconds so far, now and then.
+
+        Raises:
+            ProblemsError: the mission has errors.
+            TraceError: the trace cannot be written.
+        """
+        from kitrobot.workspace.running import run
+
+        return run(self, seed, seconds, trace, progress)
+
+
+def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
+    """Opens a `.krt` with what lies beside it.
+
+    Args:
+        path: the file.
+        robot: a robot's name or file, in place of the ones that the programs are for.
+
+    Raises:
+        FileError: the file cannot be read.
+        ProblemsError: nothing of the file can be used.
+        KitRobotError: there is no such robot.
+    """
+    opened = read_mission_data(read_bytes(path), str(path), path.parent)
+    opened = replace(opened, path=path)
+    if robot is not None:
+        meant = find_robot(robot, path.parent)
+        opened.catalogue.robots[meant.name] = meant
+        for program in opened.mission.programs:
+            program.robot = meant.name
+    return opened
+
+
+def read_mission_data(data: bytes, name: str, folder: Path, *, catalogue: Catalogue | None = None) -> OpenMission:
+    """Opens the bytes of a `.krt`; robots, constructors and the world are looked for in `folder` too.
+
+    Raises:
+        ProblemsError: nothing of it can be used.
+    """
+    mission, diagnostics = read_mission(data, name)
+    text = Source(name, data.decode("utf-8-sig", errors="replace"))
+    if mission is None:
+        raise ProblemsError(f"`{name}` cannot be opened", "", tuple(diagnostics), (text,))
+    opened = _open(mission, name, folder, catalogue, Places(text))
+    return replace(opened, diagnostics=(*diagnostics, *opened.diagnostics), sources=(text, *opened.sources), text=text)
+
+
+def with_mission(mission: Mission, folder: Path, *, name: str, catalogue: Catalogue | None = None) -> OpenMission:
+    """Opens a mission that is no file (yet), with what lies in `folder`."""
+    return _open(mission, name, folder, catalogue, None)
+
+
+def new_mission() -> Mission:
+    """The mission to begin with: one program, start and stop, and one robot in the empty world."""
+    return mission_of(empty_program(NEW_PROGRAM, NEW_ROBOT))
+
+
+def mission_of(program: Program) -> Mission:
+    """A mission of one program, with one robot in the empty world."""
+    return Mission(programs=[program], team=Team(agents=[Agent(NEW_AGENT, program.name)]))
+
+
+def _open(mission: Mission, name: str, folder: Path, catalogue: Catalogue | None, places: Places | None) -> OpenMission:
+    known = catalogue if catalogue is not None else load_catalogue([folder])
+    path = find_world(mission.world_href, [folder])
+    if path is None:
+        place = (places.world or Place(name)) if places is not None else None
+        found = NO_WORLD(f"there is no world `{mission.world_href}`", place, help=f"put its file into `{folder.name}`")
+        return OpenMission(name, mission, known, None, (found,))
+    data = read_bytes(path)
+    world, diagnostics = read_world(data, path.name)
+    source = Source(path.name, data.decode("utf-8-sig", errors="replace"))
+    return OpenMission(name, mission, known, world, tuple(diagnostics), (source,))
+
+
+def _spans(compiled: Compiled) -> Iterable[Span]:
+    """The outermost stretches of each vertex, in reading order."""
+    ends: dict[str, int] = {}
+    for node in nodes(compiled.program):
+        if node.vertex is not None and node.start >= ends.get(node.vertex, 0) and node.end > node.start:
+            ends[node.vertex] = node.end
+            yield Span(node.vertex, node.start, node.end, compiled.source.position(node.start)[0])

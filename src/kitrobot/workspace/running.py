@@ -1,0 +1,118 @@
+"""A mission run in the simulator, and what came of it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place
+from kitrobot.sim import Simulation, SimulationError, simulate
+from kitrobot.workspace.files import same_file
+from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.problems import ProblemsError
+
+Progress = Callable[[float], None]
+"""Told the simulated seconds so far, now and then."""
+
+
+class TracePlaceError(KitRobotError):
+    """The trace would be written over the mission."""
+
+
+@dataclass(frozen=True)
+class Timing:
+    """What the clock on the wall decided: seconds to open and compile, seconds to run, simulated seconds a real second."""
+
+    prepare_seconds: float
+    real_seconds: float
+    speed: float
+
+
+@dataclass(frozen=True)
+class Run:
+    """What came of a run; everything but `timing` follows from the mission and the seed.
+
+    Attributes:
+        outcome: done, failed, stuck (nothing can change any more) or time (the time given ran out).
+        sentence: why it ended.
+        ticks: steps of the simulator.
+        seconds: simulated time.
+        delivered: boxes that each carrier brought, by its name.
+        total: boxes there are.
+        collisions: how many times a robot began to touch something.
+        timing: what the clock on the wall decided.
+    """
+
+    outcome: Literal["done", "failed", "stuck", "time"]
+    sentence: str
+    ticks: int
+    seconds: float
+    delivered: Mapping[str, int]
+    total: int
+    collisions: int
+    timing: Timing
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain values, in the published shape."""
+        return {
+            "outcome": self.outcome,
+            "sentence": self.sentence,
+            "ticks": self.ticks,
+            "seconds": self.seconds,
+            "delivered": dict(self.delivered),
+            "total": self.total,
+            "collisions": self.collisions,
+            "timing": {name: round(value, 3) for name, value in asdict(self.timing).items()},
+        }
+
+
+def simulation(opened: OpenMission, seed: int, seconds: float | None = None) -> Simulation:
+    """A mission in its world, before its first tick; `seconds` is its time limit.
+
+    Raises:
+        ProblemsError: the mission has errors; all are told.
+    """
+    report = opened.report
+    if not report.ok:
+        raise ProblemsError(f"`{opened.name}` has errors, so it was not run", "", report.problems, report.sources)
+    return stage(opened, seed, seconds)
+
+
+def stage(opened: OpenMission, seed: int, seconds: float | None = None) -> Simulation:
+    """As `simulation`, for a mission that was found free of errors otherwise.
+
+    Raises:
+        ProblemsError: it does not fit its world.
+    """
+    assert opened.world is not None, "a mission without its world has an error"
+    try:
+        return Simulation(opened.mission, opened.world, opened.compiled, opened.catalogue, seed, seconds)
+    except SimulationError as error:
+        found = tuple(_placed(opened, item) for item in error.diagnostics)
+        raise ProblemsError(f"`{opened.name}` cannot be run", "", found, opened.sources) from None
+
+
+def run(opened: OpenMission, seed: int, seconds: float, trace: Path | None, progress: Progress | None) -> Run:
+    """Runs a mission to its end; see `OpenMission.run`."""
+    if trace is not None and opened.path is not None and same_file(trace, opened.path):
+        raise TracePlaceError(f"the trace would be written over `{trace}`", "give it a name of its own")
+    began = time.perf_counter()
+    made = simulation(opened, seed, seconds)
+    ready = time.perf_counter()
+    simulate(made, trace, None if progress is None else lambda now: progress(now.seconds))
+    real = time.perf_counter() - ready
+    assert made.outcome is not None, "a run with a time limit ends"
+    timing = Timing(ready - began, real, made.seconds / real if real > 0 else 0.0)
+    return Run(
+        made.outcome, made.sentence, made.tick, made.seconds, made.delivered, made.total, made.collisions, timing
+    )
+
+
+def _placed(opened: OpenMission, item: Diagnostic) -> Diagnostic:
+    """What the stage found, with the mission's file as its place where it has none."""
+    if item.place is not None or opened.text is None:
+        return item
+    return opened.placed([item])[0] if item.program else replace(item, place=Place(opened.name))

@@ -1,0 +1,92 @@
+"""Whether a mission hangs together: agents, their programs and robots, the places of the world that they need."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+
+from kitrobot.diagnostics import Diagnostic, Place, Severity, rule
+from kitrobot.mission import Mission
+from kitrobot.primitives import Catalogue, did_you_mean
+from kitrobot.workspace.places import Places
+from kitrobot.world import World
+
+SAME_NAME = rule(
+    "mission-same-name",
+    Severity.ERROR,
+    "Two programs or two agents have one name",
+    "Programs and agents are known by their names, so each name is used once.",
+)
+NO_ROBOT = rule(
+    "mission-no-robot",
+    Severity.ERROR,
+    "A program is for a robot that is not at hand",
+    "Robots come with KitRobot, from the user's own folder, and from the mission's folder.",
+)
+NO_START = rule(
+    "mission-no-start",
+    Severity.ERROR,
+    "An agent has no place to start from",
+    "An agent starts at the start of the world that has its name, or at the one that its `start` names.",
+)
+NO_STOREHOUSE = rule(
+    "mission-no-storehouse",
+    Severity.ERROR,
+    "A goal names a storehouse that is not in the world",
+    "A goal says what a storehouse of the world holds in the end.",
+)
+
+
+def team_problems(
+    mission: Mission, catalogue: Catalogue, world: World | None, places: Places | None
+) -> list[Diagnostic]:
+    """What is wrong between the parts of a mission; without a world nothing is said about places in it."""
+    look = _Look(mission, catalogue, world, places)
+    return [*look.programs(), *look.agents(), *look.goals()]
+
+
+class _Look:
+    def __init__(self, mission: Mission, catalogue: Catalogue, world: World | None, places: Places | None) -> None:
+        self.mission = mission
+        self.catalogue = catalogue
+        self.world = world
+        self.places = places
+
+    def programs(self) -> Iterable[Diagnostic]:
+        names = Counter(program.name for program in self.mission.programs)
+        for name in (name for name, count in names.items() if count > 1):
+            yield SAME_NAME(f"{names[name]} programs are called `{name}`", self._program(name), program=name)
+        robots = self.catalogue.robots
+        for program in self.mission.programs:
+            if program.robot not in robots:
+                message = f"the program `{program.name}` is for the robot `{program.robot}`, which is not at hand"
+                help = did_you_mean(program.robot, robots) or f"robots at hand: {', '.join(robots)}"
+                yield NO_ROBOT(message, self._program(program.name), help=help, program=program.name)
+
+    def agents(self) -> Iterable[Diagnostic]:
+        team = self.mission.team
+        names = Counter(agent.name for agent in team.agents)
+        for name in (name for name, count in names.items() if count > 1):
+            yield SAME_NAME(f"{names[name]} agents are called `{name}`", self._agent(name))
+        for agent in team.agents:
+            if self.world is not None and self.world.start(agent.start_name) is None:
+                starts = [start.name for start in self.world.starts]
+                message = (
+                    f"`{agent.name}` would start at `{agent.start_name}`, which the world `{self.world.name}` has not"
+                )
+                help = did_you_mean(agent.start_name, starts) or f"starts there: {', '.join(starts) or 'none'}"
+                yield NO_START(message, self._agent(agent.name), help=help)
+
+    def goals(self) -> Iterable[Diagnostic]:
+        for index, goal in enumerate(self.mission.team.goals):
+            if self.world is not None and self.world.storehouse(goal.storehouse) is None:
+                houses = [house.name for house in self.world.storehouses]
+                message = f"the world `{self.world.name}` has no storehouse `{goal.storehouse}`"
+                help = did_you_mean(goal.storehouse, houses) or f"storehouses there: {', '.join(houses) or 'none'}"
+                yield NO_STOREHOUSE(message, self.places.goal(index) if self.places else None, help=help)
+
+    def _program(self, name: str) -> Place | None:
+        return self.places.program(name) if self.places else None
+
+    def _agent(self, name: str) -> Place | None:
+        return self.places.agent(name) if self.places else None
