@@ -9,9 +9,9 @@
     for tick in kitrobot.execute(compiled.image, kitrobot.robot("mini-robot"), ticks=60):
         print(tick.commands)
 
-The package is a door like the command line: what it gives is what that gives, as objects. Types: `OpenMission`, `Report`, `Run`
-and `Timing` of missions; `Parsed` and `Compiled` of programs; `Executed` of ticks; `Diagnostic` for what is wrong, collected and
-never raised; `KitRobotError` for what failed. What is not asked for is not imported.
+The package is a door like the command line: what it gives is what that gives, as objects. Types: `OpenMission`,
+`Report`, `Run` and `Timing` of missions; `Parsed` and `Compiled` of programs; `Executed` of ticks; `Diagnostic` for
+what is wrong, collected and never raised; `KitRobotError` for what failed. What is not asked for is not imported.
 """
 
 from __future__ import annotations

@@ -60,8 +60,9 @@ def _kitrobot(
 ) -> None:
     """Draw a program as a graph and run it on small robots, alone or as a team.
 
-    `kitrobot [FILE.krt | FOLDER]` opens the studio in the browser, with an example when nothing is named; its options are
-    those of `kitrobot studio`. With KITROBOT_DEBUG=1 in the environment an unexpected error shows where it happened.
+    `kitrobot [FILE.krt | FOLDER]` opens the studio in the browser, with an example when nothing is named; its options
+    are those of `kitrobot studio`. With KITROBOT_DEBUG=1 in the environment an unexpected error shows where it
+    happened.
     """
 
 

@@ -39,9 +39,9 @@ def execute_program(
 ) -> None:
     """Run one program against scripted inputs, without a world.
 
-    Each tick shows the commands handed to the devices, the variables after the tick, the fault flag, and whether the program
-    has ended. Before any row of the inputs, sensors are 0 and every device is done; a row holds from its tick on, an empty
-    cell changes nothing. The exit status is 1 when the program or the inputs have errors.
+    Each tick shows the commands handed to the devices, the variables after the tick, the fault flag, and whether the
+    program has ended. Before any row of the inputs, sensors are 0 and every device is done; a row holds from its tick
+    on, an empty cell changes nothing. The exit status is 1 when the program or the inputs have errors.
     """
     from kitrobot.workspace import execute, load_executable
 

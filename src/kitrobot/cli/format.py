@@ -21,8 +21,8 @@ def format_files(
 ) -> None:
     """Lay out LLL texts the one true way; comments are kept.
 
-    The result goes to standard output. Only the syntax is looked at, so no robot is needed. A text with a mistake is not
-    touched: the mistake is shown and the exit status is 1.
+    The result goes to standard output. Only the syntax is looked at, so no robot is needed. A text with a mistake is
+    not touched: the mistake is shown and the exit status is 1.
     """
     if write and check:
         raise typer.BadParameter("choose one of --write and --check")

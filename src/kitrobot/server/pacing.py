@@ -1,8 +1,8 @@
 """How many ticks are due: simulated time against the clock, at any speed.
 
-Representation: an anchor (a moment of the clock and the tick reached then) from which the tick that is due follows by the
-speed. Whatever changes the pace (speed, pause, a machine too slow to keep up) sets a new anchor, so a run never races
-to make up for time that it could not use. Left to others: running the ticks, waiting.
+Representation: an anchor (a moment of the clock and the tick reached then) from which the tick that is due follows by
+the speed. Whatever changes the pace (speed, pause, a machine too slow to keep up) sets a new anchor, so a run never
+races to make up for time that it could not use. Left to others: running the ticks, waiting.
 """
 
 from __future__ import annotations

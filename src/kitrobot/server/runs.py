@@ -1,10 +1,10 @@
 """`WS /api/run`: a run that the page starts, steers and watches.
 
-One run at a time on a socket, in a task of its own; it ends when the socket closes. The task goes round thirty times a
-second: so many ticks as the pace asks for, computed in a thread so that nobody waits for them, then what changed: one
-binary frame with the poses and one JSON message with the rest. Requests are read meanwhile; they change the pace or set a flag
-and wake the task, so they take hold at its next round. A request that is not understood is answered with a sentence,
-one that comes too late (a pause after the end) is passed over.
+One run at a time on a socket, in a task of its own; it ends when the socket closes. The task goes round thirty times
+a second: so many ticks as the pace asks for, computed in a thread so that nobody waits for them, then what changed:
+one binary frame with the poses and one JSON message with the rest. Requests are read meanwhile; they change the pace
+or set a flag and wake the task, so they take hold at its next round. A request that is not understood is answered
+with a sentence, one that comes too late (a pause after the end) is passed over.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from pydantic import BaseModel, ValidationError
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.pacing import SLOWEST, UNPACED, Pace
+from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     REQUEST,
     ErrorMessage,
@@ -37,7 +38,6 @@ from kitrobot.server.shapes import (
     mission_from_shape,
     problem_shapes,
 )
-from kitrobot.server.sentences import spoken
 from kitrobot.server.studio import Studio
 from kitrobot.server.watching import Watch
 from kitrobot.workspace import ProblemsError

@@ -1,8 +1,8 @@
 """A run as the page sees it: frames of poses, and messages of what changed since the last one.
 
-The simulator speaks of instructions, the page of vertices: each agent's threads are brought back to vertices through the debug
-map of its program. What is told is remembered, so that an agent that did not change is not told again. Events are
-collected over all the ticks between two messages.
+The simulator speaks of instructions, the page of vertices: each agent's threads are brought back to vertices through
+the debug map of its program. What is told is remembered, so that an agent that did not change is not told again.
+Events are collected over all the ticks between two messages.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-"""Every problem of a file, whatever its kind: missions, LLL texts, images, listings, and XML of robots, constructors, worlds.
+"""Every problem of a file, whatever its kind: missions, LLL texts, images, listings, and XML of robots, constructors,
+worlds.
 
-The kind is told by the ending or, for XML, by the first element. A file that cannot be read is a problem like the others, so
-looking at many files goes on after it.
+The kind is told by the ending or, for XML, by the first element. A file that cannot be read is a problem like the
+others, so looking at many files goes on after it.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ UNKNOWN_KIND = rule(
     "file-unknown-kind",
     Severity.ERROR,
     "A file is of no kind that is known here",
-    "Known are `.krt`, `.lll`, `.kri`, `.kra`, and XML whose first element is <robot>, <constructors>, <world> or <kitrobot>.",
+    "Known are `.krt`, `.lll`, `.kri`, `.kra`, and XML whose first element is <robot>, <constructors>, <world> or"
+    " <kitrobot>.",
 )
 UNUSABLE = rule(
     "image-unusable",

@@ -2,8 +2,8 @@
 
     .krt → .lll .kri .kra      .lll → .krt .kri .kra      .kri → .kra      .kra → .kri
 
-Going down, every pass of the compiler has its say; nothing is written when one finds an error that the form cannot bear.
-An image keeps no names, so there is no way up from it. The file that is read is never written to.
+Going down, every pass of the compiler has its say; nothing is written when one finds an error that the form cannot
+bear. An image keeps no names, so there is no way up from it. The file that is read is never written to.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ ROBOT_ELSEWHERE = rule(
     "robot-elsewhere",
     Severity.WARNING,
     "The mission names a robot that is not beside it",
-    "A mission finds its robots among those that come with KitRobot, the user's own, and those in its own folder. Put the"
-    " robot's file into the mission's folder.",
+    "A mission finds its robots among those that come with KitRobot, the user's own, and those in its own folder. Put"
+    " the robot's file into the mission's folder.",
 )
 
 _NO_NAMES = {
@@ -50,7 +50,9 @@ class ConversionError(KitRobotError):
 
 @dataclass(frozen=True)
 class Converted:
-    """What became of a conversion: whether the file was written, and what there is to say, with the texts it points into."""
+    """What became of a conversion: whether the file was written, and what there is to say, with the texts it points
+    into.
+    """
 
     target: Path
     written: bool

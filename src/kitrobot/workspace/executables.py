@@ -54,7 +54,8 @@ def load_executable(
         inputs: a table of inputs (CSV); None for none.
 
     Raises:
-        KitRobotError: a file cannot be read, the robot or program is not there, the image is damaged or not for the robot.
+        KitRobotError: a file cannot be read, the robot or program is not there, the image is damaged or not for the
+        robot.
     """
     form = form_of(path, FORMS)
     if form is Form.MISSION:

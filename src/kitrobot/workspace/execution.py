@@ -1,8 +1,8 @@
 """One program against scripted inputs, without a world: what it commands and what its variables become, tick by tick.
 
 The machine is the same as everywhere. Inputs are what the script says, from the tick of each row on; before any row a
-sensor is 0 (or the end of its range nearest to 0) and every device is done. Nothing but the script moves them: no device
-answers, so a program can be looked at alone.
+sensor is 0 (or the end of its range nearest to 0) and every device is done. Nothing but the script moves them: no
+device answers, so a program can be looked at alone.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ NO_INPUTS = Inputs()
 class Executed:
     """One tick: the commands handed to the devices, in their order, and what holds after it.
 
-    `variables` is in the order of the robot's file, a boolean as 0 or 1; `fault` is 1 once a value was clamped; `ended` says
-    whether the program's own thread has ended.
+    `variables` is in the order of the robot's file, a boolean as 0 or 1; `fault` is 1 once a value was clamped;
+    `ended` says whether the program's own thread has ended.
     """
 
     tick: int

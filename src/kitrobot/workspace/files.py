@@ -1,8 +1,8 @@
 """Files on disk: read whole or refused with a sentence, written whole or not at all.
 
 Every way a file can fail (missing, a folder, not ours to read, too large, not UTF-8) becomes a `FileError` that names
-the file and a way out. A write goes to a temporary file beside its place and is moved there, so a reader, or a power cut,
-finds the old content or the new one. Left to others: what the bytes mean.
+the file and a way out. A write goes to a temporary file beside its place and is moved there, so a reader, or a power
+cut, finds the old content or the new one. Left to others: what the bytes mean.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ UNREADABLE = rule(
     "file-unreadable",
     Severity.ERROR,
     "A file could not be read",
-    "The file is missing, is a folder, may not be read, is too large, or is not text in UTF-8. The other files that were"
-    " named in the same command are still looked at.",
+    "The file is missing, is a folder, may not be read, is too large, or is not text in UTF-8. The other files that"
+    " were named in the same command are still looked at.",
 )
 
 

@@ -1,9 +1,9 @@
 """The missions of one folder, and the examples beside them: listed, read, saved; nothing outside can be reached.
 
-A mission is named by its path relative to the folder, with `/` between the parts; an example by `example:` and its path
-among the examples, and it is read-only. A name is followed through links before it is used, and refused when it leads out
-of its folder. A *revision* names a file's content, so that a save which would overwrite what somebody else wrote
-meanwhile is noticed. Left to others: what a mission says.
+A mission is named by its path relative to the folder, with `/` between the parts; an example by `example:` and its
+path among the examples, and it is read-only. A name is followed through links before it is used, and refused when it
+leads out of its folder. A *revision* names a file's content, so that a save which would overwrite what somebody else
+wrote meanwhile is noticed. Left to others: what a mission says.
 """
 
 from __future__ import annotations
@@ -110,7 +110,9 @@ class MissionFolder:
         return path
 
     def folder_of(self, name: str) -> Path:
-        """The folder that a mission's own robots, constructors and worlds are in; `root` for a mission without a name."""
+        """The folder that a mission's own robots, constructors and worlds are in; `root` for a mission without a
+        name.
+        """
         return self.path_of(name).parent if name else self.root
 
     def read(self, name: str) -> tuple[bytes, str]:

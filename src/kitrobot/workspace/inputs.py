@@ -4,10 +4,11 @@
     0,40,
     12,8,0
 
-The header names the columns: `tick`, then sensors (`Captor`) and devices' done flags (`done:Motor`). A row holds from its
-tick on; an empty cell changes nothing. Representation: the changes of each tick, in the order of the rows; nothing in
-them is unknown or out of order. Numbers are kept as written: the machine clamps them to the sensor's range. A tolerant
-reader of the format itself: byte order mark, any line ends, quoted cells, spaces around cells and blank lines are fine.
+The header names the columns: `tick`, then sensors (`Captor`) and devices' done flags (`done:Motor`). A row holds from
+its tick on; an empty cell changes nothing. Representation: the changes of each tick, in the order of the rows;
+nothing in them is unknown or out of order. Numbers are kept as written: the machine clamps them to the sensor's
+range. A tolerant reader of the format itself: byte order mark, any line ends, quoted cells, spaces around cells and
+blank lines are fine.
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
-"""A mission opened: its parts, the robots and constructors it is made of, its world, and everything that is wrong with it.
+"""A mission opened: its parts, the robots and constructors it is made of, its world, and everything that is wrong
+with it.
 
-An `OpenMission` comes from a file or, in the studio, from the page; then there is no text to point into and diagnostics
-keep the places they have in the LLL. Opening reads; `check` looks everything through; `run` is in `running`. What is wrong
-with XML files that the mission does not need never stands in its way: it is in `catalogue.problems`.
+An `OpenMission` comes from a file or, in the studio, from the page; then there is no text to point into and
+diagnostics keep the places they have in the LLL. Opening reads; `check` looks everything through; `run` is in
+`running`. What is wrong with XML files that the mission does not need never stands in its way: it is in
+`catalogue.problems`.
 """
 
 from __future__ import annotations
@@ -35,8 +37,8 @@ NO_WORLD = rule(
     "mission-no-world",
     Severity.ERROR,
     "The world of a mission is not there",
-    "A world's file is looked for in the mission's folder and among the worlds that come with KitRobot. A path that leads"
-    " out of the folder is not followed.",
+    "A world's file is looked for in the mission's folder and among the worlds that come with KitRobot. A path that"
+    " leads out of the folder is not followed.",
 )
 NEW_PROGRAM, NEW_ROBOT, NEW_AGENT = "program-1", "mini-robot", "robot-1"
 
@@ -82,7 +84,9 @@ class Report:
 
 @dataclass(frozen=True)
 class OpenMission:
-    """A mission and what it needs. `diagnostics` is what its files say that is wrong; `text` is its `.krt`, if there is one."""
+    """A mission and what it needs. `diagnostics` is what its files say that is wrong; `text` is its `.krt`, if there
+    is one.
+    """
 
     name: str
     mission: Mission

@@ -1,7 +1,8 @@
 """Where the vertices, arcs and agents of a mission stand in the text of its `.krt`.
 
-The compiler speaks of vertices and arcs; a person with the file in an editor wants a line. The start tags of the file are
-looked up by one scan; what the file does not hold has no place. A mission with mistakes in its XML was refused before.
+The compiler speaks of vertices and arcs; a person with the file in an editor wants a line. The start tags of the file
+are looked up by one scan; what the file does not hold has no place. A mission with mistakes in its XML was refused
+before.
 """
 
 from __future__ import annotations

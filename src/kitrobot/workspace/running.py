@@ -24,7 +24,9 @@ class TracePlaceError(KitRobotError):
 
 @dataclass(frozen=True)
 class Timing:
-    """What the clock on the wall decided: seconds to open and compile, seconds to run, simulated seconds a real second."""
+    """What the clock on the wall decided: seconds to open and compile, seconds to run, simulated seconds a real
+    second.
+    """
 
     prepare_seconds: float
     real_seconds: float
