@@ -21,7 +21,7 @@ from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, Slo
 from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.primitives.templates import holes
 from kitrobot.primitives.xml import TEXTS, Reader
-from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, shown
+from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, one_of, shown
 
 VERSION = 1
 """The newest version of the format that is read."""
@@ -34,6 +34,9 @@ MOST_BRANCHES = 16
 
 LONGEST_CODE = 10_000
 """Characters of `<code>`, at most."""
+
+NAME_IN_WORDS = "a name of letters, digits and _ (not WAIT or BREAK)"
+"""What messages say of a name of the language."""
 
 _TAKEN_PORTS = ("in", "next", "return")
 _TAKEN_ELEMENTS = ("Start", "Stop")
@@ -71,7 +74,7 @@ def icon(element: Element) -> str:
 
 def _slot(element: Element) -> Slot:
     kind = SlotKind(element.name)
-    name = element.matching("name", is_name, "a name of letters, digits and _")
+    name = element.matching("name", is_name, NAME_IN_WORDS)
     if name in _TAKEN_PORTS:
         element.report(rules.SLOT, f"a slot cannot be named {name}, a port of every vertex", "name")
     slot = Slot(name, kind, label=element.texts.get("label", {}))
@@ -127,7 +130,7 @@ def _check_holes(constructor: Element, element: Element, template: Template) -> 
         elif hole.name in filled:
             message, help = f"the hole {{{hole.name}}} stands there twice", "each slot has one hole"
         elif slot.kind not in fitting:
-            wanted = " or ".join(f"<{kind}>" for kind in fitting)
+            wanted = one_of(f"<{kind}>" for kind in fitting)
             message = f"expected a slot {wanted} for {{{hole.name}}}, found <{slot.kind}>"
         elif slot.repeat and not repeats:
             message, help = f"the repeated slot {hole.name} can only be a branch of a parallel", "write //({branch})"
@@ -163,7 +166,7 @@ def _constructor(element: Element) -> Constructor | None:
             rules.SLOT, "expected no slots beside <adds>, found some", None, "a branch is a slot of what it adds to"
         )
     for code, around in element.found_at(_Code):
-        if code.template is not None and not around.faulty:
+        if code.template is not None and not element.faulty:
             _check_holes(element, around, code.template)
     picture = icon(element)
     if element.faulty:

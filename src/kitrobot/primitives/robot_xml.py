@@ -16,7 +16,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.lll import is_name
 from kitrobot.primitives import rules
 from kitrobot.primitives.automatic import FAULT, boolean_methods, comparison, fault_object, integer_methods
-from kitrobot.primitives.constructors_xml import icon
+from kitrobot.primitives.constructors_xml import NAME_IN_WORDS, icon
 from kitrobot.primitives.robot import (
     LARGEST_VALUE,
     Category,
@@ -49,7 +49,6 @@ LONGEST_WAIT_UNIT_MS = 10_000
 USUAL_MAXIMUM = 100
 """The top of a range that gives none: the paper's numbers go from 0 to 100."""
 
-_IDENTIFIER = "a name of letters, digits and _"
 _ROBOT_NAME = re.compile(r"[^\W\d_][\w-]*")
 _HOLE = re.compile(r"\{([^}]*)\}")
 _WORD = re.compile(r"[A-Z]?[^A-Z]+|[A-Z]+(?![^A-Z])")
@@ -91,7 +90,7 @@ def _text(element: Element, kind: str) -> Texts:
 
 
 def _parameter(element: Element) -> Parameter:
-    name = element.matching("name", is_name, _IDENTIFIER)
+    name = element.matching("name", is_name, NAME_IN_WORDS)
     if name in ("in", "next", "return"):
         element.report(rules.BAD_VALUE, f"a parameter cannot be named {name}, a port of every vertex", "name")
     made = Parameter(
@@ -108,7 +107,7 @@ def _parameter(element: Element) -> Parameter:
 
 def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
     """What procedures and operations have in common."""
-    name = element.matching("name", is_name, _IDENTIFIER)
+    name = element.matching("name", is_name, NAME_IN_WORDS)
     parameters = element.distinct(Parameter, lambda parameter: parameter.name, "parameter")
     given = _text(element, "phrase")
     holes = {"object", *(parameter.name for parameter in parameters)}
@@ -144,6 +143,9 @@ def _operation(element: Element) -> Method:
         if count:
             element.report(rules.METHOD, f"expected no parameter on a value, found {count}")
         return _method(element, Kind.VALUE, {"": "{object}"})
+    if "test" not in element.attributes:
+        element.report(rules.METHOD, 'expected test="…" or value="yes" on <operation>, found neither')
+        return _method(element, Kind.TEST, {})
     test = element.choice("test", ("equal", "less", "greater"))
     if ("to" in element.attributes) == bool(count) or count > 1:
         parameters = f"{count} parameter{'' if count == 1 else 's'}"
@@ -183,7 +185,7 @@ def _device(element: Element, category: Category, known: tuple[str, ...]) -> Rob
 
 
 def _object_name(element: Element) -> str:
-    name = element.matching("name", is_name, _IDENTIFIER)
+    name = element.matching("name", is_name, NAME_IN_WORDS)
     if name == FAULT:
         element.report(rules.DUPLICATE, f"every robot has a {FAULT} already", "name", "choose another name")
     return name

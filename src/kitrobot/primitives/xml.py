@@ -259,8 +259,9 @@ class _Events(ContentHandler):
         elif not content.isspace() and not element.pieces:
             element.pieces.append(content)
             message = f"<{element.name}> holds no text of its own, found {shown(content)}; it is left out"
-            end = self.reader.offset(*self.position()) - (len(content) - len(content.rstrip()))
-            element.add(rules.STRAY_TEXT(message, self.reader.span(max(0, end - len(content.strip())), end)))
+            line, column = self.position()
+            column += len(content) - len(content.lstrip())
+            element.add(rules.STRAY_TEXT(message, self.reader.place(line, column, len(content.strip()))))
 
 
 def _keep_text(element: Element) -> None:

@@ -24,6 +24,8 @@ def decode(data: bytes, name: str) -> str | Diagnostic:
         return rules.TOO_LARGE(f"expected at most {MAX_BYTES} bytes, found {len(data)}", Place(name))
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return _decoded(data, "utf-16", name)
+    if b"\0" in data[:2]:
+        return _refusal("expected UTF-8, found what looks like UTF-16 without its byte order mark", Place(name))
     declared = _DECLARED.match(data[:200].removeprefix(codecs.BOM_UTF8))
     encoding = declared.group(1).decode("ascii", "replace") if declared else "utf-8"
     if declared and encoding.casefold() not in _UTF_8:

@@ -1,0 +1,71 @@
+"""Small files to break, and the readers that must not break on them."""
+
+from collections.abc import Callable
+
+from kitrobot.diagnostics import Diagnostic
+from kitrobot.graph import PROGRAM, Program
+from kitrobot.primitives import Reader, Tag, read_constructors, read_robot
+
+CONSTRUCTORS = """<constructors version="1">
+  <group name="Loops" colour="loop">
+    <constructor name="While" icon="rotate-cw">
+      <help>Ä test &lt; — ✓</help>
+      <condition name="condition"/>
+      <flow name="body" loop="yes"/>
+      <code>*[{condition}]({body})</code>
+    </constructor>
+  </group>
+</constructors>
+"""
+ROBOT = """<robot name="tiny" version="1">
+  <actuator name="Wheel" device="drive">
+    <procedure name="Advance" stop="Stop"><parameter name="speed" max="100"/></procedure>
+    <procedure name="Stop"/>
+  </actuator>
+  <sensor name="Button" type="boolean"><operation name="IsPressed" test="equal" to="1"/></sensor>
+  <variable name="Count" initial="3"/>
+</robot>
+"""
+MISSION = """<kitrobot version="1">
+  <program name="p" robot="tiny">
+    <vertex id="start" element="Start"/>
+    <vertex id="v1" element="Wheel.Advance"><set name="speed">50</set><note>slowly ✓</note></vertex>
+    <vertex id="stop" element="Stop"/>
+    <arc from="start" to="v1"/>
+    <arc from="v1" to="stop"/>
+  </program>
+</kitrobot>
+"""
+
+
+def read_programs(data: bytes, name: str) -> tuple[list[Program], list[Diagnostic]]:
+    """The programs of a mission, as the mission's reader will find them."""
+    reader = Reader(data, name)
+    root = reader.read({"kitrobot": Tag(attributes=("version",), children={"program": PROGRAM})})
+    return (root.found(Program) if root is not None else []), reader.diagnostics
+
+
+Read = Callable[[bytes, str], tuple[object, list[Diagnostic]]]
+
+KINDS: list[tuple[str, str, Read]] = [
+    ("constructors", CONSTRUCTORS, read_constructors),
+    ("robot", ROBOT, read_robot),
+    ("kitrobot", MISSION, read_programs),
+]
+
+
+def constructors(inside: str) -> str:
+    """A file with one group."""
+    return f'<constructors version="1"><group name="G" colour="loop">{inside}</group></constructors>'
+
+
+def robot(inside: str) -> str:
+    """A file with one robot."""
+    return f'<robot name="tiny" version="1">{inside}</robot>'
+
+
+def messages(read: Read, text: str) -> list[str]:
+    """What is wrong with a file of one line: `GUILTY | code | message`."""
+    _, problems = read(text.encode(), "f.xml")
+    places = [(problem.place, problem) for problem in problems if problem.place is not None]
+    return [f"{text[p.column - 1 : p.end_column - 1]} | {each.code} | {each.message}" for p, each in places]
