@@ -50,7 +50,11 @@ def read_world(data: bytes, name: str) -> tuple[World | None, list[Diagnostic]]:
     root = reader.read(_ROOTS)
     if root is None:
         return None, reader.diagnostics
+    found_before = len(reader.diagnostics)
     world_name, width, height = root.required("name"), length(root, "width", 1.0), length(root, "height", 1.0)
+    if len(reader.diagnostics) > found_before:
+        # Without a size nothing can be said about where things are.
+        return None, reader.diagnostics
     frame = World(world_name, width, height, help=root.texts.get("help", {}), label=root.texts.get("label", {}))
     return _Whole(root, frame).world(), reader.diagnostics
 
