@@ -2,10 +2,12 @@
 
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
 from kitrobot.mission.reading import read_mission
+from kitrobot.mission.rules import NO_PROGRAM
 from kitrobot.mission.writing import SaveError, save, write_mission
 
 __all__ = [
     "ALL",
+    "NO_PROGRAM",
     "VERSION",
     "Agent",
     "Goal",

@@ -27,7 +27,7 @@ from kitrobot.server.shapes import (
     world_shape,
 )
 from kitrobot.server.studio import Studio
-from kitrobot.workspace import OpenMission, new_mission, read_mission_data, revision_of
+from kitrobot.workspace import OpenMission, new_mission, revision_of
 
 _FAILURES: dict[int | str, dict[str, object]] = {
     "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
@@ -77,9 +77,7 @@ def missions(studio: StudioOf) -> list[MissionEntryShape]:
 def mission(studio: StudioOf, path: Name) -> MissionFileShape:
     """A mission opened."""
     data, revision = studio.folder.read(path)
-    folder = studio.folder.folder_of(path)
-    catalogue, _ = studio.catalogue(folder)
-    return _file(studio, read_mission_data(data, path, folder, catalogue=catalogue), path, revision)
+    return _file(studio, studio.read(data, path, path), path, revision)
 
 
 @routes.get("/mission/new")
@@ -93,8 +91,7 @@ def mission_read(
     studio: StudioOf, data: Annotated[bytes, Depends(_body)], name: Name = "mission.krt"
 ) -> MissionFileShape:
     """A mission from the bytes of a file that is not in the folder."""
-    catalogue, _ = studio.catalogue(studio.folder.root)
-    return _file(studio, read_mission_data(data, name, studio.folder.root, catalogue=catalogue), "", "")
+    return _file(studio, studio.read(data, name, ""), "", "")
 
 
 @routes.put("/mission", responses=_CONFLICT)

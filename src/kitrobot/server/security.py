@@ -6,8 +6,7 @@ WebSocket:
 - `Host` must name this machine (a foreign name that was bent to 127.0.0.1, DNS rebinding, is refused);
 - `Origin`, when a browser sends one, must be the studio itself;
 - the token that `kitrobot` printed must come along: as `?token=`, as the header `X-KitRobot-Token`, or as the cookie
-  that
-  the first page load set. Only the page's own built files, which hold nothing of the user's, are served without it;
+  that the first page load set. Only the page's own built files, which hold nothing of the user's, are served without;
 - a body larger than `LARGEST_BODY_BYTES` is refused, whether or not its length was announced.
 
 Every answer carries headers that keep the page to itself. An exception that nobody expected becomes one sentence.
@@ -39,8 +38,9 @@ _log = logging.getLogger("kitrobot.server")
 
 # Styles may stand in the page: the editor and the canvas make theirs while they run. Scripts may not.
 _CONTENT_POLICY = (
-    "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:;"
-    " font-src 'self'; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+    "font-src 'self'; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; "
+    "frame-ancestors 'none'"
 )
 _HEADERS = {
     "content-security-policy": _CONTENT_POLICY,

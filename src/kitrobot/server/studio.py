@@ -14,7 +14,7 @@ from pathlib import Path
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
-from kitrobot.workspace import MissionFolder, OpenMission, with_mission
+from kitrobot.workspace import MissionFolder, OpenMission, read_mission_data, with_mission
 
 Stamp = tuple[tuple[str, int, int], ...]
 MOST_KEPT = 16
@@ -50,7 +50,14 @@ class Studio:
         """A mission that the page sent, among the files of the folder it was opened from."""
         folder = self.folder.folder_of(path)
         catalogue, _ = self.catalogue(folder)
-        return with_mission(mission, folder, name=path or "mission.krt", catalogue=catalogue)
+        within = self.folder.root_of(path)
+        return with_mission(mission, folder, name=path or "mission.krt", catalogue=catalogue, within=within)
+
+    def read(self, data: bytes, name: str, path: str) -> OpenMission:
+        """A mission's file, opened among the files of the folder that it is in."""
+        folder = self.folder.folder_of(path)
+        catalogue, _ = self.catalogue(folder)
+        return read_mission_data(data, name, folder, catalogue=catalogue, within=self.folder.root_of(path))
 
 
 def _stamp(folders: Iterable[Path]) -> Stamp:

@@ -115,6 +115,10 @@ class MissionFolder:
         """
         return self.path_of(name).parent if name else self.root
 
+    def root_of(self, name: str) -> Path:
+        """The folder that a mission's files must not lead out of: ours, or that of the examples."""
+        return self.examples if name.startswith(EXAMPLE) else self.root
+
     def read(self, name: str) -> tuple[bytes, str]:
         """The content of a mission's file and its revision.
 

@@ -27,7 +27,7 @@ from kitrobot.workspace.places import Places
 from kitrobot.workspace.problems import ProblemsError
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team import team_problems
-from kitrobot.world import World, find_world, read_world
+from kitrobot.world import SHIPPED, World, find_world, read_world
 
 if TYPE_CHECKING:
     from kitrobot.sim import Simulation
@@ -224,8 +224,12 @@ def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
     return opened
 
 
-def read_mission_data(data: bytes, name: str, folder: Path, *, catalogue: Catalogue | None = None) -> OpenMission:
+def read_mission_data(
+    data: bytes, name: str, folder: Path, *, catalogue: Catalogue | None = None, within: Path | None = None
+) -> OpenMission:
     """Opens the bytes of a `.krt`; robots, constructors and the world are looked for in `folder` too.
+
+    `within`: a folder that the world's file must not lead out of by a link.
 
     Raises:
         ProblemsError: nothing of it can be used.
@@ -234,13 +238,15 @@ def read_mission_data(data: bytes, name: str, folder: Path, *, catalogue: Catalo
     text = Source(name, data.decode("utf-8-sig", errors="replace"))
     if mission is None:
         raise ProblemsError(f"`{name}` cannot be opened", "", tuple(diagnostics), (text,))
-    opened = _open(mission, name, folder, catalogue, Places(text))
+    opened = _open(mission, name, folder, catalogue, Places(text), within)
     return replace(opened, diagnostics=(*diagnostics, *opened.diagnostics), sources=(text, *opened.sources), text=text)
 
 
-def with_mission(mission: Mission, folder: Path, *, name: str, catalogue: Catalogue | None = None) -> OpenMission:
-    """Opens a mission that is no file (yet), with what lies in `folder`."""
-    return _open(mission, name, folder, catalogue, None)
+def with_mission(
+    mission: Mission, folder: Path, *, name: str, catalogue: Catalogue | None = None, within: Path | None = None
+) -> OpenMission:
+    """Opens a mission that is no file (yet), with what lies in `folder`; `within` as in `read_mission_data`."""
+    return _open(mission, name, folder, catalogue, None, within)
 
 
 def new_mission() -> Mission:
@@ -253,9 +259,18 @@ def mission_of(program: Program) -> Mission:
     return Mission(programs=[program], team=Team(agents=[Agent(NEW_AGENT, program.name)]))
 
 
-def _open(mission: Mission, name: str, folder: Path, catalogue: Catalogue | None, places: Places | None) -> OpenMission:
+def _open(
+    mission: Mission,
+    name: str,
+    folder: Path,
+    catalogue: Catalogue | None,
+    places: Places | None,
+    within: Path | None = None,
+) -> OpenMission:
     known = catalogue if catalogue is not None else load_catalogue([folder])
     path = find_world(mission.world_href, [folder])
+    if path is not None and within is not None and not _is_within(path, within):
+        path = None
     if path is None:
         place = (places.world or Place(name)) if places is not None else None
         found = NO_WORLD(f"there is no world `{mission.world_href}`", place, help=f"put its file into `{folder.name}`")
@@ -264,6 +279,11 @@ def _open(mission: Mission, name: str, folder: Path, catalogue: Catalogue | None
     world, diagnostics = read_world(data, path.name)
     source = Source(path.name, data.decode("utf-8-sig", errors="replace"))
     return OpenMission(name, mission, known, world, tuple(diagnostics), (source,))
+
+
+def _is_within(path: Path, folder: Path) -> bool:
+    real = path.resolve()
+    return folder.resolve() in real.parents or SHIPPED.resolve() in real.parents
 
 
 def _spans(compiled: Compiled) -> Iterable[Span]:

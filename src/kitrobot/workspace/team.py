@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable
 
 from kitrobot.diagnostics import Diagnostic, Place, Severity, rule
-from kitrobot.mission import Mission
+from kitrobot.mission import NO_PROGRAM, Mission
 from kitrobot.primitives import Catalogue, did_you_mean
 from kitrobot.workspace.places import Places
 from kitrobot.world import World
@@ -68,7 +68,13 @@ class _Look:
         names = Counter(agent.name for agent in team.agents)
         for name in (name for name, count in names.items() if count > 1):
             yield SAME_NAME(f"{names[name]} agents are called `{name}`", self._agent(name))
+        programs = [program.name for program in self.mission.programs]
         for agent in team.agents:
+            # Of a file, its reader has told this.
+            if self.places is None and agent.program not in programs:
+                message = f"`{agent.name}` runs the program `{agent.program}`, which is not in this mission"
+                help = did_you_mean(agent.program, programs) or f"its programs: {', '.join(programs) or 'none'}"
+                yield NO_PROGRAM(message, help=help)
             if self.world is not None and self.world.start(agent.start_name) is None:
                 starts = [start.name for start in self.world.starts]
                 message = (

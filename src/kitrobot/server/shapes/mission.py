@@ -65,13 +65,17 @@ class GoalShape(BaseModel):
 
 
 class MissionShape(BaseModel):
-    """All of a `.krt`; `world` is the name of a world's file, "" for the empty world."""
+    """All of a `.krt`; `world` is the name of a world's file, "" for the empty world.
+
+    `unknown` is XML of the file that nobody knows, kept word for word.
+    """
 
     version: Literal[1]
     programs: Annotated[list[ProgramShape], Field(max_length=MOST_PROGRAMS)]
     agents: Annotated[list[AgentShape], Field(max_length=MOST_AGENTS)]
     goals: Annotated[list[GoalShape], Field(max_length=MOST_AGENTS)]
     world: str
+    unknown: list[str] = []
 
 
 def mission_shape(mission: Mission) -> MissionShape:
@@ -82,6 +86,7 @@ def mission_shape(mission: Mission) -> MissionShape:
         agents=[AgentShape(name=agent.name, program=agent.program, start=agent.start) for agent in mission.team.agents],
         goals=[GoalShape(storehouse=goal.storehouse, stock=goal.stock) for goal in mission.team.goals],
         world=mission.world_href,
+        unknown=mission.unknown,
     )
 
 
@@ -92,7 +97,7 @@ def mission_from_shape(shape: MissionShape) -> Mission:
         goals=[Goal(storehouse=goal.storehouse, stock=goal.stock) for goal in shape.goals],
     )
     programs = [_program(program) for program in shape.programs]
-    return Mission(version=shape.version, programs=programs, team=team, world_href=shape.world)
+    return Mission(shape.version, programs, team, shape.world, shape.unknown)
 
 
 def _program_shape(program: Program) -> ProgramShape:
