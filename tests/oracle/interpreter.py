@@ -62,12 +62,10 @@ from kitrobot.lll import (
 )
 from kitrobot.primitives import Category, Method, Robot, RobotObject
 from tests.oracle.passes import back_edge_costs_a_tick
+from tests.oracle.reading import Stop, bodies, clamp, is_marked, stops_in_text, ticks_of_wait
 
 Thread = Generator[None, None, bool]
 """Yields to give up the tick; returns whether it was left by BREAK."""
-
-Stop = tuple[str, str]
-"""An actuator and its procedure that ends the effect of a marked action."""
 
 
 class Outcome(NamedTuple):
@@ -185,22 +183,11 @@ class Oracle:
         """The stops due when a parallel is over: its own, and those of the parallels that are abandoned with it."""
         for branch in run.branches:
             # A dictionary as a set that keeps the order.
-            for actuator, procedure in dict.fromkeys(self.stops_in_text(branch.body)):
+            for actuator, procedure in dict.fromkeys(stops_in_text(branch.body, self.robot)):
                 if (actuator, procedure) in branch.stops:
                     yield branch, actuator, procedure
             if not branch.ended and branch.run is not None:
                 yield from self.stops_of(branch.run)
-
-    def stops_in_text(self, seq: Seq) -> Iterator[Stop]:
-        """The stops of the marked actions of a branch in reading order."""
-        for item in seq.items:
-            if isinstance(item, Interrupt):
-                assert isinstance(item.call, Call)
-                part, method = self.robot.calls[item.call.object, item.call.method]
-                if method.stop is not None:
-                    yield part.name, method.stop
-            for body in inner_bodies(item):
-                yield from self.stops_in_text(body)
 
     def start(self, body: Seq, marked: bool) -> Branch:
         branch = Branch(self.slots[id(body)], body, marked)
@@ -332,50 +319,6 @@ class Oracle:
             case Category.VARIABLE:
                 return self.variables[part.name]
         return self.fault
-
-
-# ---- what can be read off the text ----------------------------------------------------------------------
-
-
-def clamp(value: int, minimum: int, maximum: int) -> int:
-    """The nearest number in the range."""
-    return min(max(value, minimum), maximum)
-
-
-def ticks_of_wait(duration: int, robot: Robot) -> int:
-    """Whole ticks, rounded up; at least one."""
-    return max(1, -(-duration * robot.wait_unit_ms // robot.tick_ms))
-
-
-def inner_bodies(item: Instr) -> list[Seq]:
-    """The bodies inside an instruction that belong to the same thread."""
-    match item:
-        case Repeat() | While() | Event():
-            return [item.body]
-        case Conditional():
-            return [item.then] if item.orelse is None else [item.then, item.orelse]
-    return []
-
-
-def bodies(thread_body: Seq) -> Iterator[Seq]:
-    """The bodies that own a slot, in reading order: this one, then each branch followed by what is nested in it."""
-    yield thread_body
-    yield from nested_branches(thread_body)
-
-
-def nested_branches(seq: Seq) -> Iterator[Seq]:
-    """The branches of all parallels inside a body, each followed by what is nested in it."""
-    for item in seq.items:
-        if isinstance(item, Parallel):
-            for branch in item.branches:
-                yield from bodies(branch)
-        for body in inner_bodies(item):
-            yield from nested_branches(body)
-
-
-def is_marked(seq: Seq) -> bool:
-    """Whether a marked action stands in this branch, not counting those in the branches of inner parallels."""
-    return any(isinstance(item, Interrupt) or any(map(is_marked, inner_bodies(item))) for item in seq.items)
 
 
 # ---- what runs ------------------------------------------------------------------------------------------

@@ -14,11 +14,16 @@ def shrink(program: Seq, shows_it: Callable[[Seq], bool]) -> Seq:
     while smaller:
         smaller = False
         for candidate in _simplifications(program):
-            if shows_it(copy.deepcopy(candidate)):
+            if _is_readable(candidate) and shows_it(copy.deepcopy(candidate)):
                 program = candidate
                 smaller = True
                 break
     return program
+
+
+def _is_readable(program: Seq) -> bool:
+    """Whether the parser could give such a tree: it drops branches that hold nothing."""
+    return all(branch.items for node in nodes(program) if isinstance(node, Parallel) for branch in node.branches)
 
 
 def _simplifications(program: Seq) -> Iterator[Seq]:
