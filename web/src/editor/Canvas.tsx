@@ -1,6 +1,130 @@
-import type { ReactNode } from "react";
+/**
+ * The graph of the program in view.
+ *
+ * React Flow is the viewport: it pans, zooms and renders the vertices that can be seen. Places come from the layout,
+ * frames and arcs are our own layers (Lines.tsx), selection and edits go through the document's store.
+ */
+import "@xyflow/react/dist/base.css";
+import "./canvas.css";
+import "./vertex.css";
+
+import { Background, BackgroundVariant, ReactFlow, ReactFlowProvider, useReactFlow } from "@xyflow/react";
+import { type ReactNode, useEffect, useMemo, useRef } from "react";
+
+import { useStudio } from "../model/studio";
+import { t } from "../words/words";
+import { ActiveVertices } from "./active";
+import { AddPopup } from "./AddPopup";
+import { setResolver, useDrag } from "./drag";
+import { currentDrawing, type Drawing, useDrawing } from "./drawing";
+import { EmptyTeaching } from "./EmptyTeaching";
+import { Ghost } from "./Ghost";
+import { useCanvasKeys } from "./keys";
+import { Lines } from "./Lines";
+import { type GraphNode, NODE_TYPES } from "./Nodes";
+import { insideOf, REACH, slotOnScreen, type Target, targetInLayout } from "./targets";
+import { useView } from "./view";
+import { useViewport } from "./viewport";
+import { ZoomControl } from "./ZoomControl";
 
 /** The graph of the program in view; fills its parent. `emptyExtras` is shown under the teaching text of a new program. */
 export function Canvas({ emptyExtras }: { emptyExtras?: ReactNode }) {
-  return <div className="canvas">{emptyExtras}</div>;
+  const drawing = useDrawing();
+  if (drawing === null) return <div className="canvas" />;
+  return (
+    <ReactFlowProvider key={drawing.program.name}>
+      <Graph drawing={drawing} emptyExtras={emptyExtras} />
+    </ReactFlowProvider>
+  );
+}
+
+function nodesOf({ layout }: Drawing): GraphNode[] {
+  return layout.nodes.map((node) => ({
+    id: node.id,
+    type: "vertex",
+    position: { x: node.x, y: node.y },
+    width: node.w,
+    height: node.h,
+    data: { node },
+    className: "nopan",
+  }));
+}
+
+function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactNode }) {
+  const root = useRef<HTMLDivElement>(null);
+  const nodes = useMemo(() => nodesOf(drawing), [drawing]);
+  const { first, onReady } = useViewport(root, drawing);
+  useDropTargets(root);
+  useCanvasKeys(root);
+  const accepts = useDrag(({ payload, target }) => {
+    if (payload === null) return "";
+    return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
+  });
+  const empty = drawing.nodes.has("place");
+
+  return (
+    <div
+      ref={root}
+      className="canvas"
+      data-accepts={accepts}
+      role="application"
+      tabIndex={0}
+      aria-label={t("graph.label", { name: drawing.program.name })}
+      data-testid="canvas"
+    >
+      <ReactFlow
+        nodes={nodes}
+        nodeTypes={NODE_TYPES}
+        defaultViewport={first}
+        onInit={onReady}
+        minZoom={0.1}
+        maxZoom={2}
+        onlyRenderVisibleElements
+        nodesDraggable={false}
+        nodesConnectable={false}
+        nodesFocusable={false}
+        elementsSelectable={false}
+        selectionKeyCode={null}
+        multiSelectionKeyCode={null}
+        deleteKeyCode={null}
+        disableKeyboardA11y
+        zoomOnDoubleClick={false}
+        attributionPosition="bottom-left"
+        onPaneClick={() => {
+          useStudio.getState().select([]);
+          useView.setState({ arc: null, adding: null });
+        }}
+      >
+        <Background variant={BackgroundVariant.Dots} gap={16} size={2} color="var(--canvas-dot)" />
+        <Lines drawing={drawing} />
+        {empty ? <EmptyTeaching drawing={drawing} extras={emptyExtras} /> : null}
+      </ReactFlow>
+      <ZoomControl />
+      <AddPopup key={drawing.program.name} />
+      <Ghost />
+      <ActiveVertices program={drawing.program.name} />
+    </div>
+  );
+}
+
+/** Tells a drag where its thing would go on this canvas. */
+function useDropTargets(root: React.RefObject<HTMLDivElement | null>): void {
+  const flow = useReactFlow();
+  useEffect(() => {
+    setResolver((at, payload): Target | null => {
+      const drawing = currentDrawing();
+      const box = root.current?.getBoundingClientRect();
+      if (drawing === null || root.current === null || box === undefined) return null;
+      if (at.x < box.left || at.x > box.right || at.y < box.top || at.y > box.bottom) return null;
+      const shape = drawing.parts.shape(payload.element);
+      const moving = payload.kind === "vertices" ? insideOf(drawing, payload.ids) : new Set<string>();
+      const slot = slotOnScreen(drawing, root.current, at, shape, moving);
+      if (slot !== null) return slot;
+      const point = flow.screenToFlowPosition(at, { snapToGrid: false });
+      return targetInLayout(drawing, point, REACH / flow.getZoom(), shape, moving);
+    });
+    return () => {
+      setResolver(() => null);
+    };
+  }, [flow, root]);
 }

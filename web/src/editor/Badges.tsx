@@ -1,0 +1,63 @@
+/** What sits on a vertex's edge: its mark, the threads that stand on it, and what is wrong with it. */
+import type { LayoutNode } from "../model/layout";
+import { title } from "../model/parts";
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import { useTroubles } from "./troubles";
+
+export function Badges({ node, threads }: { node: LayoutNode; threads: string }) {
+  return (
+    <>
+      {node.mark === null ? null : <Mark name={title(node.mark.shape)} colour={node.mark.shape.colour} />}
+      <Threads threads={threads} />
+      <Trouble id={node.vertex} />
+    </>
+  );
+}
+
+function Mark({ name, colour }: { name: string; colour: string }) {
+  return (
+    <span
+      className="mark"
+      title={name}
+      style={{ background: `var(--${colour}-tile)`, color: `var(--${colour}-on-tile)` }}
+    >
+      <svg width="24" height="24" viewBox="0 0 24 24" aria-hidden="true">
+        <circle cx="12" cy="12" r="4.25" fill="none" stroke="currentColor" strokeWidth="3" />
+      </svg>
+    </span>
+  );
+}
+
+/** The ink pills ▶n. */
+export function Threads({ threads }: { threads: string }) {
+  if (threads === "") return null;
+  return (
+    <span className="threads">
+      {[...new Set(threads.split(" "))].map((number) => (
+        <span key={number} className="thread" title={t("graph.thread", { number })}>
+          <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
+            <path d="M0 0.5v7L6.5 4Z" fill="currentColor" />
+          </svg>
+          {number}
+        </span>
+      ))}
+    </span>
+  );
+}
+
+export function Trouble({ id }: { id: string }) {
+  const troubles = useTroubles(id);
+  const [worst] = troubles;
+  if (worst === undefined) return null;
+  const says = troubles.map(({ message, help }) => (help === "" ? message : `${message} ${help}`)).join("\n");
+  return (
+    <span className="trouble" data-severity={worst.severity} data-testid={`problem-${id}`} title={says}>
+      <Icon
+        name={worst.severity === "hint" ? "info" : "circle-alert"}
+        size={14}
+        label={t("graph.problem", { message: says })}
+      />
+    </span>
+  );
+}

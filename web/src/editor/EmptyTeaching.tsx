@@ -1,0 +1,64 @@
+/** Under a new program: what to do first, four parts to begin with, and what the shell adds (examples). */
+import { ViewportPortal } from "@xyflow/react";
+import type { ReactNode } from "react";
+
+import { type Parts, type Shape, shortTitle } from "../model/parts";
+import { text } from "../model/texts";
+import { Tile } from "../theme";
+import { t } from "../words/words";
+import { beginDrag, justDragged } from "./drag";
+import type { Drawing } from "./drawing";
+import { addPartAt } from "./edits";
+
+/** An action that shows at once, then one constructor of each colour that holds a body. */
+export function firstParts({ all }: Parts): Shape[] {
+  const actions = all.filter((shape) => shape.object?.category === "actuator" && shape.role === "instruction");
+  const lasting = actions.filter((shape) => shape.fields.length === 1 && shape.method?.completes_later === false);
+  const action = lasting.find((shape) => shape.object?.device === "drive") ?? lasting[0] ?? actions[0];
+  const bodies = all.filter((shape) => shape.kind === "constructor" && shape.flows.length > 0);
+  const colours = (["choice", "loop", "parallel"] as const).map((colour) => {
+    const same = bodies.filter((shape) => shape.colour === colour);
+    return same.find((shape) => shape.plugs.length > 0) ?? same[0];
+  });
+  return [action, ...colours].filter((shape) => shape !== undefined);
+}
+
+/** The first sentence of a help text. */
+function firstSentence(help: string): string {
+  return /^[^.:;,]*/.exec(help)?.[0] ?? help;
+}
+
+export function EmptyTeaching({ drawing, extras }: { drawing: Drawing; extras: ReactNode }) {
+  const start = drawing.structure.start?.id ?? "start";
+  return (
+    <ViewportPortal>
+      <section className="teaching nopan">
+        <h2>{t("graph.first-step")}</h2>
+        <p>{t("graph.first-help")}</p>
+        <ul className="teaching-parts">
+          {firstParts(drawing.parts).map((shape) => (
+            <li key={shape.element}>
+              <button
+                type="button"
+                data-testid={`first-${shape.element}`}
+                onPointerDown={(event) => {
+                  beginDrag(event, { kind: "part", element: shape.element });
+                }}
+                onClick={() => {
+                  if (!justDragged()) addPartAt({ kind: "arc", source: start, out: "next" }, shape.element);
+                }}
+              >
+                <Tile icon={shape.icon} colour={shape.colour} size={36} />
+                <span>
+                  <strong>{shortTitle(shape)}</strong>
+                  <small>{firstSentence(text(shape.help))}</small>
+                </span>
+              </button>
+            </li>
+          ))}
+        </ul>
+        {extras}
+      </section>
+    </ViewportPortal>
+  );
+}

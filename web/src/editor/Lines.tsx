@@ -1,0 +1,158 @@
+/** Frames and arcs: drawn by us in two layers of the viewport, frames under the vertices, arcs over them. */
+import { useStore, ViewportPortal } from "@xyflow/react";
+import { memo, useMemo } from "react";
+
+import { headPath, type LayoutArc, type LayoutFrame, type Point, roundedPath } from "../model/layout";
+import { title } from "../model/parts";
+import { t } from "../words/words";
+import { justDragged, useDrag } from "./drag";
+import { currentDrawing, type Drawing } from "./drawing";
+import { useView } from "./view";
+
+/** What is shown is chosen by tiles, so that panning renders only now and then. */
+const TILE = 512;
+
+interface Window {
+  x0: number;
+  y0: number;
+  x1: number;
+  y1: number;
+}
+
+function useWindow(): Window {
+  const tiles = useStore(({ transform: [x, y, zoom], width, height }) => {
+    const tile = (value: number) => Math.floor(value / zoom / TILE);
+    return [tile(-x) - 1, tile(-y) - 1, tile(width - x) + 2, tile(height - y) + 2].join(" ");
+  });
+  return useMemo(() => {
+    const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = tiles.split(" ").map((tile) => Number(tile) * TILE);
+    return { x0, y0, x1, y1 };
+  }, [tiles]);
+}
+
+function arcInside({ points }: LayoutArc, { x0, y0, x1, y1 }: Window): boolean {
+  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const { x, y } of points) {
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    top = Math.min(top, y);
+    bottom = Math.max(bottom, y);
+  }
+  return left < x1 && right > x0 && top < y1 && bottom > y0;
+}
+
+export function Lines({ drawing: { layout } }: { drawing: Drawing }) {
+  const window = useWindow();
+  const arcs = useMemo(() => layout.arcs.filter((arc) => arcInside(arc, window)), [layout, window]);
+  const frames = useMemo(
+    () =>
+      layout.frames.filter(
+        ({ x, y, w, h }) => x < window.x1 && x + w > window.x0 && y < window.y1 && y + h > window.y0,
+      ),
+    [layout, window],
+  );
+  const seen = new Set<string>();
+  return (
+    <ViewportPortal>
+      <svg className="frames" width="1" height="1" aria-hidden="true">
+        {frames.map((frame) => (
+          <Frame key={`${frame.kind} ${frame.id}`} frame={frame} />
+        ))}
+      </svg>
+      <svg className="arcs" width="1" height="1">
+        {arcs.map((arc) => {
+          // An arc that is drawn in two strokes (around the place of a new program) is one arc to hands and tests.
+          const again = seen.has(arc.id);
+          seen.add(arc.id);
+          return <Arc key={again ? `${arc.id} 2` : arc.id} arc={arc} again={again} />;
+        })}
+      </svg>
+    </ViewportPortal>
+  );
+}
+
+const Frame = memo(function Frame({ frame: { id, kind, colour, x, y, w, h } }: { frame: LayoutFrame }) {
+  const aimed = useDrag((state) => state.target?.key === `vertex:${id}`);
+  const flat = kind === "parallel";
+  return (
+    <>
+      <rect
+        className={`frame frame-${kind}${aimed ? " is-aimed" : ""}`}
+        data-colour={colour}
+        data-frame={id}
+        rx={flat ? 0 : 8}
+        style={{ x, y, width: w, height: h }}
+      />
+      {kind === "parked" ? (
+        <text className="frame-title" x={x + 16} y={y + 24}>
+          {t("graph.parked")}
+        </text>
+      ) : null}
+    </>
+  );
+});
+
+/** Where the dot of an arc stands: in the middle of its first stretch, or of its last one where it leaves sideways. */
+function spotOf({ points }: LayoutArc): Point {
+  const [a, b] = points;
+  const [y, z] = points.slice(-2);
+  const between = (from: Point | undefined, to: Point | undefined): Point => ({
+    x: ((from?.x ?? 0) + (to?.x ?? 0)) / 2,
+    y: ((from?.y ?? 0) + (to?.y ?? 0)) / 2,
+  });
+  return a?.x === b?.x ? between(a, b) : between(y, z);
+}
+
+export function spotOfArc(id: string): Point | null {
+  const arc = currentDrawing()?.layout.arcs.find((one) => one.id === id);
+  return arc === undefined ? null : spotOf(arc);
+}
+
+const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }) {
+  const { id, points, colour, head, label, missing } = arc;
+  const selected = useView((state) => state.arc === id);
+  const aimed = useDrag((state) => state.target?.key === `arc:${id}`);
+  const path = roundedPath(points, head);
+  const spot = spotOf(arc);
+  const classes = ["arc"];
+  if (selected) classes.push("is-selected");
+  if (aimed) classes.push("is-aimed");
+  if (missing) classes.push("is-missing");
+  const select = () => {
+    if (justDragged()) return;
+    useView.getState().selectArc(id);
+    useView.getState().viewport?.focus();
+  };
+  return (
+    <g className={classes.join(" ")} data-colour={colour} onClick={select}>
+      <path className="arc-reach" d={path} />
+      <path className="arc-line" d={path} />
+      {head ? <path className="arc-head" d={headPath(points)} /> : null}
+      {label === null ? null : (
+        <text className="arc-label" x={label.x} y={label.y} textAnchor={label.anchor} dominantBaseline="central">
+          {label.text}
+        </text>
+      )}
+      {again ? null : (
+        <g
+          className="arc-spot"
+          data-testid={`arc-${id}`}
+          role="button"
+          aria-label={spokenArc(arc)}
+          aria-pressed={selected}
+          transform={`translate(${String(spot.x)} ${String(spot.y)})`}
+        >
+          <circle r="9" />
+          <path d="M-4 0H4M0 -4V4" />
+        </g>
+      )}
+    </g>
+  );
+});
+
+function spokenArc({ source, out }: LayoutArc): string {
+  const drawing = currentDrawing();
+  const shape = drawing?.parts.shape(drawing.program.vertices.find((one) => one.id === source)?.element ?? "");
+  const name = shape === undefined ? source : title(shape);
+  return out === "next" ? t("graph.arc", { name }) : t("graph.arc-body", { name, slot: out });
+}

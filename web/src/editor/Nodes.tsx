@@ -1,0 +1,140 @@
+/** The node kinds of the graph, as React Flow is given them. Each takes its place and size from the layout. */
+import type { Node, NodeProps, NodeTypes } from "@xyflow/react";
+import { memo } from "react";
+
+import { chipOf } from "../model/face";
+import type { LayoutNode } from "../model/layout";
+import { useStudio } from "../model/studio";
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import { useThreadsAt } from "./active";
+import { Threads, Trouble } from "./Badges";
+import { beginDrag, justDragged, useDrag } from "./drag";
+import { ChipView, selectVertex, spoken, Vertex } from "./Vertex";
+import { useView } from "./view";
+
+export type GraphNode = Node<{ node: LayoutNode }, "vertex">;
+
+function NodeView({ data: { node } }: NodeProps<GraphNode>) {
+  switch (node.kind) {
+    case "start":
+    case "stop":
+      return <Terminal node={node} />;
+    case "bar":
+    case "barEnd":
+      return <Bar node={node} />;
+    case "chip":
+      return <Loose node={node} />;
+    case "place":
+      return <FirstPlace node={node} />;
+    case "rect":
+    case "hexagon":
+      return <Vertex node={node} />;
+  }
+}
+
+export const NODE_TYPES: NodeTypes = { vertex: memo(NodeView) };
+
+function Terminal({ node: { vertex: id, kind, w, h } }: { node: LayoutNode }) {
+  const selected = useStudio((state) => state.selection.includes(id));
+  const threads = useThreadsAt(id, null);
+  const name = t(kind === "start" ? "graph.start" : "graph.stop");
+  return (
+    <div
+      className={`terminal${selected ? " is-selected" : ""}`}
+      data-testid={`vertex-${id}`}
+      role="button"
+      tabIndex={-1}
+      aria-label={name}
+      aria-pressed={selected}
+      style={{ width: w, height: h }}
+      onClick={(event) => {
+        selectVertex(id, event);
+      }}
+    >
+      <svg width="12" height="12" viewBox="0 0 12 12" aria-hidden="true">
+        <path
+          d={kind === "start" ? "M2 1.2v9.6L10.5 6Z" : "M1 1h10v10H1Z"}
+          fill="currentColor"
+          strokeLinejoin="round"
+        />
+      </svg>
+      <strong>{name}</strong>
+      <Threads threads={threads} />
+      <Trouble id={id} />
+    </div>
+  );
+}
+
+/** A bar of a parallel; the first one carries its name. */
+function Bar({ node }: { node: LayoutNode }) {
+  const { vertex: id, kind, w, h, colour, block, face } = node;
+  const selected = useStudio((state) => state.selection.includes(id));
+  const threads = useThreadsAt(id, null);
+  const aimed = useDrag((state) => state.target?.key === `vertex:${id}`);
+  const first = kind === "bar";
+  return (
+    <div
+      className={`bars${selected ? " is-selected" : ""}${aimed ? " is-aimed" : ""}`}
+      data-testid={first ? `vertex-${id}` : `vertex-${id}-end`}
+      data-colour={colour}
+      role="button"
+      tabIndex={-1}
+      aria-label={spoken(node)}
+      aria-pressed={selected}
+      aria-hidden={first ? undefined : true}
+      style={{ width: w, height: h }}
+      onPointerDown={(event) => {
+        beginDrag(event, { kind: "vertices", ids: [id], element: block?.shape.element ?? "" });
+      }}
+      onClick={(event) => {
+        if (!justDragged()) selectVertex(id, event);
+      }}
+    >
+      <span className="bar" />
+      {first ? (
+        <span className="bar-tag">
+          <Icon name={block?.shape.icon ?? ""} size={16} />
+          {face.name}
+          <Trouble id={id} />
+        </span>
+      ) : threads === "" ? null : (
+        <span className="bar-waits">
+          <Threads threads={threads} />
+        </span>
+      )}
+    </div>
+  );
+}
+
+/** A parked test or value. */
+function Loose({ node: { vertex: id, block, w, h } }: { node: LayoutNode }) {
+  if (block === null) return null;
+  return (
+    <div className="loose" data-testid={`vertex-${id}`} style={{ width: w, height: h }}>
+      <ChipView chip={chipOf(block)} vertex={id} />
+      <Trouble id={id} />
+    </div>
+  );
+}
+
+/** The dashed place on the only arc of a new program. */
+function FirstPlace({ node: { w, h } }: { node: LayoutNode }) {
+  const aimed = useDrag((state) => state.target?.key === "arc:start.next");
+  return (
+    <button
+      type="button"
+      className={`first-place${aimed ? " is-aimed" : ""}`}
+      data-testid="first-place"
+      style={{ width: w, height: h }}
+      onClick={() => {
+        useView.getState().setAdding({ vertex: null, slot: null });
+      }}
+    >
+      <Icon name="plus" size={16} />
+      <strong>{t("graph.drop-here")}</strong>
+      <span>{t("graph.or-press")}</span>
+      <kbd>/</kbd>
+    </button>
+  );
+}

@@ -1,0 +1,231 @@
+/** A vertex that is a box or a stretched diamond: tile, name, chips for its conditions, boxes for its values. */
+import { memo, type PointerEvent } from "react";
+
+import { type Box, type Chip, faceWidth } from "../model/face";
+import type { LayoutNode } from "../model/layout";
+import { title } from "../model/parts";
+import { useStudio } from "../model/studio";
+import { wordsOf } from "../model/words";
+import { useRun, watchedAgent } from "../run/run";
+import { Icon, Tile } from "../theme";
+import { t } from "../words/words";
+import { useThreadsAt } from "./active";
+import { beginDrag, justDragged, useDrag } from "./drag";
+import { Badges } from "./Badges";
+import { useView } from "./view";
+
+/** Selects on a click; Shift or Ctrl adds to the selection or takes away from it. */
+export function selectVertex(id: string, event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): void {
+  const { selection, select } = useStudio.getState();
+  if (!event.shiftKey && !event.ctrlKey && !event.metaKey) select([id]);
+  else select(selection.includes(id) ? selection.filter((one) => one !== id) : [...selection, id]);
+}
+
+/** The vertices that a drag of this one takes along: all selected ones, if it is one of them. */
+function dragVertices(event: PointerEvent, id: string, element: string): void {
+  const { selection } = useStudio.getState();
+  beginDrag(event, { kind: "vertices", ids: selection.includes(id) ? selection : [id], element });
+}
+
+/** Room that the value beside a chip needs. */
+const SPARE = 48;
+
+export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
+  const { vertex: id, face, block, kind, w, h, colour } = node;
+  const selected = useStudio((state) => state.selection.includes(id));
+  const threads = useThreadsAt(id, node.mark?.vertex.id ?? null);
+  const aimed = useDrag((state) => state.target?.key === `vertex:${id}`);
+  const lifted = useDrag(
+    (state) => state.payload?.kind === "vertices" && !state.copy && state.payload.ids.includes(id),
+  );
+  if (block === null) return null;
+  const hexagon = kind === "hexagon";
+  const spare = w - faceWidth(face, hexagon);
+  const classes = ["vertex", kind];
+  if (selected) classes.push("is-selected");
+  if (threads !== "") classes.push("is-active");
+  if (aimed) classes.push("is-aimed");
+  if (lifted) classes.push("is-lifted");
+  if (block.shape.kind === "unknown") classes.push("is-unknown");
+  if (node.parked) classes.push("is-parked");
+  return (
+    <div
+      className={classes.join(" ")}
+      data-testid={`vertex-${id}`}
+      data-colour={colour}
+      data-threads={threads === "" ? undefined : threads}
+      role="button"
+      tabIndex={-1}
+      aria-label={spoken(node)}
+      aria-pressed={selected}
+      style={{ width: w, height: h }}
+      onPointerDown={(event) => {
+        dragVertices(event, id, block.shape.element);
+      }}
+      onClick={(event) => {
+        if (!justDragged()) selectVertex(id, event);
+      }}
+    >
+      {hexagon ? <Hexagon w={w} h={h} /> : null}
+      <Tile icon={block.shape.icon} colour={colour} />
+      <span className="vertex-name">
+        {face.object === "" ? null : <span className="vertex-object">{face.object} </span>}
+        <strong>{face.name}</strong>
+      </span>
+      {face.chips.map((chip) => (
+        <ChipView key={chip.slot} chip={chip} vertex={id} />
+      ))}
+      {spare >= SPARE ? <Now node={node} /> : null}
+      <span className="vertex-space" />
+      {face.boxes.map((box) => (
+        <BoxView key={box.slot} box={box} vertex={id} />
+      ))}
+      <Badges node={node} threads={threads} />
+    </div>
+  );
+});
+
+/** What a screen reader says: name, values and conditions in words. */
+export function spoken({ block, face, mark }: LayoutNode): string {
+  if (block === null) return face.name;
+  const values = face.boxes.map(({ label, value, unit }) =>
+    [label, value, unit].filter((word) => word !== "").join(" "),
+  );
+  const conditions = block.plugs.flatMap((plug) =>
+    plug.block === null || face.boxes.some((box) => box.slot === plug.slot) ? [] : [wordsOf(plug.block)],
+  );
+  const marked = mark === null ? [] : [title(mark.shape)];
+  return [title(block.shape), ...conditions, ...values, ...marked].join(", ");
+}
+
+function Hexagon({ w, h }: { w: number; h: number }) {
+  const outline = (grow: number) => {
+    const tip = 14 + grow / 4;
+    const [left, right, top, bottom] = [-grow, w + grow, -grow, h + grow];
+    const middle = h / 2;
+    return `M${String(left + 1)} ${String(middle)}L${String(left + tip)} ${String(top + 1)}H${String(right - tip)}L${String(right - 1)} ${String(middle)}L${String(right - tip)} ${String(bottom - 1)}H${String(left + tip)}Z`;
+  };
+  return (
+    <svg className="hexagon-shape" width={w} height={h} aria-hidden="true">
+      <path className="hexagon-ring" d={outline(6)} />
+      <path className="hexagon-body" d={outline(0)} />
+    </svg>
+  );
+}
+
+/** A condition slot: what fills it in words, holes for what is missing. */
+export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
+  const selected = useStudio((state) => chip.filler !== null && state.selection.includes(chip.filler));
+  const aimed = useDrag((state) => state.target?.key === `slot:${vertex}.${chip.slot}`);
+  const classes = ["chip"];
+  if (selected) classes.push("is-selected");
+  if (aimed) classes.push("is-aimed");
+  if (chip.filler === null) classes.push("is-empty");
+  const element = useStudio((state) => elementOf(state, chip.filler));
+  return (
+    <span
+      className={classes.join(" ")}
+      data-testid={`slot-${vertex}.${chip.slot}`}
+      data-vertex={vertex}
+      data-slot={chip.slot}
+      role="button"
+      tabIndex={-1}
+      onPointerDown={(event) => {
+        if (chip.filler === null) return;
+        event.stopPropagation();
+        dragVertices(event, chip.filler, element);
+      }}
+      onClick={(event) => {
+        event.stopPropagation();
+        if (justDragged()) return;
+        if (chip.filler === null) openSlot(vertex, chip.slot);
+        else selectVertex(chip.filler, event);
+      }}
+    >
+      {chip.icon === "" ? null : <Icon name={chip.icon} size={15} />}
+      {chip.pieces.map((piece, index) =>
+        piece.kind === "words" ? (
+          <span className="chip-words" key={index}>
+            {piece.words}
+          </span>
+        ) : chip.filler === null ? (
+          <span key={index}>{piece.label}</span>
+        ) : (
+          <Hole key={index} vertex={piece.vertex} slot={piece.slot} label={piece.label} />
+        ),
+      )}
+    </span>
+  );
+}
+
+/** An empty slot inside a chip. */
+function Hole({ vertex, slot, label }: { vertex: string; slot: string; label: string }) {
+  const aimed = useDrag((state) => state.target?.key === `slot:${vertex}.${slot}`);
+  return (
+    <span
+      className={aimed ? "hole is-aimed" : "hole"}
+      data-testid={`slot-${vertex}.${slot}`}
+      data-vertex={vertex}
+      data-slot={slot}
+      data-hole=""
+      role="button"
+      tabIndex={-1}
+      onClick={(event) => {
+        event.stopPropagation();
+        openSlot(vertex, slot);
+      }}
+    >
+      {label}
+    </span>
+  );
+}
+
+/** A click on an empty slot asks what should go there. */
+function openSlot(vertex: string, slot: string): void {
+  useStudio.getState().select([vertex]);
+  useView.getState().setAdding({ vertex, slot: { kind: "slot", vertex, slot } });
+}
+
+function elementOf(state: ReturnType<typeof useStudio.getState>, id: string | null): string {
+  const program = state.mission.programs.find((one) => one.name === state.activeProgram);
+  return program?.vertices.find((one) => one.id === id)?.element ?? "";
+}
+
+function BoxView({ box, vertex }: { box: Box; vertex: string }) {
+  const aimed = useDrag((state) => state.target?.key === `slot:${vertex}.${box.slot}`);
+  const selected = useStudio((state) => box.plugged !== null && state.selection.includes(box.plugged));
+  const classes = ["box"];
+  if (box.plugged !== null) classes.push("is-plugged");
+  if (aimed) classes.push("is-aimed");
+  if (selected) classes.push("is-selected");
+  return (
+    <span
+      className={classes.join(" ")}
+      data-testid={`slot-${vertex}.${box.slot}`}
+      data-vertex={vertex}
+      data-slot={box.slot}
+      onClick={(event) => {
+        if (box.plugged === null || justDragged()) return;
+        event.stopPropagation();
+        selectVertex(box.plugged, event);
+      }}
+    >
+      {box.label === "" ? null : <span className="box-label">{box.label}</span>}
+      <strong>{box.value === "" ? "…" : box.value}</strong>
+      {box.unit === "" ? null : <strong>{box.unit}</strong>}
+    </span>
+  );
+}
+
+/** Beside a chip that compares a sensor's number: what the sensor says now, while a run exists. */
+function Now({ node }: { node: LayoutNode }) {
+  const test = node.block?.plugs.length === 1 ? node.block.plugs[0]?.block : null;
+  const object = test?.shape.object ?? null;
+  const program = useStudio((state) => state.activeProgram);
+  const value = useRun((state) => {
+    if (object?.type !== "integer" || test?.shape.fields.length === 0) return undefined;
+    const agent = watchedAgent(state, program);
+    return agent?.inputs[object.name] ?? agent?.values[object.name];
+  });
+  return value === undefined ? null : <span className="vertex-now">{t("graph.now", { value })}</span>;
+}

@@ -1,0 +1,30 @@
+/** Which vertices are alive in the run, for components that ask by id: the node list never hears of it. */
+import { useEffect } from "react";
+import { create } from "zustand";
+
+import { useActiveVertices } from "../run/run";
+
+const useActive = create<{ slots: Map<string, number[]> }>(() => ({ slots: new Map() }));
+
+/** Follows the watched agent of that program; stands once in the canvas. */
+export function ActiveVertices({ program }: { program: string }): null {
+  const slots = useActiveVertices(program);
+  useEffect(() => {
+    useActive.setState({ slots });
+  }, [slots]);
+  useEffect(
+    () => () => {
+      useActive.setState({ slots: new Map() });
+    },
+    [],
+  );
+  return null;
+}
+
+/** Threads that stand on one of the given vertices, as "0 2"; "" when none does. */
+export function useThreadsAt(id: string, mark: string | null): string {
+  return useActive(({ slots }) => {
+    const here = mark === null ? slots.get(id) : [...(slots.get(id) ?? []), ...(slots.get(mark) ?? [])];
+    return here === undefined ? "" : here.join(" ");
+  });
+}

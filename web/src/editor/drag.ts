@@ -1,0 +1,99 @@
+/**
+ * Dragging of parts and vertices with any pointer: mouse, finger, pen.
+ *
+ * A drag begins when a pressed pointer has moved a little; from then on a ghost follows it and the canvas says (by its
+ * resolver) where a drop would go. Escape or a lost pointer ends it without a change.
+ */
+import type { PointerEvent as ReactPointerEvent } from "react";
+import { create } from "zustand";
+
+import type { Point } from "../model/layout";
+import { useStudio } from "../model/studio";
+import { addPartAt, movePartsTo } from "./edits";
+import type { Target } from "./targets";
+
+export type Payload = { kind: "part"; element: string } | { kind: "vertices"; ids: string[]; element: string };
+
+interface DragState {
+  payload: Payload | null;
+  /** In px of the window. */
+  at: Point;
+  target: Target | null;
+  /** Alt: a copy is dropped. */
+  copy: boolean;
+}
+
+type Resolver = (at: Point, payload: Payload) => Target | null;
+
+export const useDrag = create<DragState>(() => ({ payload: null, at: { x: 0, y: 0 }, target: null, copy: false }));
+
+const FAR_ENOUGH = 5;
+
+let resolver: Resolver = () => null;
+let ended_ms = 0;
+
+/** The canvas says where things go. */
+export function setResolver(resolve: Resolver): void {
+  resolver = resolve;
+}
+
+/** Whether a drag has just ended, so that the click that follows it means nothing. */
+export function justDragged(): boolean {
+  return performance.now() - ended_ms < 80;
+}
+
+/** From a pointer that went down on something that can be dragged. */
+export function beginDrag(event: ReactPointerEvent, payload: Payload): void {
+  if (event.button !== 0 || !event.isPrimary) return;
+  const from = { x: event.clientX, y: event.clientY };
+  const pointer = event.pointerId;
+  let active = false;
+
+  const move = (next: PointerEvent) => {
+    if (next.pointerId !== pointer) return;
+    const at = { x: next.clientX, y: next.clientY };
+    if (!active && Math.hypot(at.x - from.x, at.y - from.y) < FAR_ENOUGH) return;
+    active = true;
+    next.preventDefault();
+    const found = resolver(at, payload);
+    const { target } = useDrag.getState();
+    useDrag.setState({ payload, at, copy: next.altKey, target: found?.key === target?.key ? target : found });
+  };
+  const up = (next: PointerEvent) => {
+    if (next.pointerId !== pointer) return;
+    if (active) move(next);
+    const { target, copy } = useDrag.getState();
+    finish();
+    if (active && target !== null) drop(payload, target, copy);
+  };
+  const cancel = (next: PointerEvent) => {
+    if (next.pointerId === pointer) finish();
+  };
+  const key = (next: KeyboardEvent) => {
+    if (next.key === "Alt") useDrag.setState({ copy: next.type === "keydown" });
+    if (!active || next.key !== "Escape") return;
+    next.preventDefault();
+    next.stopPropagation();
+    finish();
+  };
+  const finish = () => {
+    window.removeEventListener("pointermove", move);
+    window.removeEventListener("pointerup", up);
+    window.removeEventListener("pointercancel", cancel);
+    window.removeEventListener("keydown", key, true);
+    window.removeEventListener("keyup", key, true);
+    if (active) ended_ms = performance.now();
+    useDrag.setState({ payload: null, target: null, copy: false });
+  };
+
+  window.addEventListener("pointermove", move);
+  window.addEventListener("pointerup", up);
+  window.addEventListener("pointercancel", cancel);
+  window.addEventListener("keydown", key, true);
+  window.addEventListener("keyup", key, true);
+}
+
+function drop(payload: Payload, { place }: Target, copy: boolean): void {
+  if (payload.kind === "part") addPartAt(place, payload.element);
+  else if (movePartsTo(place, payload.ids, copy)) useStudio.getState().select(useStudio.getState().selection);
+}

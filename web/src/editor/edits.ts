@@ -1,0 +1,54 @@
+/** What hands do to the program in view: each makes a command and gives it to the document. */
+import type { Command } from "../model/command";
+import { deleteParts } from "../model/commands/deleteParts";
+import { insertPart } from "../model/commands/insertPart";
+import { copyParts, moveParts } from "../model/commands/moveParts";
+import { placeFor } from "../model/placeFor";
+import { useStudio } from "../model/studio";
+import { findSpot, inChain, type Place } from "../model/tree";
+import { currentDrawing, type Drawing } from "./drawing";
+import { useView } from "./view";
+
+/** Does the command that `make` finds for the program in view; says whether there was one. */
+export function edit(make: (drawing: Drawing) => Command | null): boolean {
+  const drawing = currentDrawing();
+  const command = drawing === null ? null : make(drawing);
+  if (command === null) return false;
+  useStudio.getState().execute(command);
+  return true;
+}
+
+/** Puts a part where the selection says. */
+export function addPart(element: string): boolean {
+  const { selection } = useStudio.getState();
+  return edit(({ program, parts, structure }) => {
+    const around = { vertex: selection.at(-1) ?? null, arc: useView.getState().arc };
+    const place = placeFor(structure, around, parts.shape(element));
+    return place === null ? null : insertPart(program, parts, place, element);
+  });
+}
+
+export function addPartAt(place: Place, element: string): boolean {
+  return edit(({ program, parts }) => insertPart(program, parts, place, element));
+}
+
+export function movePartsTo(place: Place, ids: string[], copy: boolean): boolean {
+  return edit(({ program, parts }) => (copy ? copyParts : moveParts)(program, parts, ids, place));
+}
+
+export function deleteSelection(): boolean {
+  const { selection } = useStudio.getState();
+  return selection.length > 0 && edit(({ program, parts }) => deleteParts(program, parts, selection));
+}
+
+/** Copies of the selected vertices, right after the last of them. */
+export function duplicateSelection(): boolean {
+  const { selection } = useStudio.getState();
+  return edit(({ program, parts, structure }) => {
+    const last = selection.at(-1);
+    const spot = last === undefined ? undefined : findSpot(structure, last);
+    if (spot === undefined) return null;
+    const place: Place = { kind: "arc", source: inChain(spot).block.vertex.id, out: "next" };
+    return copyParts(program, parts, selection, place);
+  });
+}

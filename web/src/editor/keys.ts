@@ -1,0 +1,80 @@
+/** The canvas's keys. They hold while the canvas, or nothing at all, has the focus. */
+import { type RefObject, useEffect } from "react";
+
+import { useStudio } from "../model/studio";
+import { currentDrawing } from "./drawing";
+import { deleteSelection, duplicateSelection } from "./edits";
+import { useView } from "./view";
+import { type Step, walk } from "./walk";
+
+const STEPS: Record<string, Step> = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right" };
+
+function step(direction: Step): boolean {
+  const drawing = currentDrawing();
+  const { selection, select } = useStudio.getState();
+  const next = drawing === null ? null : walk(drawing, selection.at(-1) ?? null, direction);
+  if (next !== null) select([next]);
+  return true;
+}
+
+/** Enter goes to the first thing that can be set on the selected vertex. */
+function editSelected(): boolean {
+  const field = document.querySelector<HTMLElement>("[data-inspector-field]");
+  field?.focus();
+  return field !== null;
+}
+
+function escape(): boolean {
+  const { arc, adding } = useView.getState();
+  if (adding === null && arc === null && useStudio.getState().selection.length === 0) return false;
+  useView.setState({ arc: null, adding: null });
+  useStudio.getState().select([]);
+  return true;
+}
+
+function openAdding(): boolean {
+  useView.getState().setAdding({ vertex: useStudio.getState().selection.at(-1) ?? null, slot: null });
+  return true;
+}
+
+/** Does what a key means; says whether it meant anything. */
+function press(event: KeyboardEvent): boolean {
+  const { undo, redo } = useStudio.getState();
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  if (event.ctrlKey || event.metaKey) {
+    if (key === "z") (event.shiftKey ? redo : undo)();
+    else if (key === "y") redo();
+    else if (key === "d") duplicateSelection();
+    else if (key === "0") useView.getState().viewport?.home();
+    else return false;
+    return true;
+  }
+  const direction = STEPS[key];
+  if (direction !== undefined && !event.altKey) return step(direction);
+  if (key === "/") return openAdding();
+  if (key === "Delete" || key === "Backspace") return deleteSelection();
+  if (key === "Escape") return escape();
+  if (key === "Enter") return editSelected();
+  if (key === "+" || key === "=") useView.getState().viewport?.zoomIn();
+  else if (key === "-") useView.getState().viewport?.zoomOut();
+  else return false;
+  return true;
+}
+
+export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => {
+      const target = event.target instanceof Element ? event.target : document.body;
+      if (event.defaultPrevented || target.closest("input, textarea, select, [contenteditable=true], [role=dialog]"))
+        return;
+      if (target !== document.body && root.current?.contains(target) !== true) return;
+      // A focused button of the canvas keeps its own Enter.
+      if (event.key === "Enter" && target.closest("button") !== null) return;
+      if (press(event)) event.preventDefault();
+    };
+    window.addEventListener("keydown", onKey, true);
+    return () => {
+      window.removeEventListener("keydown", onKey, true);
+    };
+  }, [root]);
+}

@@ -1,0 +1,53 @@
+/** What the canvas shows besides the document: the selected arc, the open type-to-add, and its hand on the viewport. */
+import { create } from "zustand";
+
+import type { Point } from "../model/layout";
+import { useStudio } from "../model/studio";
+import type { Place } from "../model/tree";
+
+/** An open type-to-add: the vertex beside which it opens (else the selected arc), and the slot it is for, if any. */
+export interface Adding {
+  vertex: string | null;
+  slot: (Place & { kind: "slot" }) | null;
+}
+
+/** What the shell and the canvas's own tools can ask of the viewport. */
+export interface Viewport {
+  zoomIn: () => void;
+  zoomOut: () => void;
+  /** Zoom 1, Start on top. */
+  home: () => void;
+  fit: () => void;
+  /** Scrolls so far that the vertex is in view. */
+  reveal: (id: string) => void;
+  /** A point of the graph on the canvas, in px from its corner. */
+  place: (point: Point) => Point;
+  focus: () => void;
+}
+
+interface ViewState {
+  /** "SOURCE.OUT", or null. A selected arc and selected vertices exclude each other. */
+  arc: string | null;
+  adding: Adding | null;
+  viewport: Viewport | null;
+  selectArc: (arc: string | null) => void;
+  setAdding: (adding: Adding | null) => void;
+}
+
+export const useView = create<ViewState>((set) => ({
+  arc: null,
+  adding: null,
+  viewport: null,
+  selectArc: (arc) => {
+    set({ arc });
+    if (arc !== null) useStudio.getState().select([]);
+  },
+  setAdding: (adding) => {
+    set({ adding });
+  },
+}));
+
+useStudio.subscribe((state, before) => {
+  if (state.activeProgram !== before.activeProgram) useView.setState({ arc: null, adding: null });
+  else if (state.selection !== before.selection && state.selection.length > 0) useView.setState({ arc: null });
+});

@@ -1,0 +1,123 @@
+/** Where the canvas looks: Start on top at zoom 1, remembered for each program, moved only as far as needed. */
+import { useReactFlow, useStoreApi, type Viewport as Camera } from "@xyflow/react";
+import { type RefObject, useEffect, useState } from "react";
+
+import { useStudio } from "../model/studio";
+import type { Drawing } from "./drawing";
+import { currentDrawing } from "./drawing";
+import { spotOfArc } from "./Lines";
+import { useView } from "./view";
+
+const remembered = new Map<string, Camera>();
+const MARGIN = 48;
+const MOVE_MS = 140;
+const START_AT = 40;
+const EMPTY_START_AT = 116;
+
+/** How wide the canvas was when it was last opened: the first guess for the next time. */
+let lastWidth = 904;
+let opened = "";
+
+/** Forgets where programs were looked at when another mission is opened. */
+useStudio.subscribe((state, before) => {
+  if (state.file.path !== before.file.path || state.file.revision === "") return;
+  if (opened !== state.file.path) remembered.clear();
+  opened = state.file.path;
+});
+
+function homeOf(width: number, drawing: Drawing): Camera {
+  const { layout, nodes } = drawing;
+  const y = nodes.has("place") ? EMPTY_START_AT : START_AT;
+  // Start is in the middle, except where the left edge of a program that would fit was cut off by that.
+  const left = width / 2 + layout.bounds.x;
+  const parkedToo = layout.bounds.x + layout.bounds.w;
+  const shift = left < 16 && width >= layout.bounds.w + 32 ? 16 - left : 0;
+  return { x: Math.round(Math.min(width / 2 + shift, Math.max(width / 2, width - 16 - parkedToo))), y, zoom: 1 };
+}
+
+/** Gives the first camera, what to do when the viewport is there, and hands the viewport to whoever asks (view.ts). */
+export function useViewport(
+  root: RefObject<HTMLDivElement | null>,
+  drawing: Drawing,
+): { first: Camera; onReady: () => void } {
+  const flow = useReactFlow();
+  const store = useStoreApi();
+  const { name } = drawing.program;
+  const [first] = useState<Camera>(() => remembered.get(name) ?? homeOf(lastWidth, drawing));
+
+  useEffect(
+    () => () => {
+      remembered.set(name, flow.getViewport());
+    },
+    [flow, name],
+  );
+
+  useEffect(() => {
+    const size = () => ({ width: root.current?.clientWidth ?? 0, height: root.current?.clientHeight ?? 0 });
+    const animated = { duration: matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : MOVE_MS };
+    useView.setState({
+      viewport: {
+        zoomIn: () => void flow.zoomIn(animated),
+        zoomOut: () => void flow.zoomOut(animated),
+        home: () => {
+          const now = currentDrawing();
+          if (now !== null) void flow.setViewport(homeOf(size().width, now), animated);
+        },
+        fit: () => {
+          const now = currentDrawing();
+          if (now === null) return;
+          const { x, y, w, h } = now.layout.bounds;
+          void flow.fitBounds({ x, y, width: w, height: h }, { padding: 0.06, ...animated });
+        },
+        reveal: (id) => {
+          const node = currentDrawing()?.layout.nodes.find((one) => one.vertex === id);
+          if (node === undefined) return;
+          const { width, height } = size();
+          const { x, y, zoom } = flow.getViewport();
+          const nudge = (from: number, long: number, room: number) => {
+            if (from < MARGIN) return MARGIN - from;
+            return from + long > room - MARGIN ? Math.max(room - MARGIN - from - long, MARGIN - from) : 0;
+          };
+          const dx = nudge(node.x * zoom + x, node.w * zoom, width);
+          const dy = nudge(node.y * zoom + y, node.h * zoom, height);
+          if (dx !== 0 || dy !== 0) void flow.setViewport({ x: x + dx, y: y + dy, zoom }, animated);
+        },
+        place: (point) => {
+          const [x, y, zoom] = store.getState().transform;
+          return { x: point.x * zoom + x, y: point.y * zoom + y };
+        },
+        focus: () => root.current?.focus({ preventScroll: true }),
+      },
+    });
+    return () => {
+      useView.setState({ viewport: null });
+    };
+  }, [flow, store, root]);
+
+  useEffect(
+    () =>
+      // A vertex that was selected elsewhere, or made beyond the edge, comes into view.
+      useStudio.subscribe((state, before) => {
+        const last = state.selection.at(-1);
+        if (last === undefined || state.selection === before.selection) return;
+        queueMicrotask(() => useView.getState().viewport?.reveal(last));
+      }),
+    [],
+  );
+  const onReady = () => {
+    const width = root.current?.clientWidth ?? 0;
+    if (!remembered.has(name) && width > 0 && width !== lastWidth) void flow.setViewport(homeOf(width, drawing));
+    lastWidth = width;
+  };
+  return { first, onReady };
+}
+
+/** Where a popup for the selection opens, in px from the canvas's corner. */
+export function anchorOf(vertex: string | null, arc: string | null): { x: number; y: number } | null {
+  const { viewport } = useView.getState();
+  if (viewport === null) return null;
+  const node = vertex === null ? undefined : currentDrawing()?.layout.nodes.find((one) => one.vertex === vertex);
+  if (node !== undefined) return viewport.place({ x: node.x + node.w / 2, y: node.y + node.h + 8 });
+  const spot = spotOfArc(arc ?? "start.next");
+  return spot === null ? null : viewport.place({ x: spot.x, y: spot.y + 16 });
+}
