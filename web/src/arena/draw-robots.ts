@@ -5,6 +5,7 @@ import { toScreen } from "./camera";
 import { type Brush, drawBox, write } from "./draw-world";
 import { boundsOf } from "./geometry";
 import type { Scene, Seen } from "./scene";
+import { type Area, placeTag } from "./tag-place";
 
 const MOST_SENSES = 3;
 
@@ -26,13 +27,15 @@ function drawBody(brush: Brush, { pose, actor }: Seen): void {
     }
   }
   if ((pose.flags & LAMP) !== 0) {
-    pen.fillStyle = colours.glow;
-    for (const y of [-10, 10]) {
-      pen.beginPath();
-      pen.moveTo(25 * u, y * u);
-      pen.arc(25 * u, y * u, 26 * u, -0.42, 0.42);
-      pen.fill();
-    }
+    const light = pen.createRadialGradient(20 * u, 0, 6 * u, 20 * u, 0, 44 * u);
+    light.addColorStop(0, colours.glow);
+    light.addColorStop(1, "rgb(255 205 70 / 0%)");
+    pen.fillStyle = light;
+    pen.beginPath();
+    pen.moveTo(24 * u, -14 * u);
+    pen.arc(20 * u, 0, 44 * u, -0.62, 0.62);
+    pen.lineTo(24 * u, 14 * u);
+    pen.fill();
   }
   pen.beginPath();
   pen.roundRect(-27 * u, -19 * u, 54 * u, 38 * u, 7 * u);
@@ -156,52 +159,71 @@ function drawSeen(brush: Brush, one: Seen, selected: boolean): void {
   pen.restore();
 }
 
+/** What the tag should not cover: storehouses, the score, the other robots. */
+function takenAreas(brush: Brush, scene: Scene, seen: readonly Seen[], own: Seen): Area[] {
+  const { camera, unit: u } = brush;
+  const houses = scene.world.storehouses.map((house) => {
+    const [left, top] = toScreen(camera, house.x_mm, house.y_mm + house.height_mm);
+    return { left, top, width: house.width_mm * camera.scale, height: house.height_mm * camera.scale };
+  });
+  const around = (x_mm: number, y_mm: number, halfWidth: number, halfHeight: number): Area => {
+    const [x, y] = toScreen(camera, x_mm, y_mm);
+    return { left: x - halfWidth, top: y - halfHeight, width: 2 * halfWidth, height: 2 * halfHeight };
+  };
+  const others = seen
+    .filter((one) => one !== own && one.actor.role !== "keeper")
+    .map((one) => around(one.pose.x_mm, one.pose.y_mm, 30 * u, 30 * u));
+  const middle = scoreAt(scene);
+  return [...houses, ...others, ...(middle === null ? [] : [around(middle[0], middle[1], 55 * u, 28 * u)])];
+}
+
 /** The tag beside the robot that is watched: its number and what it senses. */
-function drawTag(brush: Brush, one: Seen): void {
+function drawTag(brush: Brush, scene: Scene, seen: readonly Seen[], one: Seen): void {
   const { pen, camera, room, colours, unit } = brush;
   const { senses, number, role, name } = one.actor;
   if (senses.length === 0 || role === "keeper") return;
   const words = [role === "robot" ? String(number) : name, ...senses.slice(0, MOST_SENSES)].join(" · ");
   const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
   pen.font = `600 13px "Inter Variable", system-ui, sans-serif`;
-  const width = pen.measureText(words).width + 24;
-  const height = 24;
-  const right = x < room.width / 2 ? -1 : 1;
-  const away = 34 * unit;
-  const left = Math.min(Math.max(x + right * (away + 26) - (right < 0 ? width : 0), 8), room.width - width - 8);
-  const below = y + away * 0.7 + height + 8 < room.height ? 1 : -1;
-  const top = below > 0 ? y + away * 0.7 : y - away * 0.7 - height;
-  const edge = right > 0 ? left : left + width;
+  const size = { width: pen.measureText(words).width + 24, height: 24 };
+  const away = (role === "arm" ? 17 : 34) * unit;
+  const { area, right, below } = placeTag(x, y, away, size, room, takenAreas(brush, scene, seen, one));
+  const middle = area.top + area.height / 2;
   pen.beginPath();
   pen.moveTo(x + right * away * 0.72, y + below * away * 0.72);
-  pen.lineTo(x + right * (away * 0.72 + 10), top + height / 2);
-  pen.lineTo(edge, top + height / 2);
-  pen.strokeStyle = colours.ink;
-  pen.lineWidth = 1.5;
-  pen.stroke();
+  pen.lineTo(x + right * (away * 0.72 + 10), middle);
+  pen.lineTo(right > 0 ? area.left : area.left + area.width, middle);
+  line(brush, 1.5, colours.ink);
   pen.beginPath();
-  pen.roundRect(left, top, width, height, 6);
+  pen.roundRect(area.left, area.top, area.width, area.height, 6);
   pen.fillStyle = colours.ink;
   pen.fill();
   pen.textAlign = "center";
   pen.textBaseline = "middle";
-  write(brush, words, left + width / 2, top + height / 2 + 0.5, 13, 600, colours.onInk);
+  write(brush, words, area.left + area.width / 2, middle + 0.5, 13, 600, colours.onInk);
+}
+
+/** The middle of the first ring road, where the score stands. */
+function scoreAt(scene: Scene): [x_mm: number, y_mm: number] | null {
+  const ring = scene.world.roads.find((road) => road.closed);
+  if (ring === undefined) return null;
+  const box = boundsOf(ring);
+  return [(box.left + box.right) / 2, (box.bottom + box.top) / 2];
 }
 
 /** "7 of 12 delivered": in the middle of the ring, else at the top. */
 function drawScore(brush: Brush, scene: Scene): void {
   if (scene.total === 0) return;
   const { pen, camera, room, colours, unit } = brush;
-  const ring = scene.world.roads.find((road) => road.closed);
+  const middle = scoreAt(scene);
   const words = t("arena.of", { done: scene.delivered, total: scene.total });
   pen.textAlign = "center";
   pen.textBaseline = "alphabetic";
-  if (ring === undefined) {
+  if (middle === null) {
     write(brush, `${words} ${t("arena.delivered")}`, room.width / 2, 24, 14, 600, colours.text);
     return;
   }
-  const box = boundsOf(ring);
-  const [x, y] = toScreen(camera, (box.left + box.right) / 2, (box.bottom + box.top) / 2);
+  const [x, y] = toScreen(camera, ...middle);
   write(brush, words, x, y + 3 * unit, 20 * unit, 700, colours.text);
   write(brush, t("arena.delivered"), x, y + 22 * unit, 13 * unit, 400, colours.muted);
 }
@@ -230,6 +252,6 @@ export function drawActors(brush: Brush, scene: Scene, seen: readonly Seen[], se
   }
   const watched = seen.find((one) => one.actor.name === selected);
   if (watched === undefined) return;
-  drawTag(brush, watched);
+  drawTag(brush, scene, seen, watched);
   drawPlace(brush, scene, watched);
 }

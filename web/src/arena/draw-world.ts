@@ -24,8 +24,10 @@ export interface Brush {
   colours: Colours;
 }
 
-export function unitOf(camera: Camera): number {
-  return Math.max((camera.scale * ROBOT_MM) / ROBOT_UNITS, LEAST_UNIT);
+/** In an open room robots are drawn larger than they are, so that they can be seen; on a road they have to fit. */
+export function unitOf(camera: Camera, world: World): number {
+  const real = (camera.scale * ROBOT_MM) / ROBOT_UNITS;
+  return world.roads.length > 0 ? real : Math.max(real, LEAST_UNIT);
 }
 
 export function write(

@@ -78,7 +78,7 @@ export class Painter {
   /** Who is under a point of the canvas. */
   actorAt(x: number, y: number): Seen | null {
     if (this.scene === null) return null;
-    const reach = 34 * unitOf(this.camera);
+    const reach = 34 * unitOf(this.camera, this.scene.world);
     let best: { seen: Seen; off: number } | null = null;
     for (const seen of this.seen(performance.now()).seen) {
       if (seen.actor.role === "keeper") continue;
@@ -111,7 +111,7 @@ export class Painter {
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.colours ??= readColours();
     const { camera, room, colours } = this;
-    const brush = { pen, camera, room, unit: unitOf(camera), colours };
+    const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
     drawActors(brush, this.scene, seen, this.selected);
     if (!still) this.paintSoon();

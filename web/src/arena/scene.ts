@@ -7,7 +7,7 @@
 import type { Catalogue, Goal, Mission, World } from "../api/types";
 import { COLLISION, FAILED, type Pose } from "../api/wire";
 import type { RunAgent, RunState } from "../run/run";
-import { signAt } from "./geometry";
+import { nearestOn, signAt } from "./geometry";
 
 export type Role = "robot" | "arm" | "keeper";
 
@@ -40,6 +40,7 @@ export function roleAt(world: World, x: number, y: number): Role {
       x >= house.x_mm && x <= house.x_mm + house.width_mm && y >= house.y_mm && y <= house.y_mm + house.height_mm,
   );
   if (inside) return "keeper";
+  if (world.roads.some((road) => nearestOn(road, x, y).off <= road.width_mm / 2)) return "robot";
   const beside = world.docks.some((dock) => {
     const half = (world.roads.find((road) => road.name === dock.road)?.width_mm ?? 0) / 2;
     const off = Math.hypot(dock.x_mm - x, dock.y_mm - y);

@@ -105,7 +105,7 @@ const numbers = gutter({
     return new Numbered(line, (view.state.field(shownField, false)?.active.get(line) ?? []).join(" "));
   },
   lineMarkerChange: (update) => update.startState.field(shownField, false) !== update.state.field(shownField, false),
-  initialSpacer: () => new Numbered(88, ""),
+  initialSpacer: () => new Numbered(8, ""),
 });
 
 /** The gutter alone, for the three-address code. */

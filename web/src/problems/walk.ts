@@ -9,6 +9,7 @@ import { create } from "zustand";
 import type { Problem, Report } from "../api/types";
 import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
+import { reveal } from "../shell/actions";
 import { useDocument } from "../shell/document";
 
 const RANK = { error: 0, warning: 1, hint: 2 } as const;
@@ -38,13 +39,13 @@ export function problemsNow(): Problem[] {
 
 /** Shows where a problem is: the tab of its program, its vertices selected. */
 export function goTo(problem: Problem): void {
-  const { mission, setActiveProgram, select } = useStudio.getState();
+  const { mission } = useStudio.getState();
   const program = mission.programs.find((one) => one.name === problem.program);
   if (program === undefined) return;
-  setActiveProgram(program.name);
   const ends = problem.arcs.flatMap(([from, , to]) => [from, to]);
   const wanted = problem.vertices.length > 0 ? problem.vertices : ends;
-  select(wanted.filter((id) => program.vertices.some((vertex) => vertex.id === id)));
+  const there = wanted.filter((id) => program.vertices.some((vertex) => vertex.id === id));
+  reveal(program.name, there);
 }
 
 export function walkProblems(by: 1 | -1): void {

@@ -30,9 +30,12 @@ import { Separator } from "./Separator";
 import { Tabs } from "./Tabs";
 import { Title } from "./Title";
 import { TeamStop, Toolbar } from "./Toolbar";
-import "./layout.css";
 import "./chrome.css";
+import "./layout.css";
+import "./menus.css";
 import "./sheets.css";
+import "./strip.css";
+import "./tabs.css";
 
 let begun = false;
 
@@ -65,7 +68,7 @@ function Side() {
   const height = (panel: "inspector" | "code"): CSSProperties =>
     panel === last ? { flex: "1 1 0" } : { flex: `0 1 ${String(sizes[panel])}px` };
   return (
-    <aside className="side" aria-label={t("app.side")} style={{ width: sizes.side }}>
+    <div className="side" style={{ width: sizes.side }}>
       {folded.inspector ? null : (
         <section className="side-part side-inspector" style={height("inspector")} aria-label={t("view.inspector")}>
           <Inspector />
@@ -85,7 +88,7 @@ function Side() {
           <Arena />
         </section>
       )}
-    </aside>
+    </div>
   );
 }
 
@@ -123,12 +126,12 @@ export function App() {
       <Banner />
       <div className="middle">
         {folded.palette ? null : (
-          <>
-            <nav className="parts" aria-label={t("app.parts")} style={{ width: sizes.palette }}>
+          <nav className="parts-frame" aria-label={t("app.parts")}>
+            <div className="parts" style={{ width: sizes.palette }}>
               {ready ? <Palette /> : null}
-            </nav>
+            </div>
             <Separator edge="palette" label={t("view.palette")} along="x" />
-          </>
+          </nav>
         )}
         <main className="centre" aria-label={t("app.canvas")}>
           <Tabs />
@@ -138,10 +141,10 @@ export function App() {
           <ProblemList />
         </main>
         {side ? (
-          <>
+          <aside className="side-frame" aria-label={t("app.side")}>
             <Separator edge="side" label={t("app.side")} along="x" sense={-1} />
             <Side />
-          </>
+          </aside>
         ) : null}
       </div>
       <footer className="bottom">

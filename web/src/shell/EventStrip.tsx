@@ -1,8 +1,7 @@
 /**
  * The strip of what has happened so far: a time axis with ▲ load ▼ unload ○ message ✕ collision ■ end.
  *
- * It only shows; nothing on it can be dragged. The axis is one minute long and doubles when the run outgrows it. Events that
- * would lie on each other are drawn once.
+ * It only shows; nothing on it can be dragged. The axis is one minute long and doubles when the run outgrows it.
  */
 import { useLayoutEffect, useMemo, useRef, useState } from "react";
 
@@ -13,6 +12,7 @@ import { axisTime, clock, grouped } from "./clock";
 
 const FIRST_S = 60;
 const LANE = 11;
+const GAP_PX = 9;
 
 /** How many seconds the axis holds, and the distance of its marks. */
 export function axisFor(seconds: number): { length: number; step: number } {
@@ -21,15 +21,19 @@ export function axisFor(seconds: number): { length: number; step: number } {
   return { length, step: length / 6 };
 }
 
-/** One event for each px and kind. */
-export function thinned(events: readonly RunEvent[], pxOf: (event: RunEvent) => number): RunEvent[] {
-  const seen = new Set<string>();
-  return events.filter((event) => {
-    const key = `${String(Math.round(pxOf(event) / 3))} ${event.kind}`;
-    if (seen.has(key)) return false;
-    seen.add(key);
-    return true;
-  });
+const GRAVITY: Record<RunEventKind, number> = { end: 0, collision: 1, load: 2, unload: 2, message: 3 };
+
+/** Those that can be told apart at `gap` px: where they crowd, the weightier stay. In the order of time. */
+export function thinned(events: readonly RunEvent[], pxOf: (event: RunEvent) => number, gap: number): RunEvent[] {
+  const taken = new Set<number>();
+  const kept: RunEvent[] = [];
+  for (const event of [...events].sort((a, b) => GRAVITY[a.kind] - GRAVITY[b.kind])) {
+    const cell = Math.floor(pxOf(event) / gap);
+    if (taken.has(cell) || (taken.has(cell - 1) && taken.has(cell + 1))) continue;
+    taken.add(cell);
+    kept.push(event);
+  }
+  return kept.sort((a, b) => a.tick - b.tick);
 }
 
 function Mark({ kind, x, title }: { kind: RunEventKind; x: number; title: string }) {
@@ -66,7 +70,7 @@ export function EventStrip() {
   const room = width - 56;
   const shown = useMemo(() => {
     const place = (event: RunEvent) => (((event.tick * tickMs) / 1000) * room) / length;
-    return thinned(events, place).map((event) => ({ event, x: place(event) }));
+    return thinned(events, place, GAP_PX).map((event) => ({ event, x: place(event) }));
   }, [events, tickMs, room, length]);
   const now = (seconds * room) / length;
   const marks = Array.from({ length: 7 }, (_, index) => index * step);

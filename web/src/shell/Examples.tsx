@@ -11,7 +11,7 @@ export function Examples() {
   if (examples.length === 0) return null;
   return (
     <section className="examples" aria-label={t("open.examples")}>
-      <h3>{t("examples.or")}</h3>
+      <h2>{t("examples.or")}</h2>
       <ul>
         {examples.map((entry) => (
           <li key={entry.path}>

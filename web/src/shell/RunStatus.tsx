@@ -28,9 +28,9 @@ export function RunStatus() {
     <div className="run-status" data-testid="status" data-status={status} title={ended ? sentence : undefined}>
       <StateShape state={SHAPES[status]} />
       <span className="run-status-words" role="status">
-        {ended && sentence !== "" ? `${t(key)}: ${sentence}` : t(key)}
+        {ended && sentence !== "" ? sentence : t(key)}
       </span>
-      {timed || ended ? (
+      {timed ? (
         <span className="run-status-time" aria-hidden={status === "running"}>
           {time}
         </span>

@@ -4,7 +4,7 @@
  * Each tab shows how many agents run its program and, during a run, the state of the one that is watched. At the end of
  * the row: which agent that is, where there are several, and a token per live thread that jumps to its vertex.
  */
-import { type KeyboardEvent, useRef, useState } from "react";
+import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
 import { renameProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
@@ -135,6 +135,9 @@ export function Tabs() {
   const activeProgram = useStudio((studio) => studio.activeProgram);
   const renaming = useRenaming((state) => state.program);
   const list = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: "nearest", inline: "nearest" });
+  }, [activeProgram]);
 
   const onKey = (event: KeyboardEvent) => {
     const at = programs.findIndex((program) => program.name === activeProgram);
@@ -160,8 +163,8 @@ export function Tabs() {
             renaming === name ? <NameField key={name} name={name} /> : <Tab key={name} name={name} onKey={onKey} />,
           )}
         </div>
-        <AddProgram />
       </div>
+      <AddProgram />
       <div className="tabs-end">
         <Threads program={activeProgram} />
         <Watched program={activeProgram} />

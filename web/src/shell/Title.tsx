@@ -23,7 +23,7 @@ export function Title() {
         : t("file.saved");
   return (
     <div className="title" data-testid="title">
-      <strong>{name}</strong>
+      <h1>{name}</h1>
       <span aria-hidden="true">·</span>
       <span data-testid="saved-state">{state}</span>
     </div>

@@ -109,7 +109,7 @@ export function TeamStop() {
       type="button"
       className="team-stop"
       data-testid="team-stop"
-      aria-label={t("stop.label")}
+      title={t("stop.label")}
       onClick={useRun.getState().stop}
     >
       <Icon name="octagon-x" size={24} />

@@ -1,4 +1,5 @@
 /** What the shell can do, each as one function, shared by menus, toolbar and keys. */
+import { useView } from "../editor/view";
 import type { Command } from "../model/command";
 import { addProgram, removeProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
@@ -72,5 +73,9 @@ export function nextSpeed(speed: number, by: 1 | -1): number {
 export function reveal(program: string, vertices: string[]): void {
   const { setActiveProgram, select } = useStudio.getState();
   setActiveProgram(program);
-  if (vertices.length > 0) select(vertices);
+  const [first] = vertices;
+  if (first === undefined) return;
+  select(vertices);
+  // The canvas draws the other program first.
+  requestAnimationFrame(() => useView.getState().viewport?.reveal(first));
 }

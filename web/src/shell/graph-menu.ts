@@ -1,11 +1,13 @@
 /** The entries of the menus that work on the graph: undo, redo, the selection, the view. */
+import { deleteSelection, duplicateSelection } from "../editor/edits";
+import type { Viewport } from "../editor/view";
 import type { StudioState } from "../model/studio";
 import { programInView } from "../model/studio";
 import { t } from "../words/words";
 import type { MenuEntry } from "./menu-model";
 
 export function editEntries(studio: StudioState): MenuEntry[] {
-  const { undo, redo, canUndo, canRedo, undoLabel, redoLabel, select } = studio;
+  const { undo, redo, canUndo, canRedo, undoLabel, redoLabel, selection, select } = studio;
   const program = programInView(studio);
   return [
     {
@@ -27,6 +29,22 @@ export function editEntries(studio: StudioState): MenuEntry[] {
     { kind: "line", id: "edit-1" },
     {
       kind: "item",
+      id: "edit-delete",
+      label: t("edit.delete"),
+      keys: "Del",
+      disabled: selection.length === 0,
+      run: () => void deleteSelection(),
+    },
+    {
+      kind: "item",
+      id: "edit-duplicate",
+      label: t("edit.duplicate"),
+      keys: "Ctrl+D",
+      disabled: selection.length === 0,
+      run: () => void duplicateSelection(),
+    },
+    {
+      kind: "item",
       id: "edit-select-all",
       label: t("edit.select-all"),
       keys: "Ctrl+A",
@@ -35,6 +53,18 @@ export function editEntries(studio: StudioState): MenuEntry[] {
   ];
 }
 
-export function viewEntries(): MenuEntry[] {
-  return [];
+export function viewEntries(viewport: Viewport | null): MenuEntry[] {
+  const item = (id: string, label: string, run: (() => void) | undefined): MenuEntry => ({
+    kind: "item",
+    id,
+    label,
+    disabled: run === undefined,
+    run: run ?? (() => undefined),
+  });
+  return [
+    item("view-fit", t("view.fit"), viewport?.fit),
+    item("view-home", t("view.home"), viewport?.home),
+    item("view-zoom-in", t("view.zoom-in"), viewport?.zoomIn),
+    item("view-zoom-out", t("view.zoom-out"), viewport?.zoomOut),
+  ];
 }

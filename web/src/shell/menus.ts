@@ -4,6 +4,7 @@
  */
 import { useMemo } from "react";
 
+import { useView, type Viewport } from "../editor/view";
 import { useStudio } from "../model/studio";
 import { isLive, useRun } from "../run/run";
 import { type ThemeChoice, useTheme } from "../theme";
@@ -40,9 +41,9 @@ function fileMenu(program: string, translated: boolean): MenuEntry[] {
 const THEMES: ThemeChoice[] = ["light", "dark", "system"];
 const PANELS: Panel[] = ["palette", "inspector", "code", "arena"];
 
-function viewMenu(choice: ThemeChoice, folded: Record<Panel, boolean>): MenuEntry[] {
+function viewMenu(choice: ThemeChoice, folded: Record<Panel, boolean>, viewport: Viewport | null): MenuEntry[] {
   return [
-    ...viewEntries(),
+    ...viewEntries(viewport),
     { kind: "heading", id: "view-theme", label: t("view.theme") },
     ...THEMES.map((theme): MenuEntry => ({
       kind: "radio",
@@ -120,13 +121,14 @@ export function useMenus(): MenuPart[] {
   const speed = useRun((state) => state.speed);
   const choice = useTheme((theme) => theme.choice);
   const folded = useLayout((layout) => layout.folded);
+  const viewport = useView((view) => view.viewport);
   return useMemo(() => {
     const { activeProgram, report, catalogue, mission } = studio;
     const translated = report?.programs.some((program) => program.name === activeProgram) ?? false;
     return [
       { id: "File", label: t("menu.file"), entries: fileMenu(activeProgram, translated) },
       { id: "Edit", label: t("menu.edit"), entries: editEntries(studio) },
-      { id: "View", label: t("menu.view"), entries: viewMenu(choice, folded) },
+      { id: "View", label: t("menu.view"), entries: viewMenu(choice, folded, viewport) },
       {
         id: "Program",
         label: t("menu.program"),
@@ -135,5 +137,5 @@ export function useMenus(): MenuPart[] {
       { id: "Run", label: t("menu.run"), entries: runMenu(status, isLive(status), speed) },
       { id: "Help", label: t("menu.help"), entries: helpMenu() },
     ];
-  }, [studio, status, speed, choice, folded]);
+  }, [studio, status, speed, choice, folded, viewport]);
 }
