@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.checker import check
 from kitrobot.compiler.graph_to_lll import graph_to_lll
@@ -47,13 +48,17 @@ def compile_lll(program: Seq, robot: Robot, source: Source | None = None, name: 
 def compile_text(text: str, robot: Robot, name: str = "program.lll") -> Compiled:
     """Reads an LLL text and compiles it; `name` is the file name that diagnostics show."""
     parsed = parse(text, name)
-    if not parsed.ok:
-        diagnostics = parsed.diagnostics + check(parsed.program, robot, parsed.source)
-        return Compiled(parsed.program, parsed.source, None, DebugMap(), diagnostics)
-    compiled = compile_lll(parsed.program, robot, parsed.source)
-    return Compiled(
-        compiled.program, compiled.source, compiled.image, compiled.debug, parsed.diagnostics + compiled.diagnostics
-    )
+    if parsed.ok:
+        compiled = compile_lll(parsed.program, robot, parsed.source)
+    else:
+        found = check(parsed.program, robot, parsed.source)
+        compiled = Compiled(parsed.program, parsed.source, None, DebugMap(), found)
+    return replace(compiled, diagnostics=in_reading_order(parsed.diagnostics + compiled.diagnostics))
+
+
+def in_reading_order(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """The same diagnostics by line and column; those without a place first."""
+    return sorted(diagnostics, key=lambda item: (item.place.line, item.place.column) if item.place else (0, 0))
 
 
 def compile_program(program: Program, catalogue: Catalogue) -> Compiled:
