@@ -24,6 +24,7 @@ class Cursor:
         self.template = template
         self.tokens, self.comments = tokenise(text)
         self.next_comment = 0
+        self.comment_at = self.comments[0].before if self.comments else len(self.tokens)
         self.at = 0
         self.depth = 0
         self.height = 0
@@ -56,12 +57,14 @@ class Cursor:
 
     def mistake(self, expected: str, help: str = "") -> Mistake:
         _, start, end, _ = self.tokens[self.at]
-        self.report(rules.SYNTAX, f"expected {expected}, found {self.found()}", start, max(end, start + 1), help)
+        self.report(rules.SYNTAX, f"expected {expected}, found {self.found()}", start, end, help)
         return Mistake()
 
     def expect(self, symbol: str, opened: Token | None = None) -> None:
-        if self.is_symbol(symbol):
-            self.take()
+        token = self.tokens[self.at]
+        if token[0] == SYMBOL and token[3] == symbol:
+            self.at += 1
+            self.last_end = token[2]
             return
         if opened is not None and self.tokens[self.at][0] == END:
             if not self.found_unclosed:
@@ -96,15 +99,24 @@ class Cursor:
 
     # -- comments
 
+    # `comment_at` is the token before which the next comment stands, so that most questions are one comparison.
+
     def comments_before(self, index: int) -> list[Comment]:
+        if self.comment_at > index:
+            return []
         first = self.next_comment
-        while self.next_comment < len(self.comments) and self.comments[self.next_comment].before <= index:
-            self.next_comment += 1
+        while self.comment_at <= index:
+            self.go_past_comment()
         return self.comments[first : self.next_comment]
+
+    def go_past_comment(self) -> None:
+        self.next_comment += 1
+        more = self.next_comment < len(self.comments)
+        self.comment_at = self.comments[self.next_comment].before if more else len(self.tokens)
 
     def take_comment_after(self, node: Instr) -> None:
         """Gives an instruction the comment that follows it on its line."""
-        if self.next_comment == len(self.comments) or node.after is not None:
+        if self.comment_at > self.at or node.after is not None:
             return
         index = self.next_comment
         while index < len(self.comments) and self.comments[index].before <= self.at:
@@ -112,7 +124,10 @@ class Cursor:
             if comment.before == self.at and comment.start >= node.end:
                 if "\n" not in self.text[self.last_end : comment.start]:
                     node.after = comment.text
-                    del self.comments[index]
+                    if index == self.next_comment:
+                        self.go_past_comment()
+                    else:
+                        del self.comments[index]
                 return
             index += 1
 

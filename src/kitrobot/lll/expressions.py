@@ -76,7 +76,9 @@ class Expressions(Cursor):
         self.height = 0
         kind, start, _, value = self.tokens[self.at]
         if kind in (CALL, NAME):
-            return self.call()
+            call = self.call()
+            self.height = _levels(call)
+            return call
         if kind == HOLE:
             return self.hole()
         if kind == SYMBOL:
@@ -99,7 +101,9 @@ class Expressions(Cursor):
 
     def conditional_as_condition(self) -> Condition:
         """Table 1 uses one name for two things, so people may try this; the test inside is what they meant."""
+        self.deeper(self.tokens[self.at])
         whole = self.conditional()
+        self.depth -= 1
         self.report(
             rules.CONDITIONAL_AS_CONDITION,
             "a whole conditional `[…](…)` cannot be a condition",
@@ -116,11 +120,9 @@ class Expressions(Cursor):
         if kind == CALL:
             self.at += 1
             self.last_end = end
-            name, method, numbers = value
-            call = Call(name, method, start=start, end=end)
-            call.method_start = self.text.index(method, self.text.index(".", start))
-            if numbers is not None:
-                self.simple_numbers(call, numbers)
+            name, method, method_start, numbers, numbers_start = value
+            literals = self.numbers(numbers, numbers_start) if numbers else []
+            call = Call(name, method, literals, start=start, end=end, method_start=method_start)
             if name in RESERVED or method in RESERVED:
                 self.reserved(name if name in RESERVED else method, start, end)
             return call
@@ -150,21 +152,22 @@ class Expressions(Cursor):
             rules.RESERVED_WORD, f"`{word}` is a word of the language, not a name", start, end, "choose another name"
         )
 
-    def simple_numbers(self, call: Call, numbers: str) -> None:
-        at = self.text.index("(", call.method_start) + 1
+    def numbers(self, numbers: str, start: int) -> list[Param]:
+        """The parameters of a CALL token: `50`, or `25, 50`."""
         if numbers.isdigit():
-            at = self.text.index(numbers, at)
-            call.params.append(self.literal(numbers, at))
-            return
+            return [self.literal(numbers, start)]
+        params: list[Param] = []
         for number in numbers.split(","):
             digits = number.strip()
-            at = self.text.index(digits, at)
-            call.params.append(self.literal(digits, at))
-            at += len(digits)
+            at = self.text.index(digits, start)
+            params.append(self.literal(digits, at))
+            start = at + len(digits)
+        return params
 
     def literal(self, digits: str, start: int) -> Number:
         end = start + len(digits)
-        return Number(self.value(digits, start, end), start=start, end=end)
+        value = int(digits) if len(digits) < 5 else self.value(digits, start, end)
+        return Number(value, start=start, end=end)
 
     def value(self, digits: str, start: int, end: int) -> int:
         significant = digits.lstrip("0")
@@ -231,3 +234,8 @@ class Expressions(Cursor):
                 "write what should stand here",
             )
         return Hole(name, start=start, end=end)
+
+
+def _levels(call: Call) -> int:
+    """How deep calls nest in the parameters of a call."""
+    return max((1 + _levels(param) for param in call.params if isinstance(param, Call)), default=0)

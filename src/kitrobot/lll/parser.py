@@ -17,6 +17,7 @@ from typing import Any
 
 from kitrobot.diagnostics import Diagnostic, Source
 from kitrobot.lll import rules
+from kitrobot.lll.collection import collection_paused
 from kitrobot.lll.cursor import Mistake
 from kitrobot.lll.expressions import Expressions
 from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, SYMBOL, Token
@@ -53,8 +54,9 @@ class Parsed:
 
 def parse(text: str, name: str = "program.lll") -> Parsed:
     """Reads an LLL program. `name` is the file name that diagnostics show. Never raises for a mistake in the text."""
-    parser = _Parser(text, name, template=False)
-    return Parsed(parser.program(), parser.diagnostics, parser.source)
+    with collection_paused():
+        parser = _Parser(text, name, template=False)
+        return Parsed(parser.program(), parser.diagnostics, parser.source)
 
 
 def parse_template(text: str, name: str = "template") -> tuple[Instr | Condition | Seq | None, list[Diagnostic]]:
@@ -74,6 +76,8 @@ def parse_template(text: str, name: str = "template") -> tuple[Instr | Condition
     condition = other.whole_condition()
     if not other.diagnostics:
         return condition, []
+    if program.hole is not None and program.items and not any(item.is_error for item in parser.diagnostics):
+        return program, parser.diagnostics
     if any(item.is_error for item in parser.diagnostics):
         looks_like_condition = any(kind == SYMBOL and text in "&|" for kind, _, _, text in other.tokens)
         return None, other.diagnostics if looks_like_condition else parser.diagnostics
@@ -105,19 +109,20 @@ class _Parser(Expressions):
         start = self.tokens[self.at][1]
         items: list[Instr] = []
         seq = Seq(items)
-        depth = self.depth
+        depth, tokens = self.depth, self.tokens
         while True:
-            kind, _, _, value = self.tokens[self.at]
+            kind, _, _, value = tokens[self.at]
             if kind == CALL:
-                above = self.comments_before(self.at) if self.comments else ()
+                above = self.comments_before(self.at)
                 call = self.call()
-                if self.comments:
+                if above or self.comment_at <= self.at:
                     self.finish(call, above)
                 items.append(call)
-                if (after := self.tokens[self.at])[0] == SYMBOL and after[3] == ";":
+                after = tokens[self.at]
+                if after[0] == SYMBOL and after[3] == ";":
                     self.at += 1
                     self.last_end = after[2]
-                    if self.comments:
+                    if self.comment_at <= self.at:
                         self.take_comment_after(call)
                     continue
             elif kind == SYMBOL and value == ";":
@@ -127,8 +132,8 @@ class _Parser(Expressions):
                 continue
             elif kind == END or (kind == SYMBOL and value in "),"):
                 break
-            elif kind == HOLE and not (self.tokens[self.at + 1][0] == SYMBOL and self.tokens[self.at + 1][3] == "*"):
-                seq.hole = self.hole()
+            elif kind == HOLE and not (tokens[self.at + 1][0] == SYMBOL and tokens[self.at + 1][3] == "*"):
+                self.body_hole(seq)
             else:
                 above = self.comments_before(self.at)
                 try:
@@ -144,6 +149,13 @@ class _Parser(Expressions):
         seq.below += [comment.text for comment in self.comments_before(self.at)]
         seq.start, seq.end = start, self.tokens[self.at][1]
         return seq
+
+    def body_hole(self, seq: Seq) -> None:
+        hole = self.hole()
+        if seq.hole is not None:
+            message = f"one hole stands in a body, and `{{{seq.hole.name}}}` stands in this one already"
+            self.report(rules.SYNTAX, message, hole.start, hole.end, "give the second one a body of its own")
+        seq.hole, seq.hole_at = hole, len(seq.items)
 
     def finish(self, node: Instr, above: Any) -> None:
         if above:

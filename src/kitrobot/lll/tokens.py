@@ -1,8 +1,9 @@
 """Text → tokens, in one pass of one regular expression.
 
 A token is a tuple (kind, start, end, text): a kind is one of the constants below. A call with nothing but numbers
-(`Wheel.Advance(50)`) is one token of its own, CALL, because most of every program is made of them; its text is the
-triple (object, method, numbers). Comments are kept apart, each with the index of the token that follows it.
+(`Wheel.Advance(50)`) is one token of its own, CALL, because most of every program is made of them; in place of its text
+it has (object, method, where the method starts, numbers or None, where they start). Comments are kept apart, each with
+the index of the token that follows it.
 
 Left to others: what may follow what (parser).
 """
@@ -20,7 +21,6 @@ Token = tuple[int, int, int, Any]
 
 MARK = "°"
 _MARKS_READ = "\u00b0\u00ba\u02da"
-_NO_MARKS = dict.fromkeys(map(ord, _MARKS_READ))
 
 
 class Comment(NamedTuple):
@@ -40,14 +40,16 @@ class Tokens(NamedTuple):
 
 def _pattern(name: str) -> re.Pattern[str]:
     return re.compile(
-        rf"""\s*(?:
+        rf"""\s*+(?:
           (?P<call>({name})\s*\.\s*({name})\s*\(\s*([0-9]+(?:\s*,\s*[0-9]+)*)?\s*\))
         | (?P<name>{name})
-        | (?P<symbol>//|[;,()\[\]<>!&|*.{_MARKS_READ}])
+        | (?P<symbol>//|[;,()\[\]<>!&|*.])
         | (?P<number>[0-9]+)
         | (?P<comment>\#[^\n]*)
+        | (?P<mark>[{_MARKS_READ}])
         | (?P<hole>\{{\s*{name}\s*\}})
-        | (?P<other>[^\s;,()\[\]<>!&|*.{_MARKS_READ}\#]+|.)
+        | (?P<other>[^\s;,()\[\]<>!&|*.{_MARKS_READ}\#]+)
+        | \Z
         )""",
         re.VERBOSE,
     )
@@ -60,10 +62,21 @@ def _ascii() -> re.Pattern[str]:
 
 @cache
 def _unicode() -> re.Pattern[str]:
-    """Names in any script: a word of `re` has letters, but not the vowel signs that many scripts add."""
-    marks = "".join(chr(c) for c in range(0x300, 0x1F000) if unicodedata.category(chr(c)) in ("Mn", "Mc"))
-    first, later = r"[^\W\d\u00ba]", rf"(?:[^\W\u00ba]|[{marks}])"  # U+00BA, read as a mark, counts as a letter too
-    return _pattern(first + later + "*")
+    """Names in any script: a word of `re` has letters, but not the vowel signs that many scripts add.
+
+    `\\w` takes numerals too (², Ⅷ, ①), which `\\d` does not: a name does not start with one. U+00BA, read as a mark,
+    counts as a letter.
+    """
+    characters = [chr(code) for code in range(0x80, 0x1F200)]
+    marks = "".join(one for one in characters if unicodedata.category(one) in ("Mn", "Mc"))
+    numerals = "".join(one for one in characters if one.isalnum() and not one.isalpha())
+    return _pattern(rf"[^\W\d\u00ba{numerals}](?:[^\W\u00ba]|[{marks}])*")
+
+
+def _without_marks(text: str) -> str:
+    for mark in _MARKS_READ:
+        text = text.replace(mark, "")
+    return text
 
 
 def is_name(text: str) -> bool:
@@ -80,22 +93,24 @@ def tokenise(text: str) -> Tokens:
     tokens: list[Token] = []
     comments: list[Comment] = []
     add = tokens.append
-    pattern = _ascii() if text.isascii() or text.translate(_NO_MARKS).isascii() else _unicode()
+    pattern = _ascii() if _without_marks(text).isascii() else _unicode()
     kinds = {"name": NAME, "number": NUMBER, "other": OTHER}
     for match in pattern.finditer(text):
         group = match.lastgroup
-        if group == "call":
-            add((CALL, match.start(1), match.end(), match.group(2, 3, 4)))
-        elif group == "symbol":
-            symbol = match.group(group)
-            end = match.end()
-            add((SYMBOL, end - len(symbol), end, MARK if symbol in _MARKS_READ else symbol))
+        if group == "symbol":
+            start, end = match.span(group)
+            add((SYMBOL, start, end, match[group]))
+        elif group == "call":
+            start, end = match.span(group)
+            add((CALL, start, end, (match[2], match[3], match.start(3), match[4], match.start(4))))
         elif group == "comment":
-            start, body = match.start(group), match.group(group)[1:].rstrip()
+            start, body = match.start(group), match[group][1:].rstrip()
             comments.append(Comment(start, body[1:] if body[:1] == " " else body, len(tokens)))
+        elif group == "mark":
+            add((SYMBOL, match.start(group), match.end(), MARK))
         elif group == "hole":
-            add((HOLE, match.start(group), match.end(), match.group(group)[1:-1].strip()))
+            add((HOLE, match.start(group), match.end(), match[group][1:-1].strip()))
         elif group is not None:
-            add((kinds[group], match.start(group), match.end(), match.group(group)))
+            add((kinds[group], match.start(group), match.end(), match[group]))
     add((END, len(text), len(text), ""))
     return Tokens(tokens, comments)
