@@ -18,6 +18,7 @@ from kitrobot.workspace import examples_folder
 
 TOKEN = "the-right-token"
 HOST = "http://127.0.0.1:8765"
+SOCKET = "ws://127.0.0.1:8765"
 SHORT = """<kitrobot version="1">
   <program name="blink" robot="mini-robot">
     <vertex id="start" element="Start"/>

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.server.conftest import HOST, TOKEN, TestClient
+from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.server.security import LARGEST_BODY_BYTES
@@ -132,7 +132,7 @@ def test_built_files_lead_nowhere_else(page, path):
     ],
 )
 def test_a_run_is_not_opened_for_strangers(stranger, token, headers):
-    with pytest.raises(WebSocketDisconnect), stranger.websocket_connect(f"/api/run{token}", headers=headers):
+    with pytest.raises(WebSocketDisconnect), stranger.websocket_connect(f"{SOCKET}/api/run{token}", headers=headers):
         pass
 
 
@@ -155,3 +155,8 @@ def test_an_error_nobody_expected_is_one_sentence(app, page, monkeypatch, caplog
     assert answer.json()["message"] == "Something went wrong inside KitRobot."
     assert "secret" not in answer.text
     assert "Traceback" not in caplog.text
+
+
+def test_a_run_is_opened_for_the_page(stranger):
+    with stranger.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}", headers={"Origin": HOST}):
+        pass

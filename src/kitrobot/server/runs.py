@@ -174,6 +174,8 @@ class Session:
                 if watch.outcome:
                     await self._state(watch, watch.outcome)
                     return
+                if pace.paused:
+                    await self._state(watch, "paused")
             await self._rest(pace, watch, began)
 
     async def _rest(self, pace: Pace, watch: Watch, began: float) -> None:

@@ -1,0 +1,374 @@
+"""A run over the WebSocket: started, steered, watched, ended."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import struct
+from typing import Any
+
+import pytest
+from pydantic import TypeAdapter
+
+from kitrobot.server import runs
+from kitrobot.server.shapes import RunMessage
+from tests.server.conftest import SOCKET, TOKEN
+
+MESSAGE: TypeAdapter[Any] = TypeAdapter(RunMessage)
+FOREVER = """<kitrobot version="1">
+  <program name="polling" robot="mini-robot">
+    <vertex id="start" element="Start"/>
+    <vertex id="v1" element="While"/>
+    <vertex id="v2" element="Run.IsTrue"/>
+    <vertex id="v3" element="Wheel.Advance"><set name="speed">5</set></vertex>
+    <vertex id="v4" element="Wait"><set name="duration">1</set></vertex>
+    <vertex id="v5" element="Wheel.Reverse"><set name="speed">5</set></vertex>
+    <vertex id="v6" element="Wait"><set name="duration">1</set></vertex>
+    <vertex id="stop" element="Stop"/>
+    <arc from="start" to="v1"/>
+    <arc from="v2" to="v1" at="condition"/>
+    <arc from="v1" out="body" to="v3"/>
+    <arc from="v3" to="v4"/>
+    <arc from="v4" to="v5"/>
+    <arc from="v5" to="v6"/>
+    <arc from="v6" to="v1" at="return"/>
+    <arc from="v1" to="stop"/>
+  </program>
+  <team>
+    <agent name="robot-1" program="polling"/>
+  </team>
+</kitrobot>
+"""
+
+
+class Watcher:
+    """The page's end of a socket. Every message is held against its published shape."""
+
+    def __init__(self, socket) -> None:
+        self.socket = socket
+        self.frames: list[bytes] = []
+
+    def send(self, **message) -> None:
+        self.socket.send_text(json.dumps(message))
+
+    def next(self) -> dict[str, Any]:
+        """The next JSON message; frames before it are kept."""
+        while True:
+            message = self.socket.receive()
+            assert message["type"] == "websocket.send", message
+            if message.get("bytes") is not None:
+                self.frames.append(message["bytes"])
+                continue
+            said = json.loads(message["text"])
+            MESSAGE.validate_python(said)
+            return said
+
+    def until(self, kind: str, **fields) -> dict[str, Any]:
+        """The next message of that type with these fields; those before it are passed over."""
+        while True:
+            said = self.next()
+            if said["type"] == kind and all(said[name] == value for name, value in fields.items()):
+                return said
+
+    def start(self, mission, path="", seed=1, speed=0.0) -> dict[str, Any]:
+        self.send(type="start", mission=mission, path=path, seed=seed, speed=speed)
+        return self.until("started")
+
+
+@pytest.fixture
+def connect(page):
+    """Opens a watched socket."""
+
+    @contextlib.contextmanager
+    def connected():
+        with page.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}") as socket:
+            yield Watcher(socket)
+
+    return connected
+
+
+@pytest.fixture
+def mission(page):
+    """The mission of a path of the workspace."""
+
+    def read(path="blink.krt"):
+        return page.get("/api/mission", params={"path": path}).json()["mission"]
+
+    return read
+
+
+@pytest.fixture
+def forever(page):
+    """A mission that never ends."""
+    return page.post("/api/mission/read", content=FOREVER.encode()).json()["mission"]
+
+
+def test_a_short_run_starts_and_ends_as_done(connect, mission):
+    with connect() as watcher:
+        started = watcher.start(mission())
+        assert started["tick_ms"] == 20
+        assert started["agents"] == [
+            {"name": "robot-1", "program": "blink", "robot": "mini-robot", "number": 1, "kind": "robot"}
+        ]
+        assert started["world"]["name"] == "empty"
+        end = watcher.until("state", status="done")
+        assert end["tick"] == 11
+        assert end["sentence"].endswith(".")
+
+
+def test_the_first_news_comes_before_the_first_tick_and_shows_every_agent(connect, mission):
+    with connect() as watcher:
+        watcher.start(mission())
+        first = watcher.next()
+        assert (first["type"], first["tick"]) == ("tick", 0)
+        assert list(first["agents"]) == ["robot-1"]
+        assert len(watcher.frames) == 1
+
+
+def test_a_frame_holds_the_tick_and_five_numbers_of_each_agent(connect, mission):
+    with connect() as watcher:
+        watcher.start(mission())
+        watcher.next()
+        tick, count, x, y, heading, load, flags = struct.unpack("<7f", watcher.frames[0])
+        assert (tick, count) == (0, 1)
+        assert (x, y, heading, load, flags) == (2000, 1250, 0, 0, 0)
+
+
+def test_the_example_with_carriers_ends_as_done_with_all_stock_delivered(connect, mission, transport):
+    with connect() as watcher:
+        started = watcher.start(mission(transport), path=transport)
+        assert {agent["kind"] for agent in started["agents"]} >= {"carrier", "loader", "unloader", "store-manager"}
+        assert started["stock"] == {"A": 12, "B": 0}
+        assert started["total"] == 12
+        kinds, last = set(), {}
+        while True:
+            said = watcher.next()
+            if said["type"] == "tick":
+                last = said
+                kinds |= {event["kind"] for event in said["events"]}
+            elif said["type"] == "state" and said["status"] == "done":
+                break
+        assert last["stock"] == {"A": 0, "B": 12}
+        assert sum(last["delivered"].values()) == 12
+        assert kinds >= {"load", "unload", "message", "end"}
+
+
+def test_active_instructions_are_told_as_vertices(connect, mission):
+    with connect() as watcher:
+        watcher.send(type="start", mission=mission(), path="", seed=1, speed=1)
+        watcher.send(type="pause")
+        watcher.until("state", status="paused")
+        watcher.send(type="step")
+        said = watcher.until("tick", tick=1)
+        assert said["agents"]["robot-1"]["active"] == [[0, "v2"]]
+
+
+def test_a_step_runs_one_tick_while_paused(connect, forever):
+    with connect() as watcher:
+        watcher.start(forever, speed=0.1)
+        watcher.send(type="pause")
+        at = watcher.until("state", status="paused")["tick"]
+        for number in range(1, 4):
+            watcher.send(type="step")
+            assert watcher.until("tick")["tick"] == at + number
+            assert watcher.until("state")["tick"] == at + number
+
+
+def test_several_steps_asked_for_at_once_are_all_run(connect, forever):
+    with connect() as watcher:
+        watcher.start(forever, speed=0.1)
+        watcher.send(type="pause")
+        at = watcher.until("state", status="paused")["tick"]
+        for _ in range(5):
+            watcher.send(type="step")
+        while watcher.until("tick")["tick"] < at + 5:
+            pass
+
+
+def test_a_step_while_running_is_passed_over(connect, forever):
+    with connect() as watcher:
+        watcher.start(forever)
+        watcher.send(type="step")
+        watcher.send(type="stop")
+        assert watcher.until("state", status="stopped")
+
+
+def test_resume_goes_on_after_a_pause(connect, forever):
+    with connect() as watcher:
+        watcher.start(forever)
+        watcher.send(type="pause")
+        at = watcher.until("state", status="paused")["tick"]
+        watcher.send(type="resume")
+        watcher.until("state", status="running")
+        assert watcher.until("tick")["tick"] > at
+
+
+def test_stop_ends_a_run_that_never_would(connect, forever):
+    with connect() as watcher:
+        watcher.start(forever)
+        watcher.send(type="stop")
+        assert watcher.until("state", status="stopped")
+
+
+def test_stop_ends_a_paused_run(connect, forever):
+    with connect() as watcher:
+        watcher.start(forever)
+        watcher.send(type="pause")
+        watcher.until("state", status="paused")
+        watcher.send(type="stop")
+        assert watcher.until("state", status="stopped")
+
+
+def test_the_speed_can_be_changed_in_a_run(connect, forever):
+    with connect() as watcher:
+        watcher.start(forever, speed=0.1)
+        watcher.send(type="speed", value=0)
+        # Paced at a tenth this would take minutes.
+        while watcher.until("tick")["tick"] < 500:
+            pass
+
+
+def test_another_run_starts_on_the_same_socket_after_the_first(connect, mission):
+    with connect() as watcher:
+        first = watcher.start(mission())["run"]
+        watcher.until("state", status="done")
+        assert watcher.start(mission())["run"] != first
+        watcher.until("state", status="done")
+
+
+def test_a_second_run_beside_the_first_is_refused(connect, mission, forever):
+    with connect() as watcher:
+        watcher.start(forever)
+        watcher.send(type="start", mission=mission(), path="", seed=1, speed=0)
+        assert "already" in watcher.until("error")["message"]
+        watcher.send(type="stop")
+        assert watcher.until("state", status="stopped")
+
+
+def test_there_are_only_so_many_runs_at_a_time(connect, forever, monkeypatch):
+    monkeypatch.setattr(runs, "MOST_RUNS", 1)
+    with connect() as one, connect() as other:
+        one.start(forever)
+        other.send(type="start", mission=forever, path="", seed=1, speed=0)
+        assert "1 runs already" in other.until("error")["message"]
+
+
+def test_a_run_ends_when_its_socket_closes(app, connect, forever):
+    with connect() as watcher:
+        watcher.start(forever)
+        assert app.state.studio.runs == 1
+    with connect() as watcher:
+        watcher.send(type="nothing")
+        watcher.until("error")
+        assert app.state.studio.runs == 0
+
+
+def test_the_same_seed_gives_the_same_run(connect, mission, transport):
+    def told():
+        with connect() as watcher:
+            watcher.start(mission(transport), path=transport, seed=7)
+            return watcher.until("state", status="done")
+
+    assert told() == told()
+
+
+def test_only_what_changed_is_told_again(connect, mission, transport):
+    with connect() as watcher:
+        watcher.start(mission(transport), path=transport, speed=0.1)
+        watcher.send(type="pause")
+        watcher.until("state", status="paused")
+        watcher.send(type="step")
+        watcher.until("tick")
+        sizes = []
+        for _ in range(20):
+            watcher.send(type="step")
+            sizes.append(len(watcher.until("tick")["agents"]))
+        assert min(sizes) < 7
+
+
+def test_a_mission_with_errors_is_told_its_problems_and_not_started(connect, mission):
+    broken = mission()
+    broken["programs"][0]["vertices"][1]["element"] = "Light.Glow"
+    with connect() as watcher:
+        watcher.send(type="start", mission=broken, path="", seed=1, speed=0)
+        said = watcher.next()
+        assert said["type"] == "problems"
+        assert said["problems"][0]["vertices"] == ["v1"]
+        assert watcher.frames == []
+
+
+def test_a_team_that_does_not_fit_its_world_is_a_problem(connect, mission):
+    crowded = mission()
+    crowded["agents"] = [{"name": f"r{n}", "program": "blink", "start": "robot-1"} for n in range(2)]
+    with connect() as watcher:
+        watcher.send(type="start", mission=crowded, path="", seed=1, speed=0)
+        said = watcher.next()
+        assert said["type"] == "problems"
+        assert said["problems"][0]["code"] == "run-start"
+
+
+def test_a_mission_without_agents_is_a_problem(connect, mission):
+    with connect() as watcher:
+        watcher.send(type="start", mission={**mission(), "agents": []}, path="", seed=1, speed=0)
+        assert watcher.next()["problems"][0]["code"] == "run-no-agent"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "{",
+        "null",
+        "[]",
+        '"start"',
+        "{}",
+        '{"type":"start"}',
+        '{"type":"fly"}',
+        '{"type":"speed"}',
+        '{"type":"speed","value":-1}',
+        '{"type":"speed","value":1e9}',
+        '{"type":"speed","value":NaN}',
+        '{"type":"speed","value":"fast"}',
+        "[" * 50_000,
+        "\x00",
+    ],
+)
+def test_a_message_that_is_not_understood_is_answered_and_the_socket_stays_open(connect, mission, text):
+    with connect() as watcher:
+        watcher.socket.send_text(text)
+        said = watcher.next()
+        assert said["type"] == "error"
+        assert said["message"].endswith(".")
+        watcher.start(mission())
+        watcher.until("state", status="done")
+
+
+def test_bytes_that_are_no_text_are_answered_too(connect):
+    with connect() as watcher:
+        watcher.socket.send_bytes(b"\xff\xfe\x00")
+        assert watcher.next()["type"] == "error"
+
+
+def test_steering_without_a_run_is_passed_over(connect, mission):
+    with connect() as watcher:
+        for kind in ("pause", "resume", "step", "stop"):
+            watcher.send(type=kind)
+        watcher.start(mission())
+        watcher.until("state", status="done")
+
+
+def test_a_path_outside_the_folder_is_refused(connect, mission):
+    with connect() as watcher:
+        watcher.send(type="start", mission=mission(), path="../secret.krt", seed=1, speed=0)
+        assert watcher.next()["type"] == "error"
+
+
+def test_a_run_that_breaks_is_one_sentence(connect, mission, monkeypatch, caplog):
+    def broken(*arguments: object) -> None:
+        raise ZeroDivisionError("secret detail")
+
+    monkeypatch.setattr(runs.Watch, "advance", broken)
+    with connect() as watcher:
+        watcher.start(mission())
+        assert watcher.until("error")["message"] == "Something went wrong inside KitRobot."
+    assert "Traceback" not in caplog.text
