@@ -38,6 +38,10 @@ class Walk(Protocol):
 
     wiring: Wiring
     notes: list[str]
+    depth: int
+
+    def deeper(self, vertex: Vertex) -> bool:
+        """Goes a level down; False, and reported, where it is one too many."""
 
     def report(self, rule: Rule, message: str, *vertices: str, help: str = "") -> None:
         """Collects a diagnostic."""
@@ -106,11 +110,25 @@ class _Filling:
     def param(self, template: Any) -> Param:
         if not isinstance(template, Hole):
             return Number(template.value) if isinstance(template, Number) else self.node(template)
-        if (self.vertex.id, template.name) in self.walk.wiring.fills:
+        if self.is_filled(template):
             vertex = self.filler(template)
             assert vertex is not None
             return self.walk.read(vertex)
         return Number(self.number(template))
+
+    def call(self, template: Call) -> Call:
+        nests = any(
+            not isinstance(param, Number) and (isinstance(param, Call) or self.is_filled(param))
+            for param in template.params
+        )
+        if nests and not self.walk.deeper(self.vertex):
+            return Call("", "")
+        call = Call(template.object, template.method, [self.param(param) for param in template.params])
+        self.walk.depth -= nests
+        return call
+
+    def is_filled(self, hole: Hole) -> bool:
+        return (self.vertex.id, hole.name) in self.walk.wiring.fills
 
     def action(self, template: Call | Hole) -> Call:
         if isinstance(template, Hole):
@@ -120,12 +138,40 @@ class _Filling:
         return made
 
     def body(self, template: Seq) -> Seq:
-        if template.hole is not None:
-            return self.walk.body(self.vertex, template.hole.name)
-        return Seq([self.node(item) for item in template.items], list(template.below))
+        return self.nested(template, template.hole.name if template.hole is not None else "")
+
+    def nested(self, template: Seq, port: str) -> Seq:
+        """A body one level down, its hole filled by what follows a port."""
+        if not self.walk.deeper(self.vertex):
+            return Seq()
+        seq = self.items(template, port)
+        self.walk.depth -= 1
+        return seq
+
+    def items(self, template: Seq, port: str = "") -> Seq:
+        """The instructions of a template, and in the place of its hole those that follow a port."""
+        seq = Seq(below=list(template.below))
+        for index, item in enumerate([*template.items, None]):
+            if template.hole is not None and index == template.hole_at:
+                hole = self.walk.body(self.vertex, port or template.hole.name)
+                seq.items += hole.items
+                seq.below += hole.below
+            if item is not None:
+                seq.items.append(self.node(item))
+        return seq
+
+    def joined(self, made: Callable[..., Any], *templates: Any) -> Condition:
+        """And, Or, Not: one level down."""
+        if not self.walk.deeper(self.vertex):
+            return Call("", "")
+        joined: Condition = made(*map(self.condition, templates))
+        self.walk.depth -= 1
+        return joined
 
     def branches(self, templates: list[Seq]) -> list[Seq]:
         branches: list[Seq] = []
+        if self.walk.deeper(self.vertex):  # also where no branch is left: it is printed with its parentheses
+            self.walk.depth -= 1
         for template in templates:
             if template.hole is None or not self.slot(template.hole).repeat:
                 branches.append(self.body(template))
@@ -136,7 +182,7 @@ class _Filling:
                 key=lambda port: int(port[len(base) :]),
             )
             for port in ports:
-                body = self.walk.body(self.vertex, port)
+                body = self.nested(template, port)
                 if body.items:
                     branches.append(body)
                 else:
@@ -145,8 +191,8 @@ class _Filling:
 
 
 _BUILDERS: dict[type[Node], Callable[[_Filling, Any], Any]] = {
-    Seq: lambda f, t: f.body(t),
-    Call: lambda f, t: Call(t.object, t.method, [f.param(param) for param in t.params]),
+    Seq: lambda f, t: f.items(t),
+    Call: lambda f, t: f.call(t),
     Interrupt: lambda f, t: Interrupt(f.action(t.call)),
     Repeat: lambda f, t: Repeat(f.number(t.count), f.body(t.body)),
     While: lambda f, t: While(f.condition(t.condition), f.body(t.body)),
@@ -157,8 +203,8 @@ _BUILDERS: dict[type[Node], Callable[[_Filling, Any], Any]] = {
     Parallel: lambda f, t: Parallel(f.branches(t.branches)),
     Wait: lambda f, t: Wait(f.number(t.duration)),
     Break: lambda f, t: Break(),
-    And: lambda f, t: And(f.condition(t.left), f.condition(t.right)),
-    Or: lambda f, t: Or(f.condition(t.left), f.condition(t.right)),
-    Not: lambda f, t: Not(f.condition(t.condition)),
+    And: lambda f, t: f.joined(And, t.left, t.right),
+    Or: lambda f, t: f.joined(Or, t.left, t.right),
+    Not: lambda f, t: f.joined(Not, t.condition),
     Hole: lambda f, t: f.condition(t),
 }

@@ -24,7 +24,7 @@ from kitrobot.lll import (
     Param,
     Seq,
 )
-from kitrobot.primitives import Catalogue, Constructor, Parameter, Role
+from kitrobot.primitives import Catalogue, Parameter, Role
 
 
 @dataclass(frozen=True)
@@ -81,22 +81,32 @@ class _Walk:
         return seq
 
     def parked(self) -> None:
-        """Reports each piece that nothing leads to, by its first vertex."""
-        left = [vertex for vertex in self.wiring.vertices.values() if vertex.id not in self.visited]
-        follows = {
-            arc.target
-            for arc in self.wiring.out.values()
-            if arc.source != arc.target and arc.at == IN and arc.source not in self.visited
-        }
-        fillers = {
-            filler
-            for (target, _), filler in self.wiring.fills.items()
-            if filler != target and target not in self.visited
-        }
-        for vertex in left:
-            if vertex.id not in follows and vertex.id not in fillers:
-                message = f"`{vertex.id}` ({vertex.element}) hangs on nothing, so it is not part of the program"
-                self.report(rules.PARKED, message, vertex.id, help="join it to the flow, or leave it parked")
+        """Reports each piece that nothing leads to, by its first vertex (any of it where it is a ring).
+
+        What hangs on a vertex that was visited is not parked: it was not walked because of a mistake that was reported.
+        """
+        behind: dict[str, list[str]] = {}
+        for arc in self.wiring.out.values():
+            if arc.at == IN:
+                behind.setdefault(arc.source, []).append(arc.target)
+            elif arc.at != RETURN:
+                behind.setdefault(arc.target, []).append(arc.source)
+        followers = {vertex for source, vertices in behind.items() for vertex in vertices if vertex != source}
+        reached = set(self.visited)
+        waiting = list(self.visited)
+        heads = [vertex for vertex in self.wiring.vertices if vertex not in followers]
+        for vertex in (None, *heads, *self.wiring.vertices):
+            if vertex is not None and vertex not in reached:
+                element = self.wiring.vertices[vertex].element
+                message = f"`{vertex}` ({element}) hangs on nothing, so it is not part of the program"
+                self.report(rules.PARKED, message, vertex, help="join it to the flow, or leave it parked")
+                reached.add(vertex)
+                waiting.append(vertex)
+            while waiting:
+                for follower in behind.get(waiting.pop(), ()):
+                    if follower not in reached:
+                        reached.add(follower)
+                        waiting.append(follower)
 
     # -- chains
 
@@ -161,7 +171,7 @@ class _Walk:
             )
             made = []
         else:
-            filled = self.fill(vertex, constructor)
+            filled = fill(self, vertex, constructor)
             made = list(filled.items) if isinstance(filled, Seq) else [filled]
         inner, self.notes = self.notes, notes
         if made:
@@ -177,7 +187,11 @@ class _Walk:
         call = Call(name if method else "", method, vertex=vertex.id)
         meaning = self.robot.calls.get((name, method))
         if meaning is not None:
+            nests = any((vertex.id, parameter.name) in self.wiring.fills for parameter in meaning[1].parameters)
+            if nests and not self.deeper(vertex):
+                return Call("", "", vertex=vertex.id)
             call.params = [self.parameter(vertex, parameter) for parameter in meaning[1].parameters]
+            self.depth -= nests
             known = {parameter.name for parameter in meaning[1].parameters}
             for setting in vertex.settings:
                 if setting not in known:
@@ -209,15 +223,13 @@ class _Walk:
 
     # -- templates
 
-    def fill(self, vertex: Vertex, constructor: Constructor) -> Any:
-        """The template of a constructor with its holes filled from this vertex."""
-        if self.depth >= MAX_NESTING:
-            self.report(rules.TOO_DEEP, f"the program nests more than {MAX_NESTING} levels deep here", vertex.id)
-            return Seq()
-        self.depth += 1
-        filled = fill(self, vertex, constructor)
-        self.depth -= 1
-        return filled
+    def deeper(self, vertex: Vertex) -> bool:
+        """Goes a level down, as the parser counts them: bodies, joined conditions, calls in parameters."""
+        if self.depth < MAX_NESTING:
+            self.depth += 1
+            return True
+        self.report(rules.TOO_DEEP, f"the program nests more than {MAX_NESTING} levels deep here", vertex.id)
+        return False
 
     def body(self, vertex: Vertex, port: str) -> Seq:
         seq = Seq()
@@ -235,8 +247,7 @@ class _Walk:
         if constructor.role is not Role.CONDITION:
             self.report(rules.WRONG_PLACE, f"`{vertex.id}` ({vertex.element}) is no condition", vertex.id)
             return Call("", "")
-        filled = self.fill(vertex, constructor)
-        return Call("", "") if isinstance(filled, Seq) else cast("Condition", filled)
+        return cast("Condition", fill(self, vertex, constructor))
 
     def read(self, vertex: Vertex) -> Call:
         """The call that a test, value or action vertex is."""
@@ -245,13 +256,7 @@ class _Walk:
         if self.wiring.constructor(vertex) is not None or "." not in vertex.element:
             self.report(rules.WRONG_PLACE, f"`{vertex.id}` ({vertex.element}) does not fit into a slot", vertex.id)
             return Call("", "")
-        if self.depth >= MAX_NESTING:
-            self.report(rules.TOO_DEEP, f"the program nests more than {MAX_NESTING} levels deep here", vertex.id)
-            return Call("", "")
-        self.depth += 1
-        call = self.call(vertex)
-        self.depth -= 1
-        return call
+        return self.call(vertex)
 
     def enter(self, vertex: Vertex) -> bool:
         """Visits a filler once; its notes go to the instruction around it, since conditions hold no comments."""

@@ -69,19 +69,18 @@ def parse_template(text: str, name: str = "template") -> tuple[Instr | Condition
     parser = _Parser(text, name, template=True)
     program = parser.program()
     if not any(item.is_error for item in parser.diagnostics):
-        only_call = len(program.items) == 1 and isinstance(program.items[0], Call)
-        if not only_call and (program.hole is None):
-            return (program.items[0] if len(program.items) == 1 else program), parser.diagnostics
+        if len(program.items) + (program.hole is not None) != 1:
+            return program, parser.diagnostics
+        if program.items and not isinstance(program.items[0], Call):
+            return program.items[0], parser.diagnostics
     other = _Parser(text, name, template=True)
     condition = other.whole_condition()
     if not other.diagnostics:
         return condition, []
-    if program.hole is not None and program.items and not any(item.is_error for item in parser.diagnostics):
-        return program, parser.diagnostics
     if any(item.is_error for item in parser.diagnostics):
         looks_like_condition = any(kind == SYMBOL and text in "&|" for kind, _, _, text in other.tokens)
         return None, other.diagnostics if looks_like_condition else parser.diagnostics
-    return program.items[0] if program.items else program, parser.diagnostics
+    return program.items[0], parser.diagnostics
 
 
 class _Parser(Expressions):

@@ -64,6 +64,8 @@ class _Printer:
         last = len(seq.items) - 1
         indent = "  " * level
         for index, node in enumerate(seq.items):
+            if seq.hole is not None and seq.hole_at == index:
+                self.write(f"{indent}{{{seq.hole.name}}};\n")
             for comment in node.above:
                 self.comment(comment, level)
             self.write(indent)
@@ -72,6 +74,8 @@ class _Printer:
             if node.after is not None:
                 self.write(f"  # {node.after}".rstrip())
             self.write("\n")
+        if seq.hole is not None and seq.hole_at > last:
+            self.write(f"{indent}{{{seq.hole.name}}};{separator}\n")
 
     def instruction(self, node: Instr, level: int) -> None:
         node.start = self.at
@@ -114,12 +118,10 @@ class _Printer:
         if node.orelse is None:
             self.body(node.then, level)
         else:
-            begin = self.at - level * 2
             both = len(")!(") + len(");") + self.at - self.line_start()
             sides = [_inline(side) for side in (node.then, node.orelse)]
             texts = [side for side in sides if side is not None]
             together = len(texts) == 2 and both + sum(map(len, texts)) <= LINE_WIDTH
-            assert begin >= 0
             self.body(node.then, level, inline=together)
             self.write(")!(")
             self.body(node.orelse, level, inline=together)
@@ -150,7 +152,7 @@ class _Printer:
 
     def body(self, seq: Seq, level: int, inline: bool | None = None) -> None:
         seq.start = self.at
-        if seq.hole is not None:
+        if seq.hole is not None and not seq.items:
             self.write(f"{{{seq.hole.name}}}")
         elif seq.items or seq.below:
             text = _inline(seq)

@@ -62,9 +62,9 @@ def _ascii() -> re.Pattern[str]:
 
 @cache
 def _unicode() -> re.Pattern[str]:
-    """Names in any script: a word of `re` has letters, but not the vowel signs that many scripts add.
+    r"""Names in any script: a word of `re` has letters, but not the vowel signs that many scripts add.
 
-    `\\w` takes numerals too (², Ⅷ, ①), which `\\d` does not: a name does not start with one. U+00BA, read as a mark,
+    `\w` takes numerals too (², Ⅷ, ①), which `\d` does not: a name does not start with one. U+00BA, read as a mark,
     counts as a letter.
     """
     characters = [chr(code) for code in range(0x80, 0x1F200)]

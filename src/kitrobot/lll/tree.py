@@ -153,13 +153,14 @@ class Not(Node):
 class Seq(Node):
     """Instructions one after another: a program, a body or a branch.
 
-    `below` holds the comments after which nothing follows in this body. In a template `hole` may stand for the whole
-    body; then `items` is empty.
+    `below` holds the comments after which nothing follows in this body. In a template `hole` may stand for
+    instructions of the body: all of them, or those before the item `hole_at`.
     """
 
     items: list[Instr] = field(default_factory=list)
     below: list[str] = field(default_factory=list)
     hole: Hole | None = None
+    hole_at: int = 0
 
 
 Param: TypeAlias = Number | Call | Hole

@@ -127,8 +127,8 @@ def _check_holes(constructor: Element, element: Element, template: Template) -> 
         message, help = "", ""
         if slot is None:
             message, help = f"the hole {{{hole.name}}} has no slot", did_you_mean(hole.name, slots)
-        elif hole.name in filled:
-            message, help = f"the hole {{{hole.name}}} stands there twice", "each slot has one hole"
+        elif hole.name in filled and slot.kind not in (SlotKind.NUMBER, SlotKind.TEXT):
+            message, help = f"the hole {{{hole.name}}} stands there twice", "only what is typed in can be used twice"
         elif slot.kind not in fitting:
             wanted = one_of(f"<{kind}>" for kind in fitting)
             message = f"expected a slot {wanted} for {{{hole.name}}}, found <{slot.kind}>"
