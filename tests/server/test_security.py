@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.server.security import LARGEST_BODY_BYTES
+from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 
 OUTSIDE = [
     ("GET", "/"),

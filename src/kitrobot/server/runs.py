@@ -70,6 +70,8 @@ class Session:
         self._wake = asyncio.Event()
         self._pace: Pace | None = None
         self._watch: Watch | None = None
+        self._early: list[PauseRequest | ResumeRequest | StepRequest | SpeedRequest] = []
+        """What was asked for while the mission was still being compiled."""
         self._steps = 0
         self._stopping = False
         self._said: tuple[str, int] = ("", -1)
@@ -108,14 +110,17 @@ class Session:
         if self._studio.runs >= MOST_RUNS:
             await self._fail(f"this studio has {MOST_RUNS} runs already", "stop one of them, perhaps in another tab")
             return
-        self._pace, self._watch, self._steps, self._stopping, self._said = None, None, 0, False, ("", -1)
+        self._pace, self._watch, self._early, self._steps = None, None, [], 0
+        self._stopping, self._said = False, ("", -1)
         self._wake.clear()
         self._task = asyncio.create_task(self._whole_run(request))
 
     def _steer(self, request: PauseRequest | ResumeRequest | StepRequest | StopRequest | SpeedRequest) -> None:
         if isinstance(request, StopRequest):
             self._stopping = True
-        elif self._pace is not None and self._watch is not None:
+        elif self._pace is None or self._watch is None:
+            self._early.append(request)
+        else:
             tick = self._watch.tick
             if isinstance(request, PauseRequest | ResumeRequest):
                 self._pace.set_paused(isinstance(request, PauseRequest), tick)
@@ -156,6 +161,8 @@ class Session:
 
     async def _drive(self, watch: Watch, pace: Pace) -> None:
         self._watch, self._pace = watch, pace
+        for request in self._early:
+            self._steer(request)
         await self._tell(watch.started(f"run-{next(_numbers)}"))
         await self._news(watch)
         while True:
