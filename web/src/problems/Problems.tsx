@@ -87,7 +87,7 @@ export function ProblemList() {
   return (
     <section className="problem-list" id="problem-list" aria-label={t("problems.title")}>
       <header className="problem-head">
-        <h2>{t("problems.count", { count: problems.length })}</h2>
+        <h2>{problems.length === 0 ? t("problems.title") : t("problems.count", { count: problems.length })}</h2>
         <button
           type="button"
           className="tool small"

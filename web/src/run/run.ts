@@ -120,7 +120,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
         events: message.events.length === 0 ? state.events : [...state.events, ...message.events].slice(-MOST_EVENTS),
       };
     case "problems":
-      return { status: "idle", problems: message.problems };
+      return { ...NOTHING, problems: message.problems };
     case "error":
       return {
         status: isLive(state.status) ? "stopped" : state.status,

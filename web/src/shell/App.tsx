@@ -25,6 +25,7 @@ import { useLayout } from "./layout";
 import { MenuBar } from "./MenuBar";
 import { useMenus } from "./menus";
 import { OpenSheet } from "./OpenSheet";
+import { showRunProblems } from "./run-problems";
 import { SaveAsSheet } from "./SaveAsSheet";
 import { Separator } from "./Separator";
 import { Tabs } from "./Tabs";
@@ -48,6 +49,7 @@ function useDocumentFlow(): void {
     }
     return keepChecking();
   }, []);
+  useEffect(showRunProblems, []);
   useEffect(() => {
     const ask = (event: BeforeUnloadEvent) => {
       if (useStudio.getState().dirty) event.preventDefault();

@@ -14,10 +14,13 @@ const FIRST_S = 60;
 const LANE = 11;
 const GAP_PX = 9;
 
+/** How much of the axis may be used before it doubles: the label of the moment needs room at its right. */
+const FULL = 0.86;
+
 /** How many seconds the axis holds, and the distance of its marks. */
 export function axisFor(seconds: number): { length: number; step: number } {
   let length = FIRST_S;
-  while (length < seconds) length *= 2;
+  while (length * FULL < seconds) length *= 2;
   return { length, step: length / 6 };
 }
 
@@ -77,8 +80,6 @@ export function EventStrip() {
   const counts = (kind: RunEventKind) => events.filter((event) => event.kind === kind).length;
   const idle = status === "idle" || status === "connecting";
   const label = t("strip.now", { time: clock(seconds), tick: grouped(tick) });
-  // The label of the moment keeps inside the strip.
-  const labelAt = Math.min(now + 8, room + 20 - label.length * 6);
   return (
     <div className="strip" ref={box} data-testid="event-strip">
       <svg width={width} height={44} role="img" aria-label={t("strip.label")}>
@@ -111,7 +112,7 @@ export function EventStrip() {
           {idle ? null : (
             <>
               <path className="strip-now" d={`M${now.toFixed(1)} 3v28`} />
-              <text className="strip-now-label" x={labelAt} y={12}>
+              <text className="strip-now-label" x={now + 8} y={12}>
                 {label}
               </text>
             </>

@@ -11,7 +11,7 @@ export function axisTime(seconds: number): string {
   return `${String(Math.floor(seconds / 60))}:${String(Math.round(seconds % 60)).padStart(2, "0")}`;
 }
 
-/** 2130 → "2 130", with a thin space. */
+/** 2130 → "2 130", with a narrow space. */
 export function grouped(number: number): string {
-  return String(number).replace(/\B(?=(\d{3})+$)/g, "\u202f");
+  return String(number).replace(/\B(?=(\d{3})+$)/g, "\u2009");
 }

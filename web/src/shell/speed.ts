@@ -3,6 +3,7 @@
  */
 export const MAX_POSITION = 108;
 const TOP = 100;
+const ROUND = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
 
 /** Rounded to two leading digits, as a person would say it. */
 function tidy(speed: number): number {
@@ -14,9 +15,10 @@ function tidy(speed: number): number {
 
 export function speedAt(position: number): number {
   if (position > TOP + 2) return 0;
-  const speed = tidy(10 ** ((Math.min(Math.max(position, 0), TOP) / TOP) * 3 - 1));
-  // The middle of interest catches the hand.
-  return speed >= 0.92 && speed <= 1.08 ? 1 : speed;
+  const decades = (Math.min(Math.max(position, 0), TOP) / TOP) * 3 - 1;
+  // Every round speed has the place nearest to it, so that the hand can find it again.
+  const round = ROUND.find((speed) => Math.abs(Math.log10(speed) - decades) <= 3 / TOP / 2);
+  return round ?? tidy(10 ** decades);
 }
 
 export function positionOf(speed: number): number {

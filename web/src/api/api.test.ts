@@ -1,0 +1,114 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+
+import { api, ApiError } from "./client";
+import { runAddress } from "./socket";
+import { forgetToken, token } from "./token";
+import { decodeFrame } from "./wire";
+
+function answer(status: number, body: unknown): void {
+  const response = new Response(typeof body === "string" ? body : JSON.stringify(body), { status });
+  vi.stubGlobal("fetch", vi.fn().mockResolvedValue(response));
+}
+
+async function refused(promise: Promise<unknown>): Promise<ApiError> {
+  try {
+    await promise;
+  } catch (cause) {
+    if (cause instanceof ApiError) return cause;
+    throw cause;
+  }
+  throw new Error("it was not refused");
+}
+
+beforeEach(() => {
+  sessionStorage.clear();
+  forgetToken();
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+  window.history.replaceState(null, "", "/");
+});
+
+describe("the token", () => {
+  it("moves from the address into this tab's storage", () => {
+    window.history.replaceState(null, "", "/?token=abc&other=1");
+    expect(token()).toBe("abc");
+    expect(window.location.search).toBe("?other=1");
+    forgetToken();
+    expect(token()).toBe("abc");
+  });
+
+  it("is empty when the page was opened without one", () => {
+    expect(token()).toBe("");
+  });
+
+  it("goes with every request", async () => {
+    window.history.replaceState(null, "", "/?token=abc");
+    answer(200, []);
+    await api.missions();
+    const [address, options] = vi.mocked(fetch).mock.calls[0] ?? [];
+    expect(address).toBe("api/missions");
+    expect(new Headers(options?.headers).get("X-KitRobot-Token")).toBe("abc");
+  });
+});
+
+describe("a refusal", () => {
+  it("carries the server's sentence and help", async () => {
+    answer(404, { message: "There is no a.krt.", help: "Choose another." });
+    const refusal = await refused(api.mission("a.krt"));
+    expect([refusal.message, refusal.help, refusal.status]).toEqual(["There is no a.krt.", "Choose another.", 404]);
+  });
+
+  it("of a save keeps the revision on disk", async () => {
+    answer(409, { message: "It changed.", help: "", revision: "r7" });
+    const mission = { version: 1 as const, programs: [], agents: [], goals: [], world: "" };
+    expect((await refused(api.saveMission("a.krt", "r1", mission))).revision).toBe("r7");
+  });
+
+  it("that is no JSON is said with its status", async () => {
+    answer(502, "<html>bad gateway</html>");
+    expect((await refused(api.session())).message).toBe("The server answered with status 502.");
+  });
+
+  it("without the token says where to get one", async () => {
+    answer(401, {});
+    expect((await refused(api.session())).help).toContain("token");
+  });
+});
+
+it("a server that is gone is said in a sentence", async () => {
+  vi.stubGlobal("fetch", vi.fn().mockRejectedValue(new TypeError("Failed to fetch")));
+  expect((await refused(api.session())).message).toBe("The studio cannot reach kitrobot.");
+});
+
+it("a path is escaped in the address", async () => {
+  answer(200, {});
+  await api.mission("example:a b/c&d.krt");
+  expect(vi.mocked(fetch).mock.calls[0]?.[0]).toBe("api/mission?path=example%3Aa%20b%2Fc%26d.krt");
+});
+
+it("the run's address keeps the page's folder and scheme", () => {
+  const place = { protocol: "https:", host: "h:1", pathname: "/lab/index.html" };
+  expect(runAddress(place, "a/b")).toBe("wss://h:1/lab/api/run?token=a%2Fb");
+});
+
+describe("a pose frame", () => {
+  const frame = (numbers: number[]) => new Float32Array(numbers).buffer;
+
+  it("is read robot by robot", () => {
+    const read = decodeFrame(frame([7, 2, 1, 2, 0.5, 1, 16, 3, 4, 0, 0, 0]));
+    expect(read?.tick).toBe(7);
+    expect(read?.poses[0]).toEqual({ x_mm: 1, y_mm: 2, heading_rad: 0.5, load: 1, flags: 16 });
+    expect(read?.poses[1]?.y_mm).toBe(4);
+  });
+
+  it.each([
+    ["is cut off", [7, 2, 1, 2, 0.5]],
+    ["has too many numbers", [7, 0, 1]],
+    ["has a count that is none", [7, Number.NaN]],
+    ["has a count below nought", [7, -1]],
+    ["is empty", []],
+  ])("that %s is dropped", (_, numbers) => {
+    expect(decodeFrame(frame(numbers))).toBeNull();
+  });
+});

@@ -1,0 +1,174 @@
+import { describe, expect, it } from "vitest";
+
+import type { Mission, World } from "../api/types";
+import { fit, toScreen, toWorld, zoomAt } from "./camera";
+import { nearestOn, placeAlong, roadLength, signAt } from "./geometry";
+import { lookAt, roleAt, sceneBefore, totalOf } from "./scene";
+import { summary } from "./summary";
+import { placeTag } from "./tag-place";
+
+const WORLD: World = {
+  name: "square",
+  width_mm: 1200,
+  height_mm: 1200,
+  walls: [],
+  roads: [
+    {
+      name: "ring",
+      width_mm: 100,
+      closed: true,
+      points: [
+        [200, 200],
+        [1000, 200],
+        [1000, 1000],
+        [200, 1000],
+      ],
+      sections: [
+        { sign: 0, from_mm: 0, to_mm: 800 },
+        { sign: 1, from_mm: 800, to_mm: 3200 },
+      ],
+    },
+  ],
+  docks: [
+    {
+      name: "A",
+      road: "ring",
+      at_mm: 400,
+      reach_mm: 30,
+      storehouse: "A",
+      kind: "load",
+      x_mm: 600,
+      y_mm: 200,
+      heading_rad: 0,
+    },
+  ],
+  storehouses: [
+    { name: "A", x_mm: 500, y_mm: 0, width_mm: 200, height_mm: 90, capacity: 12, stock: 12 },
+    { name: "B", x_mm: 500, y_mm: 1100, width_mm: 200, height_mm: 90, capacity: 12, stock: 2 },
+  ],
+  starts: [
+    { name: "c-1", x_mm: 300, y_mm: 200, heading_rad: 0 },
+    { name: "arm", x_mm: 600, y_mm: 110, heading_rad: 1.57 },
+    { name: "boss", x_mm: 600, y_mm: 45, heading_rad: 0 },
+  ],
+};
+const ROAD = WORLD.roads[0];
+const MISSION: Mission = {
+  version: 1,
+  programs: [],
+  agents: [
+    { name: "c-1", program: "carrier", start: "" },
+    { name: "loader", program: "loader", start: "arm" },
+    { name: "boss", program: "boss", start: "" },
+    { name: "lost", program: "carrier", start: "nowhere" },
+  ],
+  goals: [{ storehouse: "B", stock: "all" }],
+  world: "square.world.xml",
+};
+
+describe("places on a road", () => {
+  if (ROAD === undefined) throw new Error("the world has a road");
+
+  it("count the way back to the first point of a closed road", () => {
+    expect(roadLength(ROAD)).toBe(3200);
+  });
+
+  it("are found by the distance along, round and round", () => {
+    expect(placeAlong(ROAD, 400)).toEqual({ x: 600, y: 200, heading: 0 });
+    expect(placeAlong(ROAD, 3600)).toEqual({ x: 600, y: 200, heading: 0 });
+    expect(placeAlong(ROAD, -400)?.y).toBe(600);
+  });
+
+  it("are found from beside the road", () => {
+    expect(nearestOn(ROAD, 600, 230)).toEqual({ along: 400, off: 30 });
+  });
+
+  it("tell the section, and none off the road", () => {
+    expect(signAt(WORLD, 600, 240)).toBe(0);
+    expect(signAt(WORLD, 1000, 600)).toBe(1);
+    expect(signAt(WORLD, 600, 600)).toBeNull();
+  });
+
+  it("are none on a road without length", () => {
+    expect(placeAlong({ ...ROAD, points: [] }, 5)).toBeNull();
+  });
+});
+
+describe("the camera", () => {
+  const room = { width: 480, height: 336 };
+
+  it("fits the whole world into the panel", () => {
+    const camera = fit(WORLD, room, 0);
+    expect(toScreen(camera, 0, 1200)[1]).toBeCloseTo(0);
+    expect(toScreen(camera, 0, 0)[1]).toBeCloseTo(336);
+    expect(toScreen(camera, 600, 600)[0]).toBeCloseTo(240);
+  });
+
+  it("comes back from the screen", () => {
+    const camera = fit(WORLD, room, 20);
+    const [x, y] = toScreen(camera, 123, 456);
+    expect(toWorld(camera, x, y)[0]).toBeCloseTo(123);
+    expect(toWorld(camera, x, y)[1]).toBeCloseTo(456);
+  });
+
+  it("zooms around the point under the hand, within limits", () => {
+    const whole = fit(WORLD, room, 0);
+    const near = zoomAt(whole, whole, 2, 100, 50);
+    expect(toWorld(near, 100, 50)).toEqual(toWorld(whole, 100, 50));
+    expect(zoomAt(whole, whole, 1e6, 0, 0).scale).toBeCloseTo(whole.scale * 8);
+    expect(zoomAt(whole, whole, 1e-6, 0, 0).scale).toBeCloseTo(whole.scale / 4);
+  });
+});
+
+describe("the scene before a run", () => {
+  const scene = sceneBefore(MISSION, WORLD);
+
+  it("shows each agent as what it is", () => {
+    expect(scene.actors.map((actor) => actor.role)).toEqual(["robot", "arm", "keeper", "robot"]);
+  });
+
+  it("takes somebody close to a dock, but on the road, for a robot", () => {
+    expect(roleAt(WORLD, 660, 200)).toBe("robot");
+  });
+
+  it("puts an agent without a start into the middle", () => {
+    expect(scene.actors[3]?.start).toMatchObject({ x_mm: 600, y_mm: 600 });
+  });
+
+  it("counts what has to be delivered", () => {
+    expect(scene.total).toBe(12);
+    expect(totalOf(WORLD, [{ storehouse: "B", stock: "5" }])).toBe(5);
+    expect(totalOf(WORLD, [{ storehouse: "B", stock: "some" }])).toBe(0);
+  });
+
+  it("is said in words", () => {
+    expect(summary(scene, lookAt(scene, null))).toBe(
+      "0 of 12 delivered. Stock: A 12, B 2. c-1 at section 0. lost at x 600 mm, y 600 mm.",
+    );
+  });
+
+  it("says load and failure of a robot", () => {
+    const poses = [{ x_mm: 1000, y_mm: 600, heading_rad: 0, load: 1, flags: 2 }];
+    expect(summary(scene, lookAt(scene, poses))).toContain("c-1 at section 1, loaded, failed.");
+  });
+});
+
+describe("the tag", () => {
+  const room = { width: 480, height: 336 };
+  const size = { width: 100, height: 24 };
+
+  it("stands at the lower right where there is room", () => {
+    expect(placeTag(100, 100, 30, size, room, [])).toMatchObject({ right: 1, below: 1 });
+  });
+
+  it("goes to another corner where something stands in the way", () => {
+    const house = { left: 130, top: 100, width: 120, height: 60 };
+    expect(placeTag(100, 100, 30, size, room, [house])).not.toMatchObject({ right: 1, below: 1 });
+  });
+
+  it("stays inside the arena", () => {
+    const { area } = placeTag(475, 330, 30, size, room, []);
+    expect(area.left + area.width).toBeLessThanOrEqual(472);
+    expect(area.top + area.height).toBeLessThanOrEqual(328);
+  });
+});
