@@ -229,3 +229,8 @@ export function title(shape: Shape): string {
 export function shortTitle(shape: Shape): string {
   return text(shape.label, shape.method?.name ?? shape.element);
 }
+
+/** The field of that name, or undefined for a slot that is only plugged. */
+export function fieldOf(shape: Shape, name: string): Field | undefined {
+  return shape.fields.find((field) => field.name === name);
+}

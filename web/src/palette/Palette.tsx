@@ -1,4 +1,184 @@
-/** The tree of parts that a program is made of. */
+/** The tree of parts that a program is made of: drag one onto the graph, or click it to add it at the selection. */
+import "./palette.css";
+
+import { type KeyboardEvent, useMemo, useRef, useState } from "react";
+
+import { beginDrag, justDragged } from "../editor/drag";
+import { addPart } from "../editor/edits";
+import { partsOf } from "../model/parts";
+import { programInView, useStudio } from "../model/studio";
+import { text } from "../model/texts";
+import type { RobotObject } from "../model/types";
+import { useRun, watchedAgent } from "../run/run";
+import { Icon, Tile } from "../theme";
+import { t } from "../words/words";
+import { type Folded, type Row, rowsOf } from "./tree";
+
 export function Palette() {
-  return <div className="palette" />;
+  const robot = useStudio((state) => programInView(state)?.robot ?? "");
+  const catalogue = useStudio((state) => state.catalogue);
+  const [query, setQuery] = useState("");
+  const [folded, setFolded] = useState<Folded>({});
+  const [at, setAt] = useState("");
+  const tree = useRef<HTMLDivElement>(null);
+  const find = useRef<HTMLInputElement>(null);
+  const parts = partsOf(catalogue, robot);
+  const rows = useMemo(() => rowsOf(parts, query, folded), [parts, query, folded]);
+  const items = rows.filter((row) => row.kind !== "heading");
+  const current = items.some((row) => row.key === at) ? at : (items[0]?.key ?? "");
+
+  const go = (row: Row | undefined) => {
+    if (row === undefined) return;
+    setAt(row.key);
+    tree.current?.querySelector<HTMLElement>(`[data-row="${CSS.escape(row.key)}"]`)?.focus();
+  };
+  const fold = (row: Row, open: boolean) => {
+    setFolded((before) => ({ ...before, [row.key]: !open }));
+  };
+
+  const onKeyDown = (event: KeyboardEvent) => {
+    const index = items.findIndex((row) => row.key === current);
+    const row = items[index];
+    if (row === undefined) return;
+    const above = items.slice(0, index).findLast((one) => one.kind === "fold" && one.level < row.level);
+    if (event.key === "ArrowDown") go(items[index + 1]);
+    else if (event.key === "ArrowUp") go(items[index - 1]);
+    else if (event.key === "Home") go(items[0]);
+    else if (event.key === "End") go(items.at(-1));
+    else if (event.key === "ArrowRight" && row.kind === "fold") {
+      if (row.open) go(items[index + 1]);
+      else fold(row, true);
+    } else if (event.key === "ArrowLeft" && row.kind === "fold" && row.open) fold(row, false);
+    else if (event.key === "ArrowLeft") go(above);
+    else if (event.key === "/") find.current?.focus();
+    else if (event.key === "Enter" || event.key === " ") {
+      if (row.kind === "fold") fold(row, !row.open);
+      else addPart(row.shape.element);
+    } else return;
+    event.preventDefault();
+  };
+
+  return (
+    <div className="palette">
+      <label className="palette-find">
+        <Icon name="search" />
+        <input
+          ref={find}
+          type="search"
+          aria-label={t("parts.find")}
+          placeholder={t("parts.find")}
+          data-testid="part-find"
+          value={query}
+          onChange={(event) => {
+            setQuery(event.target.value);
+          }}
+          onKeyDown={(event) => {
+            if (event.key === "Escape") setQuery("");
+            else if (event.key === "ArrowDown") go(items[0]);
+            else if (event.key === "Enter") {
+              const first = items.find((row) => row.kind === "part");
+              if (first !== undefined && query !== "") addPart(first.shape.element);
+            } else return;
+            event.preventDefault();
+          }}
+        />
+        <kbd aria-hidden="true">/</kbd>
+      </label>
+      {rows.length === 0 ? <p className="palette-none">{t("parts.none", { query })}</p> : null}
+      <div ref={tree} role="tree" aria-label={t("parts.tree")} onKeyDown={onKeyDown}>
+        {rows.map((row) =>
+          row.kind === "heading" ? (
+            <div key={row.key} className="palette-heading" role="presentation">
+              <span>{row.label}</span>
+              <span>{row.aside}</span>
+            </div>
+          ) : (
+            <RowView
+              key={row.key}
+              row={row}
+              focused={row.key === current}
+              onFocus={() => {
+                setAt(row.key);
+              }}
+              onFold={() => {
+                if (row.kind === "fold") fold(row, !row.open);
+              }}
+            />
+          ),
+        )}
+      </div>
+    </div>
+  );
+}
+
+interface RowProps {
+  row: Exclude<Row, { kind: "heading" }>;
+  focused: boolean;
+  onFocus: () => void;
+  onFold: () => void;
+}
+
+function RowView({ row, focused, onFocus, onFold }: RowProps) {
+  const common = {
+    role: "treeitem",
+    "aria-level": row.level,
+    "data-row": row.key,
+    "data-level": row.level,
+    tabIndex: focused ? 0 : -1,
+    onFocus,
+  };
+  if (row.kind === "fold") {
+    return (
+      <div
+        {...common}
+        className="palette-fold"
+        aria-expanded={row.open}
+        data-testid={`fold-${row.label}`}
+        onClick={onFold}
+      >
+        <Icon name={row.open ? "chevron-down" : "chevron-right"} size={14} />
+        {row.object === null ? null : <Tile icon={row.object.icon} colour={colourOf(row.object)} size={22} />}
+        <span className="palette-name">{row.label}</span>
+        {row.aside === "" ? null : <span className="palette-aside">{row.aside}</span>}
+        {row.object === null ? null : <Live object={row.object} />}
+      </div>
+    );
+  }
+  const { shape } = row;
+  const icon = shape.method === null ? shape.icon : shape.method.icon || shape.icon;
+  return (
+    <div
+      {...common}
+      className="palette-part"
+      data-testid={`part-${shape.element}`}
+      title={text(shape.help)}
+      onPointerDown={(event) => {
+        beginDrag(event, { kind: "part", element: shape.element });
+      }}
+      onClick={() => {
+        if (!justDragged()) addPart(shape.element);
+      }}
+    >
+      <Tile icon={icon} colour={shape.colour} size={22} />
+      <span className="palette-name">{row.label}</span>
+      {row.aside === "" ? null : <span className="palette-aside">{row.aside}</span>}
+    </div>
+  );
+}
+
+function colourOf({ category }: RobotObject): "action" | "test" {
+  return category === "actuator" ? "action" : "test";
+}
+
+/** What a sensor or variable of the watched agent says now, while a run exists. */
+function Live({ object }: { object: RobotObject }) {
+  const program = useStudio((state) => state.activeProgram);
+  const value = useRun((state) => {
+    if (object.category === "actuator") return undefined;
+    const agent = watchedAgent(state, program);
+    return object.category === "sensor" ? agent?.inputs[object.name] : agent?.values[object.name];
+  });
+  if (value === undefined) return null;
+  const words = object.type === "boolean" ? t(value === 0 ? "parts.off" : "parts.on") : String(value);
+  return <span className="palette-live">{words}</span>;
 }

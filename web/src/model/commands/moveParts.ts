@@ -16,18 +16,25 @@ import {
   topmost,
   withMark,
 } from "../tree";
-import type { Program } from "../types";
+import type { Mission, Program } from "../types";
 import { editStructure } from "./edit";
 
 /** The command, or null when they cannot go there (for one, into their own body). */
 export function moveParts(program: Program, parts: Parts, ids: string[], place: Place): Command | null {
-  return editStructure(named("Move", program, parts, ids), program, parts, (structure) => {
+  const command = editStructure(named("Move", program, parts, ids), program, parts, (structure) => {
     const spots = topmost(structure, ids).map(withMark);
     if (spots.length === 0 || holds(spots, place)) return false;
     const blocks = spots.map((spot) => spot.block);
     if (!accepts(structure, place, blocks)) return false;
     return place.kind === "arc" ? moveToArc(structure, spots, place) : moveElsewhere(structure, spots, place);
   });
+  return command !== null && changes(command, program) ? command : null;
+}
+
+/** Whether the command leaves another program than it found: a vertex dropped where it was does not. */
+function changes(command: Command, program: Program): boolean {
+  const mission: Mission = { version: 1, programs: [program], agents: [], goals: [], world: "" };
+  return JSON.stringify(command.execute(mission).programs[0]?.arcs) !== JSON.stringify(program.arcs);
 }
 
 /** The command that puts a copy of the vertices there. */
