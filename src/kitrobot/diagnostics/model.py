@@ -137,7 +137,7 @@ def rules() -> Mapping[str, Rule]:
     return dict(sorted(_RULES.items()))
 
 
-@dataclass
+@dataclass(eq=False)  # two errors are never the same one, and an exception must stay hashable
 class KitRobotError(Exception):
     """The root of what KitRobot raises when an operation failed: one sentence, a way out, and what was found."""
 
