@@ -30,6 +30,7 @@ class Cursor:
         self.height = 0
         self.last_end = 0
         self.found_unclosed = False
+        self.guard_closer = ""
         self.diagnostics: list[Diagnostic] = []
 
     # -- tokens
@@ -92,8 +93,8 @@ class Cursor:
             self.take()
 
     def recover(self, closer: str) -> None:
-        """After a mistake between brackets: goes on behind `closer` where it can be found, else stays before `;`."""
-        self.skip(f"{closer};")
+        """After a mistake between brackets: goes on behind `closer`, or before `;` or the end of the guard around it."""
+        self.skip(f"{closer};{self.guard_closer}")
         if self.is_symbol(closer):
             self.take()
 

@@ -29,7 +29,8 @@ class Expressions(Cursor):
     def guard(self, opener: str) -> Condition:
         opened = self.tokens[self.at]
         self.expect(opener)
-        depth, closer = self.depth, PARTNER[opener]
+        depth, closer, around = self.depth, PARTNER[opener], self.guard_closer
+        self.guard_closer = closer
         try:
             condition = self.condition()
             self.height = 0
@@ -41,6 +42,8 @@ class Expressions(Cursor):
             if not self.is_symbol(closer):
                 raise
             condition = Call("", "", start=opened[1], end=self.last_end)
+        finally:
+            self.guard_closer = around
         self.expect(closer, opened)
         return condition
 

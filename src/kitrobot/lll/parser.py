@@ -80,7 +80,7 @@ def parse_template(text: str, name: str = "template") -> tuple[Instr | Condition
     if any(item.is_error for item in parser.diagnostics):
         looks_like_condition = any(kind == SYMBOL and text in "&|" for kind, _, _, text in other.tokens)
         return None, other.diagnostics if looks_like_condition else parser.diagnostics
-    return program.items[0], parser.diagnostics
+    return program.items[0] if program.items else program.hole, parser.diagnostics
 
 
 class _Parser(Expressions):
