@@ -41,7 +41,13 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
         token: what every request must bring along.
         static: the built page.
     """
-    app = FastAPI(title="KitRobot", docs_url=None, redoc_url=None, openapi_url="/api/openapi.json")
+    app = FastAPI(
+        title="KitRobot",
+        docs_url=None,
+        redoc_url=None,
+        openapi_url="/api/openapi.json",
+        separate_input_output_schemas=False,
+    )
     app.state.studio = Studio(workspace, mission)
     app.include_router(routes)
     app.include_router(run_routes)
@@ -64,7 +70,7 @@ def _serve_page(app: FastAPI, static: Path) -> None:
             return FileResponse(index, media_type="text/html")
         message, help = (
             "The studio's page has not been built",
-            "run `python tools/web.py build` and load this page again",
+            "run `python tools/page.py build` and load this page again",
         )
         return HTMLResponse(pages.sentence(message, help), status_code=503)
 

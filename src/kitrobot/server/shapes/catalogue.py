@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import BaseModel
+from pydantic import BaseModel, TypeAdapter
 
 from kitrobot.primitives import Catalogue, Constructor, Group, Method, Parameter, Robot, RobotObject, Slot
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 
 Texts = dict[str, str]
+Colour = Literal["loop", "choice", "parallel", "action", "test", "team"]
+
+
+_COLOURS: TypeAdapter[Colour] = TypeAdapter(Colour)
 
 
 class SlotShape(BaseModel):
@@ -40,7 +44,7 @@ class ConstructorShape(BaseModel):
     name: str
     group: str
     icon: str
-    colour: str
+    colour: Colour
     label: Texts
     help: Texts
     slots: list[SlotShape]
@@ -53,7 +57,7 @@ class GroupShape(BaseModel):
     """A heading of the palette."""
 
     name: str
-    colour: str
+    colour: Colour
     label: Texts
     constructors: list[ConstructorShape]
 
@@ -133,7 +137,7 @@ def catalogue_shape(catalogue: Catalogue) -> CatalogueShape:
 def _group(group: Group) -> GroupShape:
     return GroupShape(
         name=group.name,
-        colour=group.colour,
+        colour=_colour(group.colour),
         label=dict(group.label),
         constructors=[_constructor(constructor) for constructor in group.constructors],
     )
@@ -145,7 +149,7 @@ def _constructor(constructor: Constructor) -> ConstructorShape:
         name=constructor.name,
         group=constructor.group,
         icon=constructor.icon,
-        colour=constructor.colour,
+        colour=_colour(constructor.colour),
         label=dict(constructor.label),
         help=dict(constructor.help),
         slots=[_slot(slot) for slot in constructor.slots],
@@ -153,6 +157,11 @@ def _constructor(constructor: Constructor) -> ConstructorShape:
         adds=AddsShape(constructor=adds[0], slot=adds[1]) if adds else None,
         code=constructor.code,
     )
+
+
+def _colour(name: str) -> Colour:
+    found: Colour = _COLOURS.validate_python(name)
+    return found
 
 
 def _slot(slot: Slot) -> SlotShape:

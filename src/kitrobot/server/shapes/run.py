@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, Field, TypeAdapter
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from kitrobot.server.pacing import FASTEST
 from kitrobot.server.shapes.mission import MissionShape
@@ -77,7 +77,11 @@ class StartedAgentShape(BaseModel):
     kind: str
 
 
-class StartedMessage(BaseModel):
+class _Message(BaseModel):
+    model_config = ConfigDict(json_schema_serialization_defaults_required=True)
+
+
+class StartedMessage(_Message):
     """The run is on."""
 
     type: Literal["started"] = "started"
@@ -90,7 +94,7 @@ class StartedMessage(BaseModel):
     total: int
 
 
-class StateMessage(BaseModel):
+class StateMessage(_Message):
     """What became of the run; `sentence` says why it ended."""
 
     type: Literal["state"] = "state"
@@ -119,7 +123,7 @@ class RunEventShape(BaseModel):
     text: str
 
 
-class TickMessage(BaseModel):
+class TickMessage(_Message):
     """The run as it stands; `agents` holds only those that changed since the last message."""
 
     type: Literal["tick"] = "tick"
@@ -132,14 +136,14 @@ class TickMessage(BaseModel):
     events: list[RunEventShape]
 
 
-class ProblemsMessage(BaseModel):
+class ProblemsMessage(_Message):
     """The mission has errors and was not started."""
 
     type: Literal["problems"] = "problems"
     problems: list[ProblemShape]
 
 
-class ErrorMessage(BaseModel):
+class ErrorMessage(_Message):
     """A request that could not be followed."""
 
     type: Literal["error"] = "error"

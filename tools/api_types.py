@@ -1,0 +1,135 @@
+"""The page's TypeScript types, from the server's models: `web/src/api/generated.ts`.
+
+    python tools/api_types.py            write the file
+    python tools/api_types.py --check    exit with 1 when it is not what the models say
+
+The names are those of the models without `Shape`. One interface a model, in the order of their names, so the file changes
+only where a model did. What is not required is optional: the page may leave it out.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from kitrobot.server import create_app
+from kitrobot.server.shapes import REQUEST_MODELS, RUN_MESSAGE_MODELS
+
+ROOT = Path(__file__).resolve().parent.parent
+TARGET = ROOT / "web" / "src" / "api" / "generated.ts"
+LINE_WIDTH = 120
+
+_HEAD = """/**
+ * What travels between the server and the page.
+ *
+ * Written by `python tools/api_types.py` from the models in `src/kitrobot/server/shapes`: change those instead.
+ */
+"""
+# What the framework adds for its own errors; ours are a Failure.
+_NOT_OURS = {"HTTPValidationError", "ValidationError"}
+_PLAIN = {"integer": "number", "number": "number", "string": "string", "boolean": "boolean", "null": "null"}
+
+
+def types() -> str:
+    """The file as it should be."""
+    with tempfile.TemporaryDirectory() as folder:
+        schemas = create_app(Path(folder), None, "").openapi()["components"]["schemas"]
+    named = {_name(name): schema for name, schema in schemas.items() if name not in _NOT_OURS}
+    parts = [_HEAD]
+    parts += [_interface(name, schema) for name, schema in sorted(named.items())]
+    for union, models in (("RunMessage", RUN_MESSAGE_MODELS), ("RunRequest", REQUEST_MODELS)):
+        parts.append(_alias(union, [_name(model.__name__) for model in models]))
+    return "\n".join(parts)
+
+
+def _name(model: str) -> str:
+    return model.removesuffix("Shape")
+
+
+def _interface(name: str, schema: Mapping[str, Any]) -> str:
+    required = set(schema.get("required", ()))
+    lines = _comment(schema.get("description", "")) + [f"export interface {name} {{"]
+    for field, inner in schema.get("properties", {}).items():
+        optional = "" if field in required else "?"
+        lines += _field(f"  {field}{optional}: ", inner)
+    return "\n".join([*lines, "}"]) + "\n"
+
+
+def _field(start: str, schema: Mapping[str, Any]) -> list[str]:
+    """The line of a field; one member of a union a line where they do not fit."""
+    line = f"{start}{_type(schema)};"
+    if len(line) <= LINE_WIDTH:
+        return [line]
+    members = _members(schema)
+    return [start.rstrip(), *(f"    | {member}" for member in members[:-1]), f"    | {members[-1]};"]
+
+
+def _alias(name: str, members: list[str]) -> str:
+    line = f"export type {name} = {' | '.join(members)};"
+    if len(line) <= LINE_WIDTH:
+        return line + "\n"
+    return "\n".join([f"export type {name} =", *(f"  | {member}" for member in members)]) + ";\n"
+
+
+def _comment(text: str) -> list[str]:
+    words = " ".join(text.split())
+    if not words:
+        return []
+    line = f"/** {words} */"
+    if len(line) <= LINE_WIDTH:
+        return [line]
+    rows, row = ["/**"], " *"
+    for word in words.split(" "):
+        if len(row) + 1 + len(word) > LINE_WIDTH:
+            rows.append(row)
+            row = " *"
+        row += f" {word}"
+    return [*rows, row, " */"]
+
+
+def _members(schema: Mapping[str, Any]) -> list[str]:
+    if "enum" in schema:
+        return [json.dumps(value) for value in schema["enum"]]
+    return [_type(member) for member in schema.get("anyOf", ())] or [_type(schema)]
+
+
+def _type(schema: Mapping[str, Any]) -> str:
+    if "$ref" in schema:
+        return _name(schema["$ref"].rpartition("/")[2])
+    if "const" in schema:
+        return json.dumps(schema["const"])
+    if "enum" in schema or "anyOf" in schema:
+        return " | ".join(_members(schema))
+    kind = schema.get("type")
+    if kind == "array":
+        if "prefixItems" in schema:
+            return f"[{', '.join(_type(item) for item in schema['prefixItems'])}]"
+        inner = _type(schema["items"])
+        return f"({inner})[]" if " " in re.sub(r"\[.*\]", "", inner) else f"{inner}[]"
+    if kind == "object" and "additionalProperties" in schema:
+        return f"Record<string, {_type(schema['additionalProperties'])}>"
+    if kind in _PLAIN:
+        return _PLAIN[kind]
+    raise ValueError(f"no TypeScript for {schema}")
+
+
+def main(arguments: list[str]) -> int:
+    """Writes or checks the file; the exit status."""
+    wanted = types()
+    current = TARGET.read_text(encoding="utf-8") if TARGET.is_file() else ""
+    if "--check" in arguments:
+        if current != wanted:
+            print(f"{TARGET.relative_to(ROOT)} is not what the models say: python tools/api_types.py", file=sys.stderr)
+        return int(current != wanted)
+    if current != wanted:
+        TARGET.write_text(wanted, encoding="utf-8", newline="\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,22 @@
+/**
+ * Holds the page's types against the server's: this file compiles only while they agree.
+ *
+ * What the server sends must fit the page's types, what the page sends must fit the server's. Nothing here is ever run.
+ */
+import type * as server from "./generated";
+import type { MissionEntry, Saved, Session } from "./client";
+import type { Mission, MissionFile, Report } from "./types";
+import type { RunMessage, RunRequest } from "./wire";
+
+type Fits<Wanted, Given extends Wanted> = Given;
+
+export type Received = [
+  Fits<Session, server.Session>,
+  Fits<MissionEntry, server.MissionEntry>,
+  Fits<MissionFile, server.MissionFile>,
+  Fits<Report, server.Report>,
+  Fits<Saved, server.Saved>,
+  Fits<RunMessage, server.RunMessage>,
+];
+
+export type Sent = [Fits<server.Mission, Mission>, Fits<server.RunRequest, RunRequest>];

@@ -1,0 +1,450 @@
+/**
+ * What travels between the server and the page.
+ *
+ * Written by `python tools/api_types.py` from the models in `src/kitrobot/server/shapes`: change those instead.
+ */
+
+/** The constructor, and its slot, that a branch adds itself to. */
+export interface Adds {
+  constructor: string;
+  slot: string;
+}
+
+/** A robot of the team; `start` is a place of the world, "" for the one with the agent's name. */
+export interface Agent {
+  name: string;
+  program: string;
+  start: string;
+}
+
+/** What an agent does: where its threads stand, its variables and sensors. */
+export interface AgentReport {
+  active: [number, string][];
+  state: "running" | "waiting" | "idle" | "failed";
+  values: Record<string, number>;
+  inputs: Record<string, number>;
+  fault: number;
+}
+
+/** From the port `out` of one vertex to the port `at` of another. */
+export interface Arc {
+  source: string;
+  target: string;
+  out: string;
+  at: string;
+}
+
+/** Every word that programs can be made of, and what was wrong with the files that hold them. */
+export interface Catalogue {
+  groups: Group[];
+  robots: Robot[];
+  problems: Problem[];
+}
+
+/** A request to look a mission through; `path` is the file it was opened from, "" for a new one. */
+export interface Check {
+  mission: Mission;
+  path: string;
+}
+
+/** The file is not what the page last saw; `revision` is what it is now. */
+export interface Conflict {
+  message: string;
+  help: string;
+  revision: string;
+}
+
+/** A building block of programs. */
+export interface Constructor {
+  name: string;
+  group: string;
+  icon: string;
+  colour: "loop" | "choice" | "parallel" | "action" | "test" | "team";
+  label: Record<string, string>;
+  help: Record<string, string>;
+  slots: Slot[];
+  role: "instruction" | "condition" | "branch";
+  adds: Adds | null;
+  code: string;
+}
+
+/** Where stock goes from a storehouse onto a carrier, or back. */
+export interface Dock {
+  name: string;
+  road: string;
+  at_mm: number;
+  reach_mm: number;
+  storehouse: string;
+  kind: "load" | "unload";
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+}
+
+/** A request that could not be followed. */
+export interface ErrorMessage {
+  type: "error";
+  message: string;
+  help: string;
+}
+
+/** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */
+export interface Failure {
+  message: string;
+  help: string;
+  problems?: Problem[];
+}
+
+/** What ends the mission as done: this storehouse holds this stock (a number, or `all`). */
+export interface Goal {
+  storehouse: string;
+  stock: string;
+}
+
+/** A heading of the palette. */
+export interface Group {
+  name: string;
+  colour: "loop" | "choice" | "parallel" | "action" | "test" | "team";
+  label: Record<string, string>;
+  constructors: Constructor[];
+}
+
+/** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
+export interface Method {
+  name: string;
+  kind: "procedure" | "test" | "value";
+  label: Record<string, string>;
+  help: Record<string, string>;
+  icon: string;
+  parameters: Parameter[];
+  completes_later: boolean;
+  stop: string | null;
+  phrase: Record<string, string>;
+}
+
+/**
+ * All of a `.krt`; `world` is the name of a world's file, "" for the empty world. `unknown` is XML of the file that
+ * nobody knows, kept word for word.
+ */
+export interface Mission {
+  version: 1;
+  programs: Program[];
+  agents: Agent[];
+  goals: Goal[];
+  world: string;
+  unknown?: string[];
+}
+
+/** A mission that can be opened; examples are read-only. `modified` is a moment in UTC (ISO 8601). */
+export interface MissionEntry {
+  path: string;
+  name: string;
+  title: string;
+  example: boolean;
+  modified: string;
+}
+
+/** A mission opened; `revision` names the content that was read, "" when there is no file yet. */
+export interface MissionFile {
+  path: string;
+  name: string;
+  revision: string;
+  mission: Mission;
+  problems: Problem[];
+  world: World | null;
+  catalogue: Catalogue;
+}
+
+/** A mission to be written out, unsaved. */
+export interface MissionText {
+  mission: Mission;
+}
+
+/** A comment of the user. */
+export interface Note {
+  text: string;
+  at: string;
+}
+
+/** A parameter of a method; `min` and `max` are included. */
+export interface Parameter {
+  name: string;
+  kind: "integer" | "boolean";
+  min: number;
+  max: number;
+  default: number;
+  unit: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+}
+
+/** Stand still. */
+export interface PauseRequest {
+  type: "pause";
+}
+
+/** A diagnostic; lines and columns count from 1 and are 0 where there is no file. */
+export interface Problem {
+  file: string;
+  line: number;
+  column: number;
+  end_line: number;
+  end_column: number;
+  severity: "error" | "warning" | "hint";
+  code: string;
+  message: string;
+  help: string;
+  program: string;
+  vertices: string[];
+  arcs: [string, string, string, string][];
+}
+
+/** The mission has errors and was not started. */
+export interface ProblemsMessage {
+  type: "problems";
+  problems: Problem[];
+}
+
+/** A graph and the robot it is for. */
+export interface Program {
+  name: string;
+  robot: string;
+  vertices: Vertex[];
+  arcs: Arc[];
+}
+
+/** What a program becomes: LLL with the place of each vertex, and three-address code. */
+export interface ProgramReport {
+  name: string;
+  lll: string;
+  spans: SpanEntry[];
+  listing: string;
+  instructions: number;
+}
+
+/** A mission looked through. */
+export interface Report {
+  programs: ProgramReport[];
+  problems: Problem[];
+}
+
+/** Go on. */
+export interface ResumeRequest {
+  type: "resume";
+}
+
+/** A road as the line along its middle. */
+export interface Road {
+  name: string;
+  width_mm: number;
+  closed: boolean;
+  points: [number, number][];
+  sections: Section[];
+}
+
+/** A kind of robot. */
+export interface Robot {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  tick_ms: number;
+  wait_unit_ms: number;
+  objects: RobotObject[];
+}
+
+/** A part of a robot. */
+export interface RobotObject {
+  name: string;
+  category: "actuator" | "sensor" | "variable" | "system";
+  device: string;
+  icon: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  methods: Method[];
+  type: "integer" | "boolean";
+  min: number;
+  max: number;
+  initial: number;
+  shared: boolean;
+}
+
+/** Something worth a mark on the timeline. */
+export interface RunEvent {
+  tick: number;
+  kind: "load" | "unload" | "message" | "collision" | "end";
+  agent: string;
+  text: string;
+}
+
+/** A mission to be written; `revision` is the one that the page last read or wrote, "" for a new file. */
+export interface Save {
+  path: string;
+  revision: string;
+  mission: Mission;
+}
+
+/** What was written. */
+export interface Saved {
+  path: string;
+  revision: string;
+}
+
+/** A numbered stretch of a road, by the distance along it. */
+export interface Section {
+  sign: number;
+  from_mm: number;
+  to_mm: number;
+}
+
+/** What the page starts with: the mission to open, and the name of the folder that missions are in. */
+export interface Session {
+  version: string;
+  path: string | null;
+  workspace: string;
+}
+
+/** A hole of a constructor. */
+export interface Slot {
+  name: string;
+  kind: "flow" | "condition" | "value" | "number" | "text" | "action";
+  label: Record<string, string>;
+  loop: boolean;
+  repeat: boolean;
+  least: number;
+  min: number | null;
+  max: number | null;
+  default: string;
+  unit: string;
+}
+
+/** The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1. */
+export interface SpanEntry {
+  vertex: string;
+  start: number;
+  end: number;
+  line: number;
+}
+
+/** Run at another speed from now on. */
+export interface SpeedRequest {
+  type: "speed";
+  value: number;
+}
+
+/** Where an agent may start. */
+export interface StartPose {
+  name: string;
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+}
+
+/** Run this mission; `path` is the file it was opened from, "" for a new one. */
+export interface StartRequest {
+  type: "start";
+  mission: Mission;
+  path: string;
+  seed: number;
+  speed: number;
+}
+
+/** A robot of the run; the binary frames follow the order of this list. */
+export interface StartedAgent {
+  name: string;
+  program: string;
+  robot: string;
+  number: number;
+  kind: string;
+}
+
+/** The run is on. */
+export interface StartedMessage {
+  type: "started";
+  run: string;
+  tick_ms: number;
+  seed: number;
+  world: World;
+  agents: StartedAgent[];
+  stock: Record<string, number>;
+  total: number;
+}
+
+/** What became of the run; `sentence` says why it ended. */
+export interface StateMessage {
+  type: "state";
+  status: "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped";
+  tick: number;
+  seconds: number;
+  sentence: string;
+}
+
+/** Run one tick while paused. */
+export interface StepRequest {
+  type: "step";
+}
+
+/** End the run. */
+export interface StopRequest {
+  type: "stop";
+}
+
+/** A place for stock; `x_mm`, `y_mm` is its lower left corner. */
+export interface Storehouse {
+  name: string;
+  x_mm: number;
+  y_mm: number;
+  width_mm: number;
+  height_mm: number;
+  capacity: number;
+  stock: number;
+}
+
+/** The canonical text of a `.krt`. */
+export interface Text {
+  text: string;
+}
+
+/** The run as it stands; `agents` holds only those that changed since the last message. */
+export interface TickMessage {
+  type: "tick";
+  tick: number;
+  seconds: number;
+  agents: Record<string, AgentReport>;
+  stock: Record<string, number>;
+  delivered: Record<string, number>;
+  collisions: number;
+  events: RunEvent[];
+}
+
+/** A program element; `unknown` is XML of the file inside it that nobody knows, kept word for word. */
+export interface Vertex {
+  id: string;
+  element: string;
+  settings: Record<string, string>;
+  notes: Note[];
+  unknown?: string;
+}
+
+/** A straight wall. */
+export interface Wall {
+  x1: number;
+  y1: number;
+  x2: number;
+  y2: number;
+}
+
+/** The place of a mission. */
+export interface World {
+  name: string;
+  width_mm: number;
+  height_mm: number;
+  walls: Wall[];
+  roads: Road[];
+  docks: Dock[];
+  storehouses: Storehouse[];
+  starts: StartPose[];
+}
+
+export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsMessage | ErrorMessage;
+
+export type RunRequest = StartRequest | PauseRequest | ResumeRequest | StepRequest | StopRequest | SpeedRequest;
