@@ -23,7 +23,7 @@ function Mark({ name, colour }: { name: string; colour: string }) {
       style={{ background: `var(--${colour}-tile)`, color: `var(--${colour}-on-tile)` }}
     >
       <svg width="24" height="24" viewBox="0 0 24 24" aria-hidden="true">
-        <circle cx="12" cy="12" r="4.25" fill="none" stroke="currentColor" strokeWidth="3" />
+        <circle cx="12" cy="12" r="4.5" fill="none" stroke="currentColor" strokeWidth="2.75" />
       </svg>
     </span>
   );

@@ -66,7 +66,7 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
         if (!justDragged()) selectVertex(id, event);
       }}
     >
-      {hexagon ? <Hexagon w={w} h={h} /> : null}
+      <Outline w={w} h={h} hexagon={hexagon} />
       <Tile icon={block.shape.icon} colour={colour} />
       <span className="vertex-name">
         {face.object === "" ? null : <span className="vertex-object">{face.object} </span>}
@@ -98,17 +98,26 @@ export function spoken({ block, face, mark }: LayoutNode): string {
   return [title(block.shape), ...conditions, ...values, ...marked].join(", ");
 }
 
-function Hexagon({ w, h }: { w: number; h: number }) {
-  const outline = (grow: number) => {
-    const tip = 14 + grow / 4;
-    const [left, right, top, bottom] = [-grow, w + grow, -grow, h + grow];
-    const middle = h / 2;
-    return `M${String(left + 1)} ${String(middle)}L${String(left + tip)} ${String(top + 1)}H${String(right - tip)}L${String(right - 1)} ${String(middle)}L${String(right - tip)} ${String(bottom - 1)}H${String(left + tip)}Z`;
-  };
+/** The vertex's shape, `grow` px outside of it; tips of 14. */
+function outline(w: number, h: number, hexagon: boolean, grow: number): string {
+  if (!hexagon) {
+    const radius = 6 + Math.max(0, grow) * 0.6;
+    const long = w + 2 * grow - 2 * radius;
+    const high = h + 2 * grow - 2 * radius;
+    const corner = (x: number, y: number) => `a${String(radius)} ${String(radius)} 0 0 1 ${String(x)} ${String(y)}`;
+    return `M${String(radius - grow)} ${String(-grow)}h${String(long)}${corner(radius, radius)}v${String(high)}${corner(-radius, radius)}h${String(-long)}${corner(-radius, -radius)}v${String(-high)}${corner(radius, -radius)}Z`;
+  }
+  const tip = 14 + grow * 0.3;
+  const long = w + 2.4 * grow - 2 * tip;
+  const half = h / 2 + grow;
+  return `M${String(-1.2 * grow)} ${String(h / 2)}l${String(tip)} ${String(-half)}h${String(long)}l${String(tip)} ${String(half)}l${String(-tip)} ${String(half)}h${String(-long)}Z`;
+}
+
+function Outline({ w, h, hexagon }: { w: number; h: number; hexagon: boolean }) {
   return (
-    <svg className="hexagon-shape" width={w} height={h} aria-hidden="true">
-      <path className="hexagon-ring" d={outline(6)} />
-      <path className="hexagon-body" d={outline(0)} />
+    <svg className="outline" width={w} height={h} aria-hidden="true">
+      <path className="outline-ring" d={outline(w, h, hexagon, 4)} />
+      <path className="outline-body" d={outline(w, h, hexagon, -0.8)} />
     </svg>
   );
 }

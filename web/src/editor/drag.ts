@@ -8,9 +8,9 @@ import type { PointerEvent as ReactPointerEvent } from "react";
 import { create } from "zustand";
 
 import type { Point } from "../model/layout";
-import { useStudio } from "../model/studio";
 import { addPartAt, movePartsTo } from "./edits";
 import type { Target } from "./targets";
+import { useView } from "./view";
 
 export type Payload = { kind: "part"; element: string } | { kind: "vertices"; ids: string[]; element: string };
 
@@ -95,5 +95,6 @@ export function beginDrag(event: ReactPointerEvent, payload: Payload): void {
 
 function drop(payload: Payload, { place }: Target, copy: boolean): void {
   if (payload.kind === "part") addPartAt(place, payload.element);
-  else if (movePartsTo(place, payload.ids, copy)) useStudio.getState().select(useStudio.getState().selection);
+  else movePartsTo(place, payload.ids, copy);
+  useView.getState().viewport?.focus();
 }

@@ -1,4 +1,4 @@
-/** The canvas's keys. They hold while the canvas, or nothing at all, has the focus. */
+/** The canvas's keys. They hold while the canvas, or nothing at all, has the focus; some of them also in the palette. */
 import { type RefObject, useEffect } from "react";
 
 import { useStudio } from "../model/studio";
@@ -67,7 +67,10 @@ export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
       const target = event.target instanceof Element ? event.target : document.body;
       if (event.defaultPrevented || target.closest("input, textarea, select, [contenteditable=true], [role=dialog]"))
         return;
-      if (target !== document.body && root.current?.contains(target) !== true) return;
+      const inPalette = target.closest("[role=tree]") !== null;
+      if (target !== document.body && !inPalette && root.current?.contains(target) !== true) return;
+      // The tree of parts walks and adds by the same keys.
+      if (inPalette && !event.ctrlKey && !event.metaKey && event.key !== "Delete" && event.key !== "Backspace") return;
       // A focused button of the canvas keeps its own Enter.
       if (event.key === "Enter" && target.closest("button") !== null) return;
       if (press(event)) event.preventDefault();
