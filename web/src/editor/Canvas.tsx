@@ -45,6 +45,9 @@ function nodesOf({ layout }: Drawing): GraphNode[] {
     position: { x: node.x, y: node.y },
     width: node.w,
     height: node.h,
+    // Sizes and (no) handles are known: React Flow need not render a vertex to measure it.
+    measured: { width: node.w, height: node.h },
+    handles: [],
     data: { node },
     className: "nopan",
   }));

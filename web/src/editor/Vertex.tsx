@@ -130,7 +130,6 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
   if (selected) classes.push("is-selected");
   if (aimed) classes.push("is-aimed");
   if (chip.filler === null) classes.push("is-empty");
-  const element = useStudio((state) => elementOf(state, chip.filler));
   return (
     <span
       className={classes.join(" ")}
@@ -142,7 +141,7 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
       onPointerDown={(event) => {
         if (chip.filler === null) return;
         event.stopPropagation();
-        dragVertices(event, chip.filler, element);
+        dragVertices(event, chip.filler, chip.element);
       }}
       onClick={(event) => {
         event.stopPropagation();
@@ -193,11 +192,6 @@ function Hole({ vertex, slot, label }: { vertex: string; slot: string; label: st
 function openSlot(vertex: string, slot: string): void {
   useStudio.getState().select([vertex]);
   useView.getState().setAdding({ vertex, slot: { kind: "slot", vertex, slot } });
-}
-
-function elementOf(state: ReturnType<typeof useStudio.getState>, id: string | null): string {
-  const program = state.mission.programs.find((one) => one.name === state.activeProgram);
-  return program?.vertices.find((one) => one.id === id)?.element ?? "";
 }
 
 function BoxView({ box, vertex }: { box: Box; vertex: string }) {

@@ -21,8 +21,9 @@ export interface Chip {
   accepts: "condition" | "action";
   icon: string;
   pieces: Piece[];
-  /** The vertex that fills the slot, or null while it is empty. */
+  /** The vertex that fills the slot, or null while it is empty, and its element. */
   filler: string | null;
+  element: string;
 }
 
 export interface Face {
@@ -74,12 +75,15 @@ function chips(block: Block): Chip[] {
 function chip(block: Block, slot: string, accepts: "condition" | "action", filler: Block | null): Chip {
   const label = accepts === "action" ? "action" : "condition";
   const pieces: Piece[] = filler === null ? [{ kind: "hole", vertex: block.vertex.id, slot, label }] : piecesOf(filler);
-  return { slot, accepts, icon: filler?.shape.icon ?? "", pieces, filler: filler?.vertex.id ?? null };
+  const element = filler?.shape.element ?? "";
+  return { slot, accepts, icon: filler?.shape.icon ?? "", pieces, filler: filler?.vertex.id ?? null, element };
 }
 
 /** The chip of a parked test or value. */
 export function chipOf(block: Block): Chip {
-  return { slot: "", accepts: "condition", icon: block.shape.icon, pieces: piecesOf(block), filler: block.vertex.id };
+  const { shape, vertex } = block;
+  const pieces = piecesOf(block);
+  return { slot: "", accepts: "condition", icon: shape.icon, pieces, filler: vertex.id, element: shape.element };
 }
 
 export function chipWidth(chip: Chip): number {
