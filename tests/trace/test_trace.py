@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import struct
 import zlib
@@ -23,6 +24,7 @@ from kitrobot.trace import (
     TraceWriter,
 )
 from kitrobot.trace import file as trace_file
+from kitrobot.trace.coding import decode
 
 HEADER = TraceHeader(
     "ab" * 32,
@@ -148,10 +150,8 @@ def test_a_chunk_that_unpacks_to_more_than_it_says_is_refused(tmp_path: Path) ->
 
 @given(st.binary(max_size=200))
 def test_random_bytes_in_a_chunk_never_escape_as_another_error(data: bytes) -> None:
-    try:
-        list(trace_file.decode(data, 0, 5, 3, 2))
-    except TraceError as error:
-        assert "damaged" in error.message
+    with contextlib.suppress(TraceError):
+        assert len(list(decode(data, 0, 5, 3, 2))) == 5
 
 
 def test_another_file_and_another_version_are_refused_by_name(tmp_path: Path) -> None:

@@ -124,7 +124,7 @@ def test_the_sections_of_a_road_are_found_by_mm() -> None:
             "<start",
             "road and dock",
         ),
-        ('name="four" storehouse', 'name="three" storehouse', "xml-duplicate", 18, "three", "there is"),
+        ('name="four" storehouse', 'name="three" storehouse', "xml-duplicate", 18, "three", "is there already"),
         ('stock="3"', 'stock="10"', "world-storehouse", 13, "10", "at most 9 boxes"),
         ('<point x="1200" y="500"/>', "", "world-line", 7, "<road", "two points"),
         ('<point x="1200" y="500"/>', '<point x="1200" y="2500"/>', "world-outside", 7, "<road", "outside the world"),

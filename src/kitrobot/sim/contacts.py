@@ -118,8 +118,6 @@ def part_from_walls(
     solid: list[int],
     x: list[float],
     y: list[float],
-    heading: list[float],
-    speed: list[float],
     radius: list[float],
     x1: list[float],
     y1: list[float],
@@ -128,7 +126,7 @@ def part_from_walls(
     pairs: list[int],
     room: int,
 ) -> int:
-    """Free robots stand against walls; of their speed only what goes along the wall is left."""
+    """Free robots slide along walls and never through them; the wheels of one that goes straight at a wall slip."""
     count = 0
     for i in range(len(x)):
         if road[i] >= 0 or solid[i] == 0:
@@ -158,9 +156,6 @@ def part_from_walls(
                 ny /= distance
                 x[i] += (radius[i] - distance) * nx
                 y[i] += (radius[i] - distance) * ny
-                into = nx * math.cos(heading[i]) + ny * math.sin(heading[i])
-                if into * speed[i] < 0.0:
-                    speed[i] *= math.sqrt(max(0.0, 1.0 - into * into))
     return count
 
 

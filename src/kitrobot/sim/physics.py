@@ -117,8 +117,6 @@ class Physics:
             bodies.solid,
             bodies.x,
             bodies.y,
-            bodies.heading,
-            bodies.speed,
             bodies.radius,
             stage.wall_x1,
             stage.wall_y1,

@@ -6,6 +6,7 @@ Everything wrong is found in one go and raised together. Left to others: what ha
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping
 from functools import reduce
 from random import Random
@@ -54,6 +55,8 @@ class Staging:
         self.actuators = {name: device(self.stage) for name, device in actuators().items()}
         self.sensors = {name: device(self.stage) for name, device in sensors().items()}
         self._checked: dict[tuple[str, str, str], tuple[type[Device] | None, Values | None]] = {}
+        self._starts = {start.name: start for start in world.starts}
+        self._kinds: Counter[str] = Counter()
         self._build()
         if self.problems:
             first = self.problems[0]
@@ -100,9 +103,9 @@ class Staging:
         return robot
 
     def _member(self, member: Member, robot: Robot) -> None:
-        start = self.world.start(member.start_name)
+        start = self._starts.get(member.start_name)
         if start is None:
-            free = [start.name for start in self.world.starts]
+            free = list(self._starts)
             message = f"{member.name} has no start {shown(member.start_name)} in the world {self.world.name}"
             help = did_you_mean(member.start_name, free) or f"starts of this world: {', '.join(free[:20]) or 'none'}"
             self.problems.append(rules.START(message, help=help))
@@ -130,7 +133,8 @@ class Staging:
                 noise = values.number("noise") if any(item.name == "noise" for item in bank.settings) else 0.0
                 agent.sensors.append(SensorWire(part.name, bank, number, delay, noise, chance))
         agent.kind = self._kind(agent, standing)
-        agent.number = sum(other.kind == agent.kind for other in self.agents)
+        self._kinds[agent.kind] += 1
+        agent.number = self._kinds[agent.kind]
 
     def _standing(self, start: Start) -> Standing:
         docks, roads, houses = self.world.docks, self.world.roads, self.world.storehouses

@@ -1,0 +1,341 @@
+"""Devices: what each senses and does, against what can be worked out by hand; settings, latency and noise."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from statistics import mean, stdev
+
+import pytest
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.sim import ALARM, LAMP, Simulation, SimulationError
+from kitrobot.sim.devices import Actuator, Sensor, actuators, sensors
+from kitrobot.sim.settings import find_device, read_settings
+from kitrobot.sim.sight import ray_to_discs, ray_to_walls
+from kitrobot.world import ColouredLine, Corner, Dock, Road, Start, Storehouse, World
+from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of, steps
+
+RANGE = """<sensor name="Captor" device="range" min="0" max="{most}" {settings}>
+  <operation name="Value" value="yes"/>
+</sensor>"""
+SENSOR = """<sensor name="{name}" device="{device}" type="boolean" {settings}>
+  <operation name="IsPressed" test="equal" to="1"/><operation name="IsReleased" test="equal" to="0"/>
+</sensor>"""
+
+
+def sensed(run: Simulation, sensor: str, agent: int = 0) -> int:
+    steps(run, 1)
+    return run.agents[agent].inputs[sensor]
+
+
+def test_every_device_that_a_shipped_robot_names_is_there_with_its_settings_and_procedures() -> None:
+    robots = catalogue().robots
+    assert {"carrier", "loader", "unloader", "store-manager", "mini-robot"} <= set(robots)
+    for robot in robots.values():
+        for part in (*robot.actuators, *robot.sensors):
+            device, problems = find_device(robot, part)
+            assert problems == []
+            assert device is not None
+            assert read_settings(robot, part, device)[1] == []
+
+
+def test_devices_are_found_by_their_names() -> None:
+    assert {"arm", "door", "drive", "lamp", "switch", "turn"} == set(actuators())
+    assert {"button", "cargo", "collision", "colour", "presence", "range", "sign", "store"} == set(sensors())
+    assert all(issubclass(device, Actuator) for device in actuators().values())
+    assert all(issubclass(device, Sensor) for device in sensors().values())
+
+
+# ---- range
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, -0.7, math.pi / 2, 3.0])
+def test_the_range_to_a_wall_is_the_distance_along_the_ray(angle: float) -> None:
+    far = ray_to_walls(0, 0, angle, 1e6, [300], [-1e5], [300], [1e5])
+    expected = 300 / math.cos(angle) if math.cos(angle) > 1e-6 else 1e6
+    assert far == pytest.approx(min(expected, 1e6))
+
+
+def test_the_range_to_a_disc_is_the_distance_to_its_edge() -> None:
+    discs = ([0.0, 500.0], [0.0, 0.0], [50.0, 40.0], [1, 1])
+    assert ray_to_discs(0, 0, 0.0, 1e6, 0, *discs) == pytest.approx(460)
+    assert ray_to_discs(0, 0, math.asin(40 / 500) + 1e-6, 1e6, 0, *discs) == 1e6
+    assert ray_to_discs(0, 0, math.pi, 1e6, 0, *discs) == 1e6
+
+
+@pytest.mark.parametrize(("x", "value"), [(3000, 93), (3500, 43), (3900, 3), (2000, 100)])
+def test_a_range_sensor_reads_from_the_edge_of_the_robot_in_parts_of_its_reach(x: float, value: int) -> None:
+    robot = avatar(WHEEL.format(settings='length="140"'), RANGE.format(most=100, settings='reach="1000"'))
+    assert sensed(run_of({"a": (robot, "WAIT(9);")}, empty_world(a=(x, 1000, 0))), "Captor") == value
+
+
+def test_a_range_sensor_sees_robots_and_looks_where_its_angle_says() -> None:
+    robot = avatar(WHEEL.format(settings='length="100"'), RANGE.format(most=1000, settings='reach="1000" angle="90"'))
+    world = empty_world(a=(1000, 1000, 0), b=(1000, 1400, 0))
+    assert sensed(run_of({"a": (robot, "WAIT(9);"), "b": (robot, "WAIT(9);")}, world), "Captor") == 300
+
+
+def test_noise_spreads_readings_by_its_standard_deviation_and_is_the_same_for_the_same_seed() -> None:
+    robot = avatar(WHEEL.format(settings=""), RANGE.format(most=1000, settings='reach="1000" noise="20"'))
+
+    def readings(seed: int) -> list[int]:
+        run = run_of({"a": (robot, "WAIT(600);")}, empty_world(a=(3432.5, 1000, 0)), seed=seed)
+        return [sensed(run, "Captor") for _ in range(1000)]
+
+    assert mean(readings(1)) == pytest.approx(500, abs=3)
+    assert stdev(readings(1)) == pytest.approx(20, rel=0.1)
+    assert readings(1) == readings(1) != readings(2)
+
+
+def test_latency_makes_a_reading_as_old_as_it_says() -> None:
+    parts = WHEEL.format(settings='speed="1000" acceleration="1e6"'), RANGE.format(most=1000, settings='reach="1000"')
+    late = RANGE.format(most=1000, settings='reach="1000" latency="100"')
+    world = empty_world(a=(3000, 1000, 0))
+    now = run_of({"a": (avatar(*parts), "Wheel.Advance(100); WAIT(600);")}, world)
+    then = run_of({"a": (avatar(parts[0], late), "Wheel.Advance(100); WAIT(600);")}, world)
+    fresh = [sensed(now, "Captor") for _ in range(40)]
+    old = [sensed(then, "Captor") for _ in range(40)]
+    assert old[5:] == fresh[:-5]
+
+
+# ---- actuators
+
+
+def test_a_late_actuator_does_what_it_is_told_later_and_is_not_done_before() -> None:
+    door = """<actuator name="Door" device="door" time="200" {settings}>
+      <procedure name="Open" completes="later"/><procedure name="Close" completes="later"/></actuator>"""
+    runs = []
+    for settings in ("", 'latency="100"'):
+        run = run_of({"a": (avatar(door.format(settings=settings)), "Door.Open();")}, empty_world(a=(1000, 1000, 0)))
+        while run.outcome is None:
+            run.step()
+        runs.append(run.tick)
+    assert runs == [11, 16]
+
+
+def test_a_lamp_and_a_switch_stay_as_they_were_told() -> None:
+    mini = catalogue().robots["mini-robot"]
+    run = steps(
+        run_of({"a": (mini, "Light.LightOn(); WAIT(1); Light.LightOff(); WAIT(9);")}, empty_world(a=(900, 900, 0))), 3
+    )
+    assert run.agents[0].flags & LAMP
+    assert not steps(run, 5).agents[0].flags & LAMP
+
+
+def test_a_robot_that_drives_into_a_wall_stands_there_and_it_is_one_collision() -> None:
+    mini = catalogue().robots["mini-robot"]
+    run = run_of(
+        {"a": (mini, "Wheel.Advance(100); <Button.IsPressed()>( Wheel.Stop(); ) WAIT(20);")},
+        empty_world(a=(3500, 1000, 0)),
+    )
+    while run.outcome is None:
+        run.step()
+    robot = run.agents[0]
+    assert robot.x_mm + run.stage.bodies.radius[0] == pytest.approx(4000)
+    assert robot.inputs["Button"] == 1
+    assert robot.inputs["Captor"] == 0
+    assert run.collisions == 1
+
+
+def test_a_robot_slides_along_a_wall_and_never_through_it() -> None:
+    mini = catalogue().robots["mini-robot"]
+    run = steps(run_of({"a": (mini, "Wheel.Advance(100); WAIT(600);")}, empty_world(a=(3700, 1000, 0.8))), 400)
+    robot = run.agents[0]
+    radius = run.stage.bodies.radius[0]
+    assert robot.x_mm <= 4000 - radius + 1e-6
+    assert robot.y_mm == pytest.approx(2500 - radius, abs=1)
+
+
+def test_two_robots_that_meet_push_but_never_overlap() -> None:
+    mini = catalogue().robots["mini-robot"]
+    program = "Wheel.Advance(100); WAIT(600);"
+    run = run_of({"a": (mini, program), "b": (mini, program)}, empty_world(a=(1000, 1000, 0), b=(1600, 1020, math.pi)))
+    for _ in range(300):
+        run.step()
+        first, second = run.agents
+        apart = math.hypot(first.x_mm - second.x_mm, first.y_mm - second.y_mm)
+        assert apart >= 2 * run.stage.bodies.radius[0] - 1e-6
+    assert run.collisions >= 1
+
+
+def test_a_sensor_can_be_forced_and_given_back() -> None:
+    mini = catalogue().robots["mini-robot"]
+    run = steps(run_of({"a": (mini, "WAIT(600);")}, empty_world(a=(1000, 1000, 0))), 1)
+    run.force("a", "Button", 1)
+    assert sensed(run, "Button") == 1
+    run.force("a", "Button", None)
+    assert sensed(run, "Button") == 0
+    with pytest.raises(KitRobotError, match="no agent a with a sensor Knob"):
+        run.force("a", "Knob", 1)
+
+
+# ---- colour
+
+
+def test_a_colour_sensor_reads_lines_and_nothing_beside_them() -> None:
+    lines = (
+        ColouredLine("blue", 40, (Corner(0, 1000), Corner(4000, 1000))),
+        ColouredLine("red", 40, (Corner(2000, 0), Corner(2000, 2500))),
+    )
+    mini = catalogue().robots["mini-robot"]
+
+    def colour(x: float, y: float) -> int:
+        world = replace(empty_world(a=(x, y, 0)), lines=lines)
+        return sensed(run_of({"a": (mini, "WAIT(9);")}, world), "Light")
+
+    assert [colour(500, 1000), colour(500, 1019.9), colour(500, 1020.1), colour(2000, 500), colour(2000, 1000)] == [
+        3,
+        3,
+        0,
+        1,
+        1,
+    ]
+
+
+# ---- the road and the docks
+
+
+def lane(**starts: float) -> World:
+    road = Road("lane", 120, False, (Corner(100, 500), Corner(2100, 500)))
+    houses = (Storehouse("A", 0, 0, 100, 100, 5, 2), Storehouse("B", 500, 0, 100, 100, 1, 0))
+    docks = (Dock("in", "lane", 500, 30, "A", "load"), Dock("out", "lane", 1500, 30, "B", "unload"))
+    places = [Start(name, road="lane", at_mm=at) for name, at in starts.items()]
+    places += [Start("loader", dock="in"), Start("unloader", dock="out")]
+    return World("lane", 2200, 1000, roads=(road,), docks=docks, storehouses=houses, starts=tuple(places))
+
+
+@pytest.mark.parametrize(("gap", "pressed"), [(119, 1), (120, 1), (121, 0)])
+def test_a_carrier_notices_another_one_ahead_within_its_reach_bumper_to_bumper(gap: int, pressed: int) -> None:
+    carrier = catalogue().robots["carrier"]
+    world = lane(a=400, b=400 + 135 + gap)
+    run = run_of({"a": (carrier, "WAIT(9);"), "b": (carrier, "WAIT(9);")}, world)
+    assert sensed(run, "Collision", 0) == pressed
+    assert bool(run.agents[0].flags & ALARM) == bool(pressed)
+    # It looks ahead only.
+    assert sensed(run, "Collision", 1) == 0
+
+
+def test_backwards_a_carrier_looks_behind() -> None:
+    carrier = catalogue().robots["carrier"]
+    run = run_of({"a": (carrier, "WAIT(9);"), "b": (carrier, "Wheel.Reverse(50); WAIT(600);")}, lane(a=400, b=1000))
+    while run.agents[1].inputs["Collision"] == 0:
+        run.step()
+    assert run.stage.bodies.gap_behind[1] <= 120
+
+
+def test_carriers_that_do_not_look_touch_once_and_stand_bumper_to_bumper() -> None:
+    carrier = catalogue().robots["carrier"]
+    run = run_of({"a": (carrier, "Wheel.Advance(100); WAIT(600);"), "b": (carrier, "WAIT(600);")}, lane(a=400, b=1000))
+    steps(run, 300)
+    assert run.collisions == 1
+    assert run.stage.bodies.at[0] == pytest.approx(1000 - 135, abs=0.6)
+
+
+@pytest.mark.parametrize(("at", "present"), [(469, 0), (470, 1), (530, 1), (531, 0)])
+def test_presence_is_a_carrier_that_stands_within_reach_of_the_dock(at: float, present: int) -> None:
+    carrier, loader, unloader = (catalogue().robots[name] for name in ("carrier", "loader", "unloader"))
+    agents = {"a": (carrier, "WAIT(9);"), "loader": (loader, "WAIT(9);"), "unloader": (unloader, "WAIT(9);")}
+    run = run_of(agents, lane(a=at))
+    assert sensed(run, "Presence", 1) == present
+    run.stage.bodies.load[0] = 1
+    assert sensed(run, "Presence", 1) == 0
+
+
+def test_a_carrier_that_drives_through_the_dock_is_not_present() -> None:
+    carrier, loader = catalogue().robots["carrier"], catalogue().robots["loader"]
+    run = run_of({"a": (carrier, "Wheel.Advance(100); WAIT(9);"), "loader": (loader, "WAIT(600);")}, lane(a=300))
+    for _ in range(45):
+        assert sensed(run, "Presence", 1) == 0
+    assert run.stage.bodies.at[0] > 530
+
+
+def test_an_arm_takes_the_time_its_xml_says_and_hands_the_box_over_at_the_end() -> None:
+    carrier = catalogue().robots["carrier"]
+    arm = """<actuator name="Arm" device="arm" time="400"><procedure name="Load" completes="later"/></actuator>"""
+    loader = avatar(arm, name="quick-loader")
+    run = run_of({"a": (carrier, "<Cargo.IsPressed()>();"), "loader": (loader, "Arm.Load();")}, lane(a=500))
+    steps(run, 19)
+    assert run.agents[0].load == 0
+    assert run.stock == {"A": 2, "B": 0}
+    steps(run, 1)
+    assert run.agents[0].load == 1
+    assert run.stock == {"A": 1, "B": 0}
+    while run.outcome is None:
+        run.step()
+    assert run.tick == 21
+
+
+@pytest.mark.parametrize(
+    ("at", "load", "stock", "words"),
+    [
+        (300, 0, 2, "no empty carrier stands in dock in"),
+        (500, 1, 2, "no empty carrier stands in dock in"),
+        (500, 0, 0, "storehouse A has no box"),
+    ],
+)
+def test_an_arm_that_cannot_load_says_so_and_moves_no_box(at: float, load: int, stock: int, words: str) -> None:
+    carrier, loader = catalogue().robots["carrier"], catalogue().robots["loader"]
+    world = lane(a=at)
+    houses = (replace(world.storehouses[0], stock=stock), world.storehouses[1])
+    world = replace(world, storehouses=houses)
+    run = run_of({"a": (carrier, "WAIT(600);"), "loader": (loader, "Arm.Load();")}, world)
+    run.stage.bodies.load[0] = load
+    run.stage.total += load
+    texts: list[str] = []
+    while not run.members[1].ended:
+        run.step()
+        texts += [event.text for event in run.events if event.kind == "message"]
+    assert texts == [words]
+    assert run.stage.stock[0] == stock
+    assert run.stage.bodies.load[0] == load
+
+
+@pytest.mark.parametrize(
+    ("load", "stock", "words"),
+    [(0, 0, "no loaded carrier stands in dock out"), (1, 1, "storehouse B is full")],
+)
+def test_an_arm_that_cannot_unload_says_so_and_moves_no_box(load: int, stock: int, words: str) -> None:
+    carrier, unloader = catalogue().robots["carrier"], catalogue().robots["unloader"]
+    world = lane(a=1500)
+    world = replace(world, storehouses=(world.storehouses[0], replace(world.storehouses[1], stock=stock)))
+    run = run_of({"a": (carrier, "WAIT(600);"), "unloader": (unloader, "Arm.Unload();")}, world)
+    run.stage.bodies.load[0] = load
+    run.stage.total += load
+    texts: list[str] = []
+    while not run.members[1].ended:
+        run.step()
+        texts += [event.text for event in run.events if event.kind == "message"]
+    assert texts == [words]
+    assert run.stage.stock[1] == stock
+
+
+# ---- what a robot's XML may get wrong
+
+
+@pytest.mark.parametrize(
+    ("part", "words", "help"),
+    [
+        (WHEEL.format(settings='spead="4"'), "has no setting “spead”", "speed"),
+        (WHEEL.format(settings='speed="0.9"'), "a number from 1 to 100000 mm/s in speed, found “0.9”", "full speed"),
+        (WHEEL.format(settings='speed="nan"'), "found “nan”", "full speed"),
+        (WHEEL.format(settings='guide="rail"'), "free or road in guide", "leads"),
+        (WHEEL.format(settings="").replace('"drive"', '"dive"'), "found “dive”", "drive"),
+        (WHEEL.format(settings="").replace('"Advance"', '"Advanced"'), "not Advanced", "Advance"),
+        (SENSOR.format(name="Eye", device="eye", settings=""), "found “eye”", ""),
+        (SENSOR.format(name="Eye", device="presence", settings=""), "needs a dock", "dock="),
+        (SENSOR.format(name="Eye", device="store", settings=""), "needs a storehouse", "storehouse="),
+        (WHEEL.format(settings='guide="road"'), "needs a road", "road="),
+    ],
+)
+def test_a_device_that_cannot_be_simulated_is_an_error_in_a_sentence(part: str, words: str, help: str) -> None:
+    with pytest.raises(SimulationError) as caught:
+        run_of({"a": (avatar(part), "WAIT(1);")}, empty_world(a=(1000, 1000, 0)))
+    assert words in caught.value.message
+    assert help in caught.value.help
+    assert caught.value.diagnostics
+
+
+def test_a_setting_at_its_limit_is_right() -> None:
+    robot = avatar(WHEEL.format(settings='speed="1"'))
+    assert run_of({"a": (robot, "WAIT(1);")}, empty_world(a=(1000, 1000, 0))).tick == 0

@@ -1,0 +1,192 @@
+"""How runs end: done, failed, stuck only when certain, time; and what keeps them from beginning."""
+
+from __future__ import annotations
+
+import pytest
+
+from kitrobot.compiler import compile_program, compile_text
+from kitrobot.graph import empty_program
+from kitrobot.mission import Agent, Goal, Mission, Team
+from kitrobot.primitives import Catalogue
+from kitrobot.sim import MAX_AGENTS, Simulation, SimulationError
+from kitrobot.world import Pose, Start, World
+from tests.sim.building import (
+    WHEEL,
+    avatar,
+    catalogue,
+    empty_world,
+    example_images,
+    run_of,
+    shipped_world,
+    steps,
+    transport,
+)
+
+ROOM = empty_world(a=(1000, 1000, 0), b=(2000, 1000, 0))
+MINI = "mini-robot"
+
+
+def ended(text: str, seconds: float | None = 30, other: str = "") -> Simulation:
+    mini = catalogue().robots[MINI]
+    agents = {"a": (mini, text)} | ({"b": (mini, other)} if other else {})
+    run = run_of(agents, ROOM, seconds=seconds)
+    while run.outcome is None:
+        run.step()
+    return run
+
+
+def test_a_mission_without_goals_is_done_when_every_program_has_ended() -> None:
+    run = ended("WAIT(10);", other="WAIT(20);")
+    assert (run.outcome, run.tick) == ("done", 101)
+    assert run.sentence == "Done after 2.0 s: every program has ended."
+
+
+def test_an_empty_program_is_done_at_once() -> None:
+    assert (ended("").outcome, ended("").tick) == ("done", 1)
+
+
+def test_a_goal_that_does_not_hold_makes_it_failed_and_is_named() -> None:
+    manager = catalogue().robots["store-manager"]
+    run = run_of({"store-manager-B": (manager, "WAIT(1);")}, shipped_world("ring"), [Goal("B"), Goal("A", "12")])
+    while run.outcome is None:
+        run.step()
+    assert run.outcome == "failed"
+    assert run.sentence == "Every program has ended, but B holds 0 of 12 boxes and A holds all 12 boxes."
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<Flag.IsTrue()>();",
+        "*[Run.IsTrue()]( WAIT(1); );",
+        "*[Run.IsTrue()]( WAIT(7); );",
+        "*[Run.IsTrue()]( [Button.IsPressed()]( Light.LightOn(); ) );",
+        "//( <Flag.IsTrue()>(), *[Run.IsTrue()]( WAIT(3); ) );",
+        "Motor.AbsoluteTurn(25, 0);",
+        "Wheel.Advance(50); WAIT(5); Wheel.Stop(); <Flag.IsTrue()>();",
+    ],
+)
+def test_waiting_for_what_cannot_come_is_stuck(text: str) -> None:
+    run = ended(text)
+    assert run.outcome == "stuck", run.sentence
+    assert run.sentence == "Nothing can change any more: a wait for something that will not come."
+    assert run.seconds < 20
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "WAIT(250);",
+        "100*( WAIT(2); );",
+        "*[Count.LessThan(20)]( WAIT(10); Count.Add(1); );",
+        "*[Count.LessThan(100)]( Count.Add(1); );",
+    ],
+)
+def test_what_takes_its_time_is_not_stuck(text: str) -> None:
+    assert ended(text).outcome == "done"
+
+
+@pytest.mark.parametrize(
+    "text", ["Wheel.Advance(1); <Flag.IsTrue()>();", "*[Run.IsTrue()]( Light.LightOn(); Light.LightOff(); WAIT(1); );"]
+)
+def test_what_still_moves_or_speaks_is_not_stuck_but_runs_out_of_time(text: str) -> None:
+    assert ended(text, seconds=20).outcome in ("time", "stuck")
+
+
+def test_a_moving_robot_is_never_called_stuck() -> None:
+    assert ended("Motor.Turn(1); <Flag.IsTrue()>();", seconds=20).outcome == "time"
+
+
+def test_a_noisy_sensor_keeps_hope_alive() -> None:
+    noisy = avatar(
+        WHEEL.format(settings=""),
+        '<sensor name="Captor" device="range" min="0" max="1000" noise="1"><operation name="Value" value="yes"/>'
+        '<operation name="LessThan" test="less"><parameter name="value" min="0" max="1000"/></operation></sensor>',
+    )
+    run = run_of({"a": (noisy, "<Captor.LessThan(1)>();")}, ROOM, seconds=10)
+    while run.outcome is None:
+        run.step()
+    assert run.outcome == "time"
+
+
+def test_a_team_whose_carriers_wait_for_a_loader_that_is_not_there_is_stuck() -> None:
+    run = transport(1)
+    mission = run.mission
+    mission.team.agents = [agent for agent in mission.team.agents if agent.name != "loader"]
+    run = Simulation(mission, run.world, example_images(), catalogue(), 1, 600)
+    while run.outcome is None:
+        run.step()
+    assert run.outcome == "stuck"
+    assert run.seconds < 60
+    assert "B holds 0 of 12 boxes" in run.sentence
+    assert "carrier-1" in run.sentence
+
+
+# ---- what keeps a run from beginning
+
+
+def refused(mission: Mission, world: World = ROOM, robots: Catalogue | None = None) -> SimulationError:
+    known = robots or catalogue()
+    images = {program.name: compile_program(program, known) for program in mission.programs}
+    with pytest.raises(SimulationError) as caught:
+        Simulation(mission, world, images, known)
+    return caught.value
+
+
+def team(*agents: Agent, goals: list[Goal] | None = None) -> Mission:
+    return Mission(programs=[empty_program("p", MINI)], team=Team(list(agents), goals or []))
+
+
+def test_a_team_of_nobody_is_refused() -> None:
+    assert "nobody to run" in refused(team()).message
+
+
+def test_a_program_that_is_not_there_or_has_errors_is_refused() -> None:
+    assert "“q” is not in this mission" in refused(team(Agent("a", "q"))).message
+    broken = team(Agent("a", "p"))
+    broken.programs[0].arcs.clear()
+    broken.programs[0].vertices[0].element = "Nonsense"
+    assert "has errors" in refused(broken).message
+
+
+def test_an_agent_without_a_start_is_refused_with_the_starts_there_are() -> None:
+    error = refused(team(Agent("c", "p")))
+    assert error.message == "c has no start “c” in the world empty"
+    assert error.help == "starts of this world: a, b"
+
+
+def test_two_agents_in_one_place_are_refused() -> None:
+    assert "a and c start in the same place" in refused(team(Agent("a", "p"), Agent("c", "p", "a"))).message
+
+
+def test_a_robot_that_is_too_large_for_its_place_is_refused() -> None:
+    world = World("w", 4000, 2500, walls=ROOM.walls, starts=(Start("a", pose=Pose(60, 1000, 0)),))
+    assert "a starts in a wall" in refused(team(Agent("a", "p")), world).message
+
+
+def test_a_goal_that_names_no_storehouse_is_refused() -> None:
+    assert "“Z” is not in the world" in refused(team(Agent("a", "p"), goals=[Goal("Z")])).message
+
+
+def test_everything_in_the_way_is_said_at_once() -> None:
+    error = refused(team(Agent("c", "p"), Agent("d", "p"), goals=[Goal("Z")]))
+    assert len(error.diagnostics) == 3
+
+
+def test_a_million_agents_are_refused_in_a_sentence() -> None:
+    error = refused(team(*[Agent("a", "p")] * 10**6))
+    assert error.message == f"expected at most {MAX_AGENTS} agents in a run, found 1000000"
+
+
+def test_as_many_agents_as_allowed_begin_a_run() -> None:
+    plain = avatar('<variable name="Count" type="integer"/>')
+    mission = Mission(programs=[empty_program("p", "avatar")])
+    mission.team.agents = [Agent(f"a{n}", "p", "a") for n in range(MAX_AGENTS)]
+    images = {"p": compile_text("", plain)}
+    run = Simulation(mission, ROOM, images, Catalogue(robots={"avatar": plain}))
+    assert steps(run, 1).outcome == "done"
+
+
+def test_a_program_that_never_waits_and_never_ends_is_bounded() -> None:
+    run = ended("*[Run.IsTrue()]( Count.Add(1); Count.Sub(1); );", seconds=30)
+    assert run.outcome in ("stuck", "time")

@@ -1,0 +1,125 @@
+"""Motion against closed forms: straight lines, stopping distances, arcs, turns, roads."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kitrobot.sim import Simulation
+from kitrobot.sim.motion import roll, wander
+from kitrobot.world import Corner, Road, Start, World, normalised
+from tests.sim.building import MOTOR, WHEEL, avatar, empty_world, run_of, shipped_world, steps
+
+
+def driver(text: str, settings: str = 'speed="400" acceleration="1000000" braking="1000000"') -> Simulation:
+    robot = avatar(WHEEL.format(settings=settings), MOTOR.format(settings='rate="90"'))
+    return run_of({"robot-1": (robot, text)}, empty_world(**{"robot-1": (1000, 1000, math.pi / 6)}))
+
+
+def test_a_second_at_half_speed_is_half_of_full_speed_in_mm() -> None:
+    run = steps(driver("Wheel.Advance(50); WAIT(600);"), 50)
+    pose = run.agents[0]
+    # The first step gains the speed almost at once: 200 mm/s at 10^6 mm/s².
+    assert math.hypot(pose.x_mm - 1000, pose.y_mm - 1000) == pytest.approx(200, abs=0.05)
+    assert math.atan2(pose.y_mm - 1000, pose.x_mm - 1000) == pytest.approx(math.pi / 6)
+
+
+def test_reverse_is_advance_the_other_way() -> None:
+    there = steps(driver("Wheel.Advance(30); WAIT(600);"), 40).agents[0]
+    back = steps(driver("Wheel.Reverse(30); WAIT(600);"), 40).agents[0]
+    assert there.x_mm - 1000 == pytest.approx(1000 - back.x_mm)
+    assert there.heading_rad == back.heading_rad
+
+
+@pytest.mark.parametrize("percent", [1, 25, 50, 100])
+def test_the_stopping_distance_is_v_squared_by_two_a(percent: int) -> None:
+    v, braking = percent * 4.0, 350.0
+    run = driver(
+        f"Wheel.Advance({percent}); WAIT(5); Wheel.Stop(); WAIT(600);", 'speed="400" acceleration="1e5" braking="350"'
+    )
+    steps(run, 25)
+    moving = run.agents[0]
+    steps(run, 100)
+    still = run.agents[0]
+    assert not still.flags
+    assert math.hypot(still.x_mm - moving.x_mm, still.y_mm - moving.y_mm) == pytest.approx(v * v / (2 * braking))
+
+
+def test_speed_is_gained_at_the_acceleration_of_the_robot() -> None:
+    run = steps(driver("Wheel.Advance(100); WAIT(600);", 'speed="400" acceleration="200" braking="9"'), 50)
+    pose = run.agents[0]
+    assert math.hypot(pose.x_mm - 1000, pose.y_mm - 1000) == pytest.approx(200 * 1.0**2 / 2)
+
+
+@given(st.floats(-500, 500), st.floats(-500, 500), st.floats(1, 5000), st.integers(1, 50))
+def test_the_way_of_many_short_steps_is_the_way_of_one_long_one(v: float, u: float, rate: float, parts: int) -> None:
+    def way(count: int) -> tuple[float, float]:
+        speed, total = [v], 0.0
+        for _ in range(count):
+            step = [0.0]
+            roll(0.5 / count, speed, [u], [rate], [rate], step)
+            total += step[0]
+        return total, speed[0]
+
+    assert way(parts) == pytest.approx(way(1), abs=1e-6)
+
+
+@given(st.floats(-400, 400), st.floats(-3, 3), st.floats(-3, 3))
+def test_driving_and_turning_at_once_is_an_arc_of_radius_v_by_omega(v: float, omega: float, heading: float) -> None:
+    x, y, h = [0.0], [0.0], [heading]
+    for _ in range(50):
+        wander([v * 0.02], [omega * 0.02], [-1], x, y, h)
+    assert normalised(h[0] - heading - omega) == pytest.approx(0, abs=1e-9)
+    if abs(omega) > 1e-3:
+        radius = v / omega
+        assert x[0] == pytest.approx(radius * (math.sin(heading + omega) - math.sin(heading)), abs=1e-6)
+        assert y[0] == pytest.approx(radius * (math.cos(heading) - math.cos(heading + omega)), abs=1e-6)
+
+
+@pytest.mark.parametrize(("angle", "speed", "ticks"), [(25, 100, 50), (25, 50, 100), (100, 100, 200), (1, 100, 2)])
+def test_an_absolute_turn_turns_by_a_part_of_a_full_turn_in_angle_by_rate(angle: int, speed: int, ticks: int) -> None:
+    run = driver(f"Motor.AbsoluteTurn({angle}, {speed}); Wheel.Advance(10);")
+    while run.outcome is None:
+        run.step()
+    assert normalised(run.agents[0].heading_rad - math.pi / 6 - angle / 100 * math.tau) == pytest.approx(0, abs=1e-9)
+    # The tick after the last one of the turn sees that it is done.
+    assert run.tick == ticks + 1
+
+
+def test_turn_goes_on_until_stop() -> None:
+    run = steps(driver("Motor.Turn(50); WAIT(10); Motor.Stop(); WAIT(600);"), 120)
+    assert run.agents[0].heading_rad == pytest.approx(math.pi / 6 + math.radians(45))
+
+
+def test_a_square_comes_back_to_where_it_began() -> None:
+    run = driver("4*( Wheel.Advance(50); WAIT(10); Wheel.Stop(); WAIT(1); Motor.AbsoluteTurn(25, 100); )")
+    while run.outcome is None:
+        run.step()
+    pose = run.agents[0]
+    assert (pose.x_mm, pose.y_mm) == pytest.approx((1000, 1000), abs=1e-6)
+
+
+def test_a_carrier_follows_its_road() -> None:
+    ring = shipped_world("ring")
+    guided = avatar(WHEEL.format(settings='guide="road" speed="400" acceleration="1e6" braking="1e6"'))
+    run = run_of({"carrier-1": (guided, "Wheel.Advance(100); WAIT(600);")}, ring)
+    line = ring.roads[0].line
+    for second in range(1, 11):
+        pose = steps(run, 50).agents[0]
+        _, away = line.nearest(pose.x_mm, pose.y_mm)
+        assert away < 1e-6
+        assert run.stage.bodies.at[0] == pytest.approx((1600 + 400 * second) % line.length_mm, abs=0.2)
+        assert normalised(pose.heading_rad - line.pose_at(run.stage.bodies.at[0]).heading_rad) == pytest.approx(0)
+
+
+def test_at_the_end_of_an_open_road_a_carrier_stands() -> None:
+    road = Road("lane", 100, False, (Corner(100, 100), Corner(600, 100)))
+    world = World("lane", 1000, 1000, roads=(road,), starts=(Start("a", road="lane", at_mm=300),))
+    guided = avatar(WHEEL.format(settings='guide="road"'))
+    forward = steps(run_of({"a": (guided, "Wheel.Advance(100); WAIT(600);")}, world), 200).agents[0]
+    assert (forward.x_mm, forward.y_mm) == (600, 100)
+    back = steps(run_of({"a": (guided, "Wheel.Reverse(100); WAIT(600);")}, world), 200).agents[0]
+    assert (back.x_mm, back.y_mm) == (100, 100)
