@@ -6,7 +6,7 @@
  */
 import { t } from "../words/words";
 import { token } from "./token";
-import type { Mission, MissionFile, Report } from "./types";
+import type { Mission, MissionFile, Problem, Report } from "./types";
 
 export interface Session {
   version: string;
@@ -33,13 +33,16 @@ export class ApiError extends Error {
   readonly status: number;
   /** What is on disk, when that is why saving was refused. */
   readonly revision: string;
+  /** What is wrong with the file that was refused. */
+  readonly problems: readonly Problem[];
 
-  constructor(message: string, help = "", status = 0, revision = "") {
+  constructor(message: string, help = "", status = 0, revision = "", problems: readonly Problem[] = []) {
     super(message);
     this.name = "ApiError";
     this.help = help;
     this.status = status;
     this.revision = revision;
+    this.problems = problems;
   }
 }
 
@@ -51,7 +54,7 @@ interface Asked {
 }
 
 async function refusal(response: Response): Promise<ApiError> {
-  let said: { message?: unknown; help?: unknown; revision?: unknown } = {};
+  let said: { message?: unknown; help?: unknown; revision?: unknown; problems?: Problem[] } = {};
   try {
     said = (await response.json()) as typeof said;
   } catch {
@@ -62,7 +65,7 @@ async function refusal(response: Response): Promise<ApiError> {
     return new ApiError(t("error.token"), t("error.token-help"), response.status);
   }
   const message = text(said.message) || t("error.unexpected", { status: response.status });
-  return new ApiError(message, text(said.help), response.status, text(said.revision));
+  return new ApiError(message, text(said.help), response.status, text(said.revision), said.problems ?? []);
 }
 
 async function ask<T>(address: string, { method = "GET", json, bytes, signal }: Asked = {}): Promise<T> {

@@ -124,15 +124,15 @@ describe("the scene before a run", () => {
   const scene = sceneBefore(MISSION, WORLD);
 
   it("shows each agent as what it is", () => {
-    expect(scene.actors.map((actor) => actor.role)).toEqual(["robot", "arm", "keeper", "robot"]);
+    expect(scene.actors.map((actor) => actor.role)).toEqual(["robot", "arm", "keeper"]);
   });
 
   it("takes somebody close to a dock, but on the road, for a robot", () => {
     expect(roleAt(WORLD, 660, 200)).toBe("robot");
   });
 
-  it("puts an agent without a start into the middle", () => {
-    expect(scene.actors[3]?.start).toMatchObject({ x_mm: 600, y_mm: 600 });
+  it("leaves out an agent that has no place to start", () => {
+    expect(scene.actors.map((actor) => actor.name)).not.toContain("lost");
   });
 
   it("counts what has to be delivered", () => {
@@ -142,9 +142,7 @@ describe("the scene before a run", () => {
   });
 
   it("is said in words", () => {
-    expect(summary(scene, lookAt(scene, null))).toBe(
-      "0 of 12 delivered. Stock: A 12, B 2. c-1 at section 0. lost at x 600 mm, y 600 mm.",
-    );
+    expect(summary(scene, lookAt(scene, null))).toBe("0 of 12 delivered. Stock: A 12, B 2. c-1 at section 0.");
   });
 
   it("says load and failure of a robot", () => {

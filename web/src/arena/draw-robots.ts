@@ -1,6 +1,7 @@
 /** Draws who is in the world: robots with lamps, number, bed and load; arms at docks; rings, crosses and the tag. */
 import { t } from "../words/words";
 import { ARM_OUT, LAMP } from "../api/wire";
+import { grouped } from "../words/numbers";
 import { toScreen } from "./camera";
 import { type Brush, drawBox, write } from "./draw-world";
 import { boundsOf } from "./geometry";
@@ -121,16 +122,16 @@ function drawCross({ pen, colours, unit: u }: Brush): void {
   pen.lineCap = "butt";
 }
 
-/** Short strokes before the bumper. */
+/** What the collision sensor feels: waves before the bumper. */
 function drawBump({ pen, colours, unit: u }: Brush): void {
   pen.lineCap = "round";
   pen.beginPath();
-  for (const angle of [-0.7, -0.25, 0.25, 0.7]) {
-    pen.moveTo(Math.cos(angle) * 33 * u, Math.sin(angle) * 33 * u);
-    pen.lineTo(Math.cos(angle) * 40 * u, Math.sin(angle) * 40 * u);
+  for (const reach of [14, 20]) {
+    pen.moveTo(20 * u + reach * Math.cos(0.7) * u, -reach * Math.sin(0.7) * u);
+    pen.arc(20 * u, 0, reach * u, -0.7, 0.7);
   }
   pen.strokeStyle = colours.ink;
-  pen.lineWidth = 2.5 * u;
+  pen.lineWidth = 1.75 * u;
   pen.stroke();
   pen.lineCap = "butt";
 }
@@ -237,8 +238,8 @@ function drawPlace(brush: Brush, scene: Scene, one: Seen): void {
   pen.textBaseline = "alphabetic";
   const words = t("arena.pose", {
     name: one.actor.name,
-    x: Math.round(one.pose.x_mm),
-    y: Math.round(one.pose.y_mm),
+    x: grouped(Math.round(one.pose.x_mm)),
+    y: grouped(Math.round(one.pose.y_mm)),
     angle: ((angle % 360) + 360) % 360,
   });
   write(brush, words, 24, room.height - 14, 12, 500, colours.muted);

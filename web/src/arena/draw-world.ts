@@ -13,7 +13,7 @@ import type { Scene } from "./scene";
 /** The length of a robot in the world; it is drawn at 54 units. */
 export const ROBOT_MM = 135;
 const ROBOT_UNITS = 54;
-const LEAST_UNIT = 0.62;
+const LEAST_UNIT = 0.85;
 const GRID_MM = 100;
 
 export interface Brush {

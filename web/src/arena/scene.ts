@@ -33,6 +33,7 @@ export interface Scene {
 }
 
 const ARM_REACH_MM = 90;
+const NOWHERE: Pose = { x_mm: 0, y_mm: 0, heading_rad: 0, load: 0, flags: 0 };
 
 export function roleAt(world: World, x: number, y: number): Role {
   const inside = world.storehouses.some(
@@ -54,10 +55,12 @@ function numberOf(name: string, index: number): number {
   return digits === undefined ? index + 1 : Number(digits);
 }
 
-function startPose(world: World, name: string): Pose {
-  const start = world.starts.find((one) => one.name === name);
-  const middle = { x_mm: world.width_mm / 2, y_mm: world.height_mm / 2, heading_rad: 0 };
-  const { x_mm, y_mm, heading_rad } = start ?? middle;
+/** Where an agent starts; null where the world has no such place. */
+function startPose(world: World, mission: Mission, name: string): Pose | null {
+  const wanted = mission.agents.find((agent) => agent.name === name)?.start ?? "";
+  const start = world.starts.find((one) => one.name === (wanted === "" ? name : wanted));
+  if (start === undefined) return null;
+  const { x_mm, y_mm, heading_rad } = start;
   return { x_mm, y_mm, heading_rad, load: 0, flags: 0 };
 }
 
@@ -91,17 +94,12 @@ export function sensesOf(agent: RunAgent, catalogue: Catalogue): string[] {
 export function sceneBefore(mission: Mission, world: World): Scene {
   return {
     world,
-    actors: mission.agents.map((agent, index) => {
-      const start = startPose(world, agent.start === "" ? agent.name : agent.start);
-      return {
-        name: agent.name,
-        program: agent.program,
-        number: numberOf(agent.name, index),
-        role: roleAt(world, start.x_mm, start.y_mm),
-        start,
-        senses: [],
-        failed: false,
-      };
+    actors: mission.agents.flatMap((agent, index) => {
+      const start = startPose(world, mission, agent.name);
+      if (start === null) return [];
+      const role = roleAt(world, start.x_mm, start.y_mm);
+      const number = numberOf(agent.name, index);
+      return [{ name: agent.name, program: agent.program, number, role, start, senses: [], failed: false }];
     }),
     stock: Object.fromEntries(world.storehouses.map((house) => [house.name, house.stock])),
     delivered: 0,
@@ -115,8 +113,7 @@ export function sceneOf(run: RunState, mission: Mission, catalogue: Catalogue, w
   return {
     world,
     actors: run.agents.map((agent) => {
-      const start = mission.agents.find((one) => one.name === agent.name)?.start ?? "";
-      const pose = startPose(world, start === "" ? agent.name : start);
+      const pose = startPose(world, mission, agent.name) ?? NOWHERE;
       return {
         name: agent.name,
         program: agent.program,

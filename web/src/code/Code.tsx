@@ -71,7 +71,7 @@ function Lll({ text, program }: { text: string; program: string }) {
   const empty = text.trim() === "";
   return (
     <TextView
-      text={empty ? t("code.empty") : text}
+      text={empty ? t("code.empty") : text.trimEnd()}
       label={t("code.label", { name: program })}
       extensions={lllExtensions}
       shown={shown}
@@ -121,7 +121,7 @@ export function Code() {
           <Lll text={lll} program={program} />
         ) : (
           <TextView
-            text={listing === "" ? t("code.no-listing") : listing}
+            text={listing === "" ? t("code.no-listing") : listing.trimEnd()}
             label={t("code.listing-label", { name: program })}
             extensions={listingExtensions}
           />

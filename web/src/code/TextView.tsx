@@ -31,6 +31,7 @@ export function TextView({ text, label, extensions, shown, onPick }: TextViewPro
         doc: "",
         extensions: [
           EditorState.readOnly.of(true),
+          EditorView.lineWrapping,
           EditorView.contentAttributes.of({ "aria-label": label, "aria-readonly": "true", tabindex: "0" }),
           EditorView.updateListener.of((update) => {
             if (update.docChanged || !update.selectionSet) return;

@@ -6,6 +6,7 @@ import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
 import { useDocument } from "../shell/document";
 import { Icon } from "../theme";
+import { Said } from "../words/Said";
 import { t } from "../words/words";
 import "./problems.css";
 import { goTo, orderProblems, useProblemList } from "./walk";
@@ -67,8 +68,14 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
           className={`problem-${problem.severity}`}
         />
         <span className="problem-words">
-          <span className="problem-message">{problem.message}</span>
-          {problem.help === "" ? null : <span className="problem-help">{problem.help}</span>}
+          <span className="problem-message">
+            <Said text={problem.message} />
+          </span>
+          {problem.help === "" ? null : (
+            <span className="problem-help">
+              <Said text={problem.help} />
+            </span>
+          )}
         </span>
         <span className="problem-place">
           {place}

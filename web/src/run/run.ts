@@ -211,9 +211,14 @@ export function watchedAgent(state: Pick<RunState, "agents" | "selectedAgent">, 
 
 const NOBODY: RunAgent["active"] = [];
 
-/** Where the watched agent of a program stands: vertex → numbers of the threads there. Empty when nothing runs. */
+/**
+ * Where the watched agent of a program stands: vertex → numbers of the threads there. Empty when nothing runs; a run that
+ * got stuck or ran out of time still shows where everybody stood.
+ */
 export function useActiveVertices(program: string): Map<string, number[]> {
-  const active = useRun((state) => watchedAgent(state, program)?.active ?? NOBODY);
+  const active = useRun((state) =>
+    state.status === "stopped" ? NOBODY : (watchedAgent(state, program)?.active ?? NOBODY),
+  );
   return useMemo(() => {
     const map = new Map<string, number[]>();
     for (const [slot, vertex] of active) map.set(vertex, [...(map.get(vertex) ?? []), slot]);

@@ -1,15 +1,19 @@
 /** One message across the page: a failure or a question, with what can be done about it. Nothing waits for it. */
 import { useRun } from "../run/run";
 import { Icon } from "../theme";
+import { Said } from "../words/Said";
 import { t } from "../words/words";
-import { type Banner as Said, dismissBanner, useDocument } from "./document";
+import { type Banner as Message, dismissBanner, useDocument } from "./document";
 
-function Strip({ said, onClose }: { said: Said; onClose: () => void }) {
+function Strip({ said, onClose }: { said: Message; onClose: () => void }) {
   return (
     <div className={`banner banner-${said.kind}`} role="alert" data-testid="banner">
       <Icon name={said.kind === "error" ? "triangle-alert" : "info"} size={18} />
       <p>
-        <strong>{said.message}</strong> {said.help}
+        <strong>
+          <Said text={said.message} />
+        </strong>{" "}
+        <Said text={said.help} />
       </p>
       {said.actions.map((action) => (
         <button type="button" key={action.label} className="button" onClick={action.run}>

@@ -8,7 +8,7 @@ import { useLayoutEffect, useMemo, useRef, useState } from "react";
 import type { RunEvent, RunEventKind } from "../api/wire";
 import { useRun } from "../run/run";
 import { t } from "../words/words";
-import { axisTime, clock, grouped } from "./clock";
+import { axisTime, clock, grouped } from "../words/numbers";
 
 const FIRST_S = 60;
 const LANE = 11;

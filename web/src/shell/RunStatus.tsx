@@ -1,8 +1,9 @@
 /** What the run is doing, at the right of the toolbar: "Paused at 00:42.6", "Done: …". */
 import type { AgentActivity } from "../api/wire";
 import { type RunStatus as Status, useRun } from "../run/run";
+import { Said } from "../words/Said";
 import { type Key, t } from "../words/words";
-import { clock } from "./clock";
+import { clock } from "../words/numbers";
 import { StateShape } from "./StateShape";
 
 const SHAPES: Record<Status, AgentActivity> = {
@@ -28,7 +29,7 @@ export function RunStatus() {
     <div className="run-status" data-testid="status" data-status={status} title={ended ? sentence : undefined}>
       <StateShape state={SHAPES[status]} />
       <span className="run-status-words" role="status">
-        {ended && sentence !== "" ? sentence : t(key)}
+        {ended && sentence !== "" ? <Said text={sentence} /> : t(key)}
       </span>
       {timed ? (
         <span className="run-status-time" aria-hidden={status === "running"}>

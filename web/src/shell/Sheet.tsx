@@ -1,4 +1,8 @@
-/** A card over the page for a list or a short form; Escape, its button and a click beside it close it. */
+/**
+ * A card over the page for a list or a short form; Escape, its button and a click beside it close it.
+ *
+ * The page behind it stays alive: STOP has to work at any moment.
+ */
 import { type ReactNode, useEffect, useRef } from "react";
 
 import { Icon } from "../theme";
@@ -16,8 +20,16 @@ export function Sheet({ title, testId, children, wide = false }: SheetProps) {
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => {
     const element = dialog.current;
-    if (element !== null && !element.open) element.showModal();
-    return () => element?.close();
+    const before = document.activeElement;
+    if (element !== null && !element.contains(before)) element.querySelector<HTMLElement>("button, input")?.focus();
+    const outside = (event: PointerEvent) => {
+      if (event.target instanceof Node && element?.contains(event.target) !== true) show(null);
+    };
+    document.addEventListener("pointerdown", outside);
+    return () => {
+      document.removeEventListener("pointerdown", outside);
+      if (before instanceof HTMLElement) before.focus();
+    };
   }, []);
   return (
     <dialog
@@ -25,9 +37,11 @@ export function Sheet({ title, testId, children, wide = false }: SheetProps) {
       ref={dialog}
       data-testid={testId}
       aria-labelledby={`${testId}-title`}
-      onClose={() => show(null)}
-      onClick={(event) => {
-        if (event.target === dialog.current) show(null);
+      open
+      onKeyDown={(event) => {
+        if (event.key !== "Escape") return;
+        event.stopPropagation();
+        show(null);
       }}
     >
       <div className="sheet-body">

@@ -3,13 +3,13 @@ import { useEffect } from "react";
 
 import { useStudio } from "../model/studio";
 import { t } from "../words/words";
-import { useDocument } from "./document";
+import { shownName, useDocument } from "./document";
 
 export function Title() {
   const file = useStudio((studio) => studio.file);
   const dirty = useStudio((studio) => studio.dirty);
   const ready = useDocument((document) => document.ready);
-  const name = file.name === "" ? t("file.untitled") : file.name;
+  const name = shownName(file.name);
   useEffect(() => {
     document.title = ready ? `${dirty ? "• " : ""}${name} · ${t("app.name")}` : t("app.name");
   }, [name, dirty, ready]);

@@ -3,7 +3,7 @@ import { useView } from "../editor/view";
 import type { Command } from "../model/command";
 import { addProgram, removeProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
-import type { Mission } from "../model/types";
+import type { Mission, World } from "../model/types";
 import { isLive, useRun } from "../run/run";
 
 export function run(): void {
@@ -30,14 +30,26 @@ export function freeName(stem: string, taken: readonly string[]): string {
   }
 }
 
-/** A new program and one agent that runs it: what is drawn should also move. */
-export function programWithAgent(mission: Mission, robot: string): { command: Command; name: string } | null {
+/** The first start of the world where nobody starts yet. */
+export function freeStart(mission: Mission, world: World | null): string | null {
+  const taken = mission.agents.flatMap((agent) => [agent.name, agent.start === "" ? agent.name : agent.start]);
+  return world?.starts.find((start) => !taken.includes(start.name))?.name ?? null;
+}
+
+/**
+ * A new program and, where the world has a place for it, one agent that runs it: what is drawn should also move.
+ */
+export function programWithAgent(
+  mission: Mission,
+  robot: string,
+  world: World | null,
+): { command: Command; name: string } | null {
   const names = mission.programs.map((program) => program.name);
   const name = freeName("program", names);
   const inner = addProgram(mission, name, robot);
-  if (inner === null) return null;
-  const agents = mission.agents.map((one) => one.name);
-  const agent = { name: freeName(robot, agents), program: name, start: "" };
+  const start = freeStart(mission, world);
+  if (inner === null || start === null) return inner === null ? null : { command: inner, name };
+  const agent = { name: start, program: name, start: "" };
   const execute = (before: Mission): Mission => {
     const after = inner.execute(before);
     return { ...after, agents: [...after.agents, agent] };
@@ -46,8 +58,8 @@ export function programWithAgent(mission: Mission, robot: string): { command: Co
 }
 
 export function addProgramFor(robot: string): void {
-  const { mission, execute, setActiveProgram } = useStudio.getState();
-  const added = programWithAgent(mission, robot);
+  const { mission, world, execute, setActiveProgram } = useStudio.getState();
+  const added = programWithAgent(mission, robot, world);
   if (added === null) return;
   execute(added.command);
   setActiveProgram(added.name);

@@ -57,12 +57,15 @@ export function dismissBanner(): void {
   set({ banner: null });
 }
 
+function placed({ line, message }: Problem): string {
+  return line > 0 ? t("banner.line", { line, message }) : message;
+}
+
 /** Says that something failed, with a way to try again where there is one. */
 export function complain(cause: unknown, again?: () => void): void {
-  const [message, help] =
-    cause instanceof ApiError
-      ? [cause.message, cause.help]
-      : [cause instanceof Error ? cause.message : String(cause), ""];
+  const message = cause instanceof Error ? cause.message : String(cause);
+  const help =
+    cause instanceof ApiError ? [...cause.problems.slice(0, 1).map(placed), cause.help].join(" ").trim() : "";
   const actions = again === undefined ? [] : [{ label: t("banner.retry"), run: again }];
   set({ banner: { kind: "error", message, help, actions } });
 }
@@ -78,9 +81,14 @@ function question(message: string, choices: [Key, () => void][]): void {
   set({ banner: { kind: "question", message, help: "", actions } });
 }
 
-/** The file's name as the page shows it. */
+/** A file's name without its folders. */
+export function shownName(name: string): string {
+  return name.split("/").at(-1) || t("file.untitled");
+}
+
+/** The open file's name as the page shows it. */
 export function fileName(): string {
-  return useStudio.getState().file.name || t("file.untitled");
+  return shownName(useStudio.getState().file.name);
 }
 
 /** Whether Save has a place to write to: examples and new missions need a name first. */
@@ -132,24 +140,25 @@ export async function begin(): Promise<void> {
   try {
     const session = await api.session();
     set({ session });
-    take(await firstMission(session));
+    if (session.path === null) {
+      const example = (await api.missions()).find((entry) => entry.example);
+      take(example === undefined ? await api.newMission() : await api.mission(example.path));
+    } else {
+      await beginWith(session.path);
+    }
   } catch (cause) {
     complain(cause, () => void begin());
   }
 }
 
-async function firstMission(session: Session): Promise<MissionFile> {
-  if (session.path !== null) {
-    try {
-      return await api.mission(session.path);
-    } catch (cause) {
-      // The studio opens all the same; the sentence about the file stands above it.
-      queueMicrotask(() => complain(cause));
-      return api.newMission();
-    }
+/** A file that cannot be read leaves an empty mission, and the sentence about it above. */
+async function beginWith(path: string): Promise<void> {
+  try {
+    take(await api.mission(path));
+  } catch (cause) {
+    take(await api.newMission());
+    complain(cause);
   }
-  const example = (await api.missions()).find((entry) => entry.example);
-  return example === undefined ? api.newMission() : api.mission(example.path);
 }
 
 /** Saves where the mission is from, or asks for a name. True when it is on disk. */

@@ -1,10 +1,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
-import type { Mission, Report } from "../api/types";
+import type { Mission, Report, World } from "../api/types";
 import type { RunEvent } from "../api/wire";
 import { freeName, nextSpeed, programWithAgent } from "./actions";
 import { makeChecker } from "./checking";
-import { axisTime, clock, grouped } from "./clock";
+import { axisTime, clock, grouped } from "../words/numbers";
 import { axisFor, thinned } from "./EventStrip";
 import { readLayout, USUAL } from "./layout";
 import { itemByLetter, type MenuEntry, stepItem } from "./menu-model";
@@ -18,6 +18,12 @@ const MISSION: Mission = {
   goals: [],
   world: "",
 };
+
+function worldWith(...starts: string[]): World {
+  const lists = { walls: [], roads: [], docks: [], storehouses: [] };
+  const at = { x_mm: 0, y_mm: 0, heading_rad: 0 };
+  return { name: "w", width_mm: 1, height_mm: 1, ...lists, starts: starts.map((name) => ({ name, ...at })) };
+}
 
 describe("the checker", () => {
   beforeEach(() => vi.useFakeTimers());
@@ -105,11 +111,16 @@ describe("the speed slider", () => {
 
 describe("a new program", () => {
   it("brings an agent that runs it, and both go with undo", () => {
-    const made = programWithAgent(MISSION, "mini-robot");
+    const made = programWithAgent(MISSION, "mini-robot", worldWith("r-1", "r-2"));
     const after = made?.command.execute(MISSION);
     expect(made?.name).toBe("program-2");
-    expect(after?.agents.at(-1)).toEqual({ name: "mini-robot-1", program: "program-2", start: "" });
+    expect(after?.agents.at(-1)).toEqual({ name: "r-2", program: "program-2", start: "" });
     expect(after === undefined ? null : made?.command.revert(after)).toEqual(MISSION);
+  });
+
+  it("comes alone where the world has no place left", () => {
+    const made = programWithAgent(MISSION, "mini-robot", worldWith("r-1"));
+    expect(made?.command.execute(MISSION).agents).toEqual(MISSION.agents);
   });
 
   it("takes the first name that is free", () => {

@@ -132,6 +132,7 @@ export const EN = {
   "banner.conflict-theirs": "Open the one on disk",
   "banner.conflict-as": "Save under another name…",
   "banner.check-failed": "The program could not be checked.",
+  "banner.line": "Line {line}: {message}",
   "banner.retry": "Try again",
 
   "tabs.label": "Programs",

@@ -1,3 +1,4 @@
+/** Numbers and times as the page writes them. */
 /** Times of a run in words: "00:42.6". */
 export function clock(seconds: number): string {
   const tenths = Math.floor(Math.max(seconds, 0) * 10 + 1e-6);
