@@ -3,8 +3,8 @@
     python tools/api_types.py            write the file
     python tools/api_types.py --check    exit with 1 when it is not what the models say
 
-The names are those of the models without `Shape`. One interface a model, in the order of their names, so the file changes
-only where a model did. What is not required is optional: the page may leave it out.
+The names are those of the models without `Shape`. One interface a model, in the order of their names, so the file
+changes only where a model did. What is not required is optional: the page may leave it out.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def _name(model: str) -> str:
 
 def _interface(name: str, schema: Mapping[str, Any]) -> str:
     required = set(schema.get("required", ()))
-    lines = _comment(schema.get("description", "")) + [f"export interface {name} {{"]
+    lines = [*_comment(schema.get("description", "")), f"export interface {name} {{"]
     for field, inner in schema.get("properties", {}).items():
         optional = "" if field in required else "?"
         lines += _field(f"  {field}{optional}: ", inner)

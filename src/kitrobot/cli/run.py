@@ -37,7 +37,8 @@ def run_mission(
 
     mission = open_mission(file)
     report = mission.check()
-    show(report.problems, report.sources)
+    if report.ok:
+        show(report.problems, report.sources)
     with _progress(seconds) as progress:
         run = mission.run(seed=seed, seconds=seconds, trace=trace, progress=progress)
     give(json.dumps(run.to_json(), ensure_ascii=False) + "\n" if as_json else _summary(run))

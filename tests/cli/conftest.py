@@ -1,0 +1,82 @@
+"""The command line, called as a person calls it but without starting a process: what it says and how it ends."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kitrobot.cli import main
+
+LLL = """# drive and count
+*[Run.IsTrue()](
+  Wheel.Advance(50);
+  [Captor.LessThan(10)](Motor.AbsoluteTurn(25, 50); )!(Count.Add(1); );
+);
+"""
+MISTAKEN = "Wheel.Advance(50;\nWait(1;\nBREAK BREAK;\n)\n"
+
+
+@dataclass(frozen=True)
+class Said:
+    """What a command gave, what it said, and its status."""
+
+    status: int
+    out: str
+    err: str
+
+    @property
+    def json(self) -> Any:
+        """The output as one JSON value."""
+        return json.loads(self.out)
+
+    @property
+    def lines(self) -> list[Any]:
+        """The output as a JSON value a line."""
+        return [json.loads(line) for line in self.out.splitlines()]
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder, and the command line in it."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("KITROBOT_CONFIG", str(tmp_path / "no-config"))
+    monkeypatch.delenv("KITROBOT_DEBUG", raising=False)
+    monkeypatch.setenv("COLUMNS", "100")
+    return tmp_path
+
+
+@pytest.fixture
+def kitrobot(here: Path, monkeypatch: pytest.MonkeyPatch):
+    """Runs a command."""
+
+    def call(*arguments: object, studio: Any = None, stdin: bytes = b"") -> Said:
+        out, err = io.TextIOWrapper(io.BytesIO(), "ascii"), io.TextIOWrapper(io.BytesIO(), "ascii")
+        monkeypatch.setattr(sys, "stdout", out)
+        monkeypatch.setattr(sys, "stderr", err)
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(stdin), "utf-8"))
+        with pytest.raises(SystemExit) as end:
+            main([str(argument) for argument in arguments], studio=studio)
+        texts = []
+        for stream in (out, err):
+            stream.flush()
+            texts.append(stream.buffer.getvalue().decode())  # type: ignore[attr-defined]
+        assert isinstance(end.value.code, int)
+        said = Said(end.value.code, *texts)
+        assert "Traceback" not in said.err + said.out
+        return said
+
+    return call
+
+
+@pytest.fixture
+def program(here: Path) -> Path:
+    """An LLL program for the mini-robot."""
+    path = here / "drive.lll"
+    path.write_text(LLL, encoding="utf-8")
+    return path

@@ -1,0 +1,170 @@
+"""The command as a process: locale, pipes, signals, start-up, and the studio behind a real socket."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator
+
+import httpx
+import pytest
+import websockets
+
+from kitrobot.workspace import examples_folder
+
+KITROBOT = [sys.executable, "-m", "kitrobot"]
+SHORT_S = 60
+
+
+def call(*arguments, env=None, **options):
+    return subprocess.run(
+        [*KITROBOT, *map(str, arguments)],
+        capture_output=True,
+        timeout=SHORT_S,
+        env={**os.environ, **(env or {})},
+        check=False,
+        **options,
+    )
+
+
+@pytest.mark.parametrize("locale", ["C", "POSIX", "en_US.ISO-8859-1"])
+def test_output_is_utf_8_whatever_the_locale(tmp_path, locale):
+    (tmp_path / "p.lll").write_text("# é درائیو\nموٹر.چلاؤ(5);\n°A.b()°;\n", encoding="utf-8")
+    env = {"LANG": locale, "LC_ALL": locale, "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    ended = call("format", tmp_path / "p.lll", env=env)
+    assert ended.returncode == 0, ended.stderr
+    assert ended.stdout == (tmp_path / "p.lll").read_bytes()
+
+
+def test_a_reader_that_stops_reading_is_no_mistake(tmp_path):
+    (tmp_path / "p.lll").write_text("WAIT(1);")
+    command = [*KITROBOT, "exec", str(tmp_path / "p.lll"), "--robot", "mini-robot", "--ticks", "200000", "--json"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        assert json.loads(process.stdout.readline())["tick"] == 0
+        process.stdout.close()
+        said = process.stderr.read()
+        status = process.wait(SHORT_S)
+    assert said == b""
+    assert status in (1, 141)
+
+
+def test_laying_out_a_text_loads_neither_the_simulator_nor_the_server(tmp_path):
+    (tmp_path / "p.lll").write_text("WAIT(1);")
+    ended = call("format", tmp_path / "p.lll", env={"PYTHONPROFILEIMPORTTIME": "1"})
+    loaded = set(re.findall(rb"\|\s+([\w.]+)\n", ended.stderr))
+    assert b"kitrobot.lll" in loaded
+    heavy = {b"numpy", b"numba", b"fastapi", b"uvicorn", b"kitrobot.sim", b"kitrobot.server", b"kitrobot.compiler"}
+    assert not loaded & heavy
+
+
+def test_importing_the_package_imports_nothing_else():
+    code = "import sys, kitrobot; print([name for name in sys.modules if name.startswith('kitrobot.')])"
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=SHORT_S, check=True)
+    assert ended.stdout.strip() == b"[]"
+
+
+def test_a_mistake_of_ours_shows_where_only_when_asked(tmp_path):
+    code = (
+        "import kitrobot.cli.format as f, kitrobot.cli\n"
+        "def broken(*a): raise ZeroDivisionError('x')\n"
+        "f._format = broken\n"
+        "kitrobot.cli.main(['format', 'x.lll'])\n"
+    )
+    for debug in ("", "1"):
+        env = {**os.environ, "KITROBOT_DEBUG": debug}
+        ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=SHORT_S, env=env, check=False)
+        assert ended.returncode == 70
+        assert (b"Traceback" in ended.stderr) == bool(debug)
+
+
+@pytest.fixture(scope="module")
+def studio(tmp_path_factory) -> Iterator[tuple[str, str, subprocess.Popen[str]]]:
+    """A studio on a copy of the example: its address without the token, the token, the process."""
+    folder = tmp_path_factory.mktemp("studio")
+    examples = examples_folder()
+    assert examples is not None
+    (folder / "transport.krt").write_bytes((examples / "transport" / "transport.krt").read_bytes())
+    command = [*KITROBOT, str(folder / "transport.krt"), "--no-browser", "--port", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        address, _, token = process.stdout.readline().strip().partition("/?token=")
+        yield address, token, process
+        if process.poll() is None:
+            process.kill()
+
+
+def test_the_printed_address_is_on_this_machine_and_has_a_token(studio):
+    address, token, _ = studio
+    assert re.fullmatch(r"http://127\.0\.0\.1:[0-9]+", address)
+    assert len(token) >= 32
+
+
+def test_the_studio_answers_over_a_real_socket(studio):
+    address, token, _ = studio
+    with httpx.Client(base_url=address, trust_env=False) as client:
+        assert client.get("/api/session").status_code == 403
+        assert client.get("/api/session", params={"token": token}).json()["path"] == "transport.krt"
+        assert client.get("/api/session", params={"token": token}, headers={"Host": "evil"}).status_code == 403
+
+
+def test_a_port_that_is_taken_is_said(studio, tmp_path):
+    address, _, _ = studio
+    port = address.rpartition(":")[2]
+    ended = call(tmp_path, "--no-browser", "--port", port)
+    assert ended.returncode == 1
+    assert b"already in use" in ended.stderr
+    assert b"--port" in ended.stderr
+
+
+@pytest.mark.parametrize("host", ["0.0.0.0", "192.168.1.1", "example.org", "::", ""])
+def test_the_studio_listens_on_this_machine_only(tmp_path, host):
+    ended = call(tmp_path, "--no-browser", "--port", "0", "--host", host)
+    assert ended.returncode == 1
+    assert b"does not listen" in ended.stderr
+
+
+def test_a_run_is_watched_over_a_real_socket_and_ctrl_c_ends_the_studio_in_the_middle(studio):
+    address, token, process = studio
+
+    async def watch() -> int:
+        with httpx.Client(base_url=address, headers={"X-KitRobot-Token": token}, trust_env=False) as client:
+            file = client.get("/api/mission", params={"path": "transport.krt"}).json()
+        url = f"{address.replace('http', 'ws')}/api/run?token={token}"
+        async with websockets.connect(url, proxy=None, max_size=None) as ws:
+            start = {"type": "start", "mission": file["mission"], "path": file["path"], "seed": 1, "speed": 1}
+            await ws.send(json.dumps(start))
+            frames = 0
+            while frames < 3:
+                frames += isinstance(await ws.recv(), bytes)
+            process.send_signal(signal.SIGINT)
+            with pytest.raises(websockets.ConnectionClosed):
+                while True:
+                    await ws.recv()
+        return frames
+
+    assert asyncio.run(watch()) == 3
+    assert process.wait(SHORT_S) == 0
+    assert process.stderr is not None
+    assert process.stderr.read() == "Ctrl-C ends the studio.\n"
+
+
+def test_a_usual_port_that_is_taken_is_passed_over():
+    from kitrobot.server.start import USUAL_PORT, _listen
+
+    with socket.socket() as taken:
+        taken.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            taken.bind(("127.0.0.1", USUAL_PORT))
+            taken.listen()
+        except OSError:
+            pass  # somebody else has it: just as well
+        with _listen("127.0.0.1", None) as found:
+            assert found.getsockname()[1] != USUAL_PORT

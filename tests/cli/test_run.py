@@ -1,0 +1,182 @@
+"""`kitrobot run`."""
+
+from __future__ import annotations
+
+import shutil
+
+import pytest
+
+from kitrobot.workspace import examples_folder
+
+SHORT = """<kitrobot version="1">
+  <program name="p" robot="mini-robot">
+    <vertex id="start" element="Start"/>
+    <vertex id="v1" element="Light.LightOn"/>
+    <vertex id="stop" element="Stop"/>
+    <arc from="start" to="v1"/>
+    <arc from="v1" to="stop"/>
+  </program>
+  <team>
+    <agent name="robot-1" program="p"/>
+  </team>
+</kitrobot>
+"""
+
+
+@pytest.fixture
+def transport(here):
+    """A copy of the example."""
+    return shutil.copy(examples_folder() / "transport" / "transport.krt", here / "transport.krt")
+
+
+@pytest.fixture
+def short(here):
+    """A mission of one tick."""
+    (here / "short.krt").write_text(SHORT)
+    return "short.krt"
+
+
+def test_the_example_is_done_and_all_stock_is_delivered(kitrobot, transport):
+    said = kitrobot("run", transport, "--seed", 1, "--seconds", 600, "--json")
+    assert (said.status, said.err) == (0, "")
+    run = said.json
+    assert run["outcome"] == "done"
+    assert sum(run["delivered"].values()) == run["total"] == 12
+    assert set(run["delivered"]) == {"carrier-1", "carrier-2", "carrier-3"}
+    assert run["collisions"] == 0
+    assert run["seconds"] == pytest.approx(run["ticks"] * 0.02)
+
+
+def test_json_is_one_object_and_only_timing_depends_on_the_clock(kitrobot, short):
+    runs = [kitrobot("run", short, "--json").json for _ in range(2)]
+    assert set(runs[0]) == {
+        "outcome",
+        "sentence",
+        "ticks",
+        "seconds",
+        "delivered",
+        "total",
+        "collisions",
+        "timing",
+    }
+    assert set(runs[0]["timing"]) == {"prepare_seconds", "real_seconds", "speed"}
+    for run in runs:
+        del run["timing"]
+    assert runs[0] == runs[1]
+
+
+def test_the_summary_is_for_people(kitrobot, transport):
+    said = kitrobot("run", transport)
+    assert said.status == 0
+    assert said.out.startswith("done: ")
+    for words in ("carrier-2", "12 of 12", "collisions  0", "simulated", "real time"):
+        assert words in said.out
+    assert said.err == ""
+
+
+def test_a_mission_that_runs_out_of_time_is_not_done(kitrobot, transport):
+    said = kitrobot("run", transport, "--seconds", 2, "--json")
+    assert (said.status, said.json["outcome"], said.json["ticks"]) == (1, "time", 100)
+
+
+def test_a_mission_whose_goal_is_not_reached_has_failed(kitrobot, here):
+    goal = '    <goal storehouse="B" stock="all"/>\n  </team>\n  <world href="ring.world.xml"/>\n'
+    text = SHORT.replace("  </team>\n", goal).replace('name="robot-1"', 'name="r" start="carrier-1"')
+    (here / "m.krt").write_text(text)
+    said = kitrobot("run", "m.krt", "--json")
+    assert (said.status, said.json["outcome"]) == (1, "failed")
+
+
+def test_a_mission_in_which_nothing_can_change_is_stuck(kitrobot, here):
+    text = SHORT.replace(
+        '    <vertex id="v1" element="Light.LightOn"/>\n',
+        '    <vertex id="v1" element="When"/>\n    <vertex id="v2" element="Run.IsFalse"/>\n',
+    ).replace(
+        '    <arc from="start" to="v1"/>\n',
+        '    <arc from="start" to="v1"/>\n    <arc from="v2" to="v1" at="condition"/>\n'
+        '    <arc from="v1" out="body" to="v1" at="return"/>\n',
+    )
+    (here / "m.krt").write_text(text)
+    said = kitrobot("run", "m.krt", "--json")
+    assert (said.status, said.json["outcome"]) == (1, "stuck")
+
+
+def test_the_same_seed_gives_the_same_trace_to_the_byte(kitrobot, transport, here):
+    for name in ("a", "b"):
+        assert kitrobot("run", transport, "--seed", 3, "--trace", f"{name}.krtrace").status == 0
+    assert (here / "a.krtrace").read_bytes() == (here / "b.krtrace").read_bytes()
+    assert (here / "a.krtrace").stat().st_size > 1000
+
+
+@pytest.mark.parametrize("trace", ["none/x.krtrace", "."])
+def test_a_trace_that_cannot_be_written_is_a_sentence(kitrobot, short, trace):
+    said = kitrobot("run", short, "--trace", trace)
+    assert (said.status, said.out) == (1, "")
+    assert "error: " in said.err
+
+
+def test_the_trace_is_never_written_over_the_mission(kitrobot, short, here):
+    (here / "link.krtrace").symlink_to(here / short)
+    for name in (short, "link.krtrace"):
+        assert kitrobot("run", short, "--trace", name).status == 1
+    assert (here / short).read_text() == SHORT
+
+
+def test_a_mission_with_errors_is_not_run(kitrobot, here):
+    (here / "m.krt").write_text(SHORT.replace("LightOn", "Glow"))
+    said = kitrobot("run", "m.krt", "--json")
+    assert (said.status, said.out) == (1, "")
+    assert "m.krt:4:5: error: " in said.err
+    assert said.err.count("[unknown-element]") == 1
+
+
+def test_a_mission_without_agents_is_not_run(kitrobot, here):
+    (here / "m.krt").write_text(SHORT[: SHORT.index("  <team>")] + "</kitrobot>\n")
+    said = kitrobot("run", "m.krt")
+    assert (said.status, said.out) == (1, "")
+    assert "no agents" in said.err
+
+
+@pytest.mark.parametrize("data", [b"", b"<kitrobot", b"\xff", b'<!DOCTYPE k [<!ENTITY a "b">]><kitrobot version="1"/>'])
+def test_a_damaged_mission_is_told_with_its_place(kitrobot, here, data):
+    (here / "m.krt").write_bytes(data)
+    said = kitrobot("run", "m.krt")
+    assert (said.status, said.out) == (1, "")
+    assert "m.krt:1:" in said.err
+
+
+@pytest.mark.parametrize("name", ["none.krt", "."])
+def test_a_mission_that_is_not_there_is_a_sentence(kitrobot, name):
+    said = kitrobot("run", name)
+    assert said.status == 1
+    assert f"`{name}`" in said.err
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--seconds", "0"],
+        ["--seconds", "-1"],
+        ["--seconds", "nan"],
+        ["--seconds", "inf"],
+        ["--seconds", "x"],
+        ["--seed", "-1"],
+        ["--seed", "1.5"],
+        ["--nothing"],
+    ],
+)
+def test_options_that_make_no_sense_are_refused(kitrobot, short, options):
+    said = kitrobot("run", short, *options)
+    assert (said.status, said.out) == (2, "")
+
+
+def test_python_gives_what_the_command_gives(kitrobot, transport):
+    import kitrobot as package
+
+    run = package.open(transport).run(seed=1)
+    said = kitrobot("run", transport, "--json").json
+    ours = run.to_json()
+    for result in (said, ours):
+        del result["timing"]
+    assert said == ours
+    assert run.outcome == "done"
