@@ -1,0 +1,105 @@
+"""A user opens a mission, presses Run, changes a program, saves it: in the real page, with real drags."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from kitrobot.lll import parse
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+TRANSPORT = "transport/transport.krt"
+
+
+def test_run_moves_all_stock_from_a_to_b_and_ends_as_done(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    expect(studio.at("arena-summary")).to_contain_text("A 12, B 0")
+    studio.full_speed()
+    studio.at("run-button").click()
+    studio.wait_until_done()
+    expect(studio.at("arena-summary")).to_contain_text("12 of 12 delivered")
+    expect(studio.at("arena-summary")).to_contain_text("A 0, B 12")
+    expect(studio.at("arena-summary")).not_to_contain_text("collision")
+
+
+def test_active_vertices_glow_for_the_agent_whose_tab_is_open(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.at("run-button").click()
+    glowing = studio.page.locator(".vertex.is-active")
+    expect(glowing.first).to_be_visible(timeout=10_000)
+    studio.at("tab-store-manager-A").click()
+    expect(studio.page.locator(".vertex.is-active", has_text="While")).to_be_visible()
+    studio.at("stop-button").click()
+    expect(studio.at("status")).to_contain_text("Stopped")
+    expect(studio.page.locator(".vertex.is-active")).to_have_count(0)
+
+
+def test_pause_step_and_resume_count_ticks(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.at("run-button").click()
+    expect(studio.at("status")).to_contain_text("Running")
+    studio.at("pause-button").click()
+    expect(studio.at("status")).to_contain_text("Paused")
+    clock = studio.at("event-strip").get_by_text(re.compile(r"tick \d+$"))
+    before = int((clock.text_content() or "").rpartition(" ")[2])
+    studio.at("step-button").click()
+    expect(clock).to_have_text(re.compile(rf"tick {before + 1}$"))
+    studio.full_speed()
+    studio.at("run-button").click()
+    studio.wait_until_done()
+
+
+def test_a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.drop("Wait", "arc-start.next")
+    studio.expect_code("WAIT(10);")
+    number = studio.at("inspector").locator('input:not([type="range"])').first
+    number.fill("7")
+    studio.expect_code("WAIT(7);")
+    studio.page.keyboard.press("Escape")
+    studio.page.locator(".vertex.is-selected, .vertex:has-text('Wait')").first.click()
+    studio.page.keyboard.press("Delete")
+    expect(studio.at("code")).not_to_contain_text("WAIT")
+    studio.page.keyboard.press("Control+z")
+    studio.expect_code("WAIT(7);")
+    studio.page.keyboard.press("Control+s")
+    expect(studio.at("saved-state")).to_have_text("saved")
+    text = (studio.folder / "transport.krt").read_text(encoding="utf-8")
+    assert 'element="Wait"' in text
+    assert '<set name="duration">7</set>' in text
+    studio.full_speed()
+    studio.at("run-button").click()
+    studio.wait_until_done()
+
+
+def test_mistakes_appear_in_problems_and_go_when_mended(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    expect(studio.at("problems")).to_contain_text("0")
+    studio.drop("While", "arc-start.next")
+    expect(studio.at("problems")).to_contain_text("1")
+    studio.at("problems").click()
+    expect(studio.at("problem-1")).to_contain_text("empty")
+    studio.at("run-button").click()
+    expect(studio.at("status")).not_to_contain_text("Running")
+    slot = studio.page.locator(".chip.is-empty").first
+    studio.page.get_by_test_id("fold-Run").click() if studio.at("part-Run.IsTrue").count() == 0 else None
+    studio.drag(studio.at("part-Run.IsTrue"), slot)
+    studio.expect_code("*[Run.IsTrue()]();")
+    expect(studio.at("problems")).to_contain_text("0")
+
+
+def test_a_new_program_is_drawn_from_nothing_and_runs(open_studio: OpenStudio) -> None:
+    studio = open_studio(None)
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    expect(studio.at("first-place")).to_be_visible()
+    studio.drop("Parallelism", "first-place")
+    studio.expect_code("//(")
+    code = studio.code()
+    assert parse(code).ok
