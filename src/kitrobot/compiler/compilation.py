@@ -42,7 +42,8 @@ def compile_lll(program: Seq, robot: Robot, source: Source | None = None, name: 
     if any(item.is_error for item in diagnostics):
         return Compiled(program, source, None, DebugMap(), diagnostics)
     image, debug, too_large = lower(program, robot)
-    return Compiled(program, source, image, debug, diagnostics + too_large)
+    diagnostics += [replace(item, place=source.place(0, 0), program=name) for item in too_large]
+    return Compiled(program, source, image, debug, diagnostics)
 
 
 def compile_text(text: str, robot: Robot, name: str = "program.lll") -> Compiled:
