@@ -12,7 +12,11 @@ from typing import Any
 import pytest
 
 from kitrobot.cli import main
+from kitrobot.workspace import examples_folder
 
+_EXAMPLES = examples_folder()
+assert _EXAMPLES is not None
+EXAMPLE = _EXAMPLES / "transport" / "transport.krt"
 LLL = """# drive and count
 *[Run.IsTrue()](
   Wheel.Advance(50);
@@ -65,7 +69,7 @@ def kitrobot(here: Path, monkeypatch: pytest.MonkeyPatch):
         texts = []
         for stream in (out, err):
             stream.flush()
-            texts.append(stream.buffer.getvalue().decode())  # type: ignore[attr-defined]
+            texts.append(stream.buffer.getvalue().decode())
         assert isinstance(end.value.code, int)
         said = Said(end.value.code, *texts)
         assert "Traceback" not in said.err + said.out

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from kitrobot.workspace import examples_folder
-from tests.cli.conftest import MISTAKEN
+from tests.cli.conftest import EXAMPLE, MISTAKEN
 
 KEYS = ["file", "line", "column", "end_line", "end_column", "severity", "code", "message", "help"]
 ROBOT = '<robot name="mine" version="1"><actuator name="Arm"><procedure name="Up"/></actuator></robot>'
@@ -28,7 +29,7 @@ def write(here):
 
 
 def test_the_example_has_no_errors(kitrobot):
-    said = kitrobot("check", examples_folder() / "transport" / "transport.krt")
+    said = kitrobot("check", EXAMPLE)
     assert said.status == 0, said.out
     assert "1 file" in said.err
 
@@ -221,14 +222,12 @@ def test_a_missing_file_a_folder_and_another_kind_are_told_and_the_others_still_
 
 
 def test_a_file_that_may_not_be_read_is_told(kitrobot, write, here, monkeypatch):
-    from kitrobot.workspace import files
-
     write("p.krt", "x")
 
     def refused(*arguments: object) -> None:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(files.Path, "open", refused)
+    monkeypatch.setattr(Path, "open", refused)
     said = kitrobot("check", "p.krt", "--json")
     assert said.status == 1
     assert "permission denied" in said.json[0]["message"]

@@ -6,8 +6,7 @@ import itertools
 
 import pytest
 
-from kitrobot.workspace import examples_folder
-from tests.cli.conftest import LLL, MISTAKEN
+from tests.cli.conftest import EXAMPLE, LLL, MISTAKEN
 
 FORMS = ("krt", "lll", "kri", "kra")
 OPEN = {
@@ -108,7 +107,7 @@ def test_a_robots_file_with_mistakes_is_shown(kitrobot, program, here):
 
 
 def test_a_mission_with_several_programs_asks_which_and_lists_them(kitrobot, here):
-    mission = examples_folder() / "transport" / "transport.krt"
+    mission = EXAMPLE
     said = kitrobot("convert", mission, "x.lll")
     assert said.status == 1
     assert "`carrier`" in said.err

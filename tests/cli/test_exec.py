@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from kitrobot.workspace import examples_folder
+from tests.cli.conftest import EXAMPLE
 
 ROBOT = ("--robot", "mini-robot")
 
@@ -111,7 +111,7 @@ def test_a_mission_names_its_own_robot(kitrobot, program):
 
 
 def test_a_program_of_a_mission_is_chosen(kitrobot, here):
-    mission = examples_folder() / "transport" / "transport.krt"
+    mission = EXAMPLE
     said = kitrobot("exec", mission, "--ticks", 1)
     assert said.status == 1
     assert "--program" in said.err

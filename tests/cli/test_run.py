@@ -6,7 +6,7 @@ import shutil
 
 import pytest
 
-from kitrobot.workspace import examples_folder
+from tests.cli.conftest import EXAMPLE
 
 SHORT = """<kitrobot version="1">
   <program name="p" robot="mini-robot">
@@ -26,7 +26,7 @@ SHORT = """<kitrobot version="1">
 @pytest.fixture
 def transport(here):
     """A copy of the example."""
-    return shutil.copy(examples_folder() / "transport" / "transport.krt", here / "transport.krt")
+    return shutil.copy(EXAMPLE, here / "transport.krt")
 
 
 @pytest.fixture

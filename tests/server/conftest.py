@@ -16,6 +16,8 @@ with warnings.catch_warnings():
 from kitrobot.server import create_app
 from kitrobot.workspace import examples_folder
 
+__all__ = ["HOST", "SHORT", "SOCKET", "TOKEN", "TestClient"]
+
 TOKEN = "the-right-token"
 HOST = "http://127.0.0.1:8765"
 SOCKET = "ws://127.0.0.1:8765"

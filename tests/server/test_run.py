@@ -12,6 +12,7 @@ from pydantic import TypeAdapter
 
 from kitrobot.server import runs
 from kitrobot.server.shapes import RunMessage
+from kitrobot.server.watching import Watch
 from tests.server.conftest import SOCKET, TOKEN
 
 MESSAGE: TypeAdapter[Any] = TypeAdapter(RunMessage)
@@ -59,7 +60,7 @@ class Watcher:
             if message.get("bytes") is not None:
                 self.frames.append(message["bytes"])
                 continue
-            said = json.loads(message["text"])
+            said: dict[str, Any] = json.loads(message["text"])
             MESSAGE.validate_python(said)
             return said
 
@@ -367,7 +368,7 @@ def test_a_run_that_breaks_is_one_sentence(connect, mission, monkeypatch, caplog
     def broken(*arguments: object) -> None:
         raise ZeroDivisionError("secret detail")
 
-    monkeypatch.setattr(runs.Watch, "advance", broken)
+    monkeypatch.setattr(Watch, "advance", broken)
     with connect() as watcher:
         watcher.start(mission())
         assert watcher.until("error")["message"] == "Something went wrong inside KitRobot."
