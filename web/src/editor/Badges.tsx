@@ -11,7 +11,19 @@ export function Badges({ node, threads }: { node: LayoutNode; threads: string })
       {node.mark === null ? null : <Mark name={title(node.mark.shape)} colour={node.mark.shape.colour} />}
       <Threads threads={threads} />
       <Trouble id={node.vertex} />
+      <Noted node={node} />
     </>
+  );
+}
+
+/** A small sign that somebody wrote a note here. */
+function Noted({ node }: { node: LayoutNode }) {
+  const said = node.block?.vertex.notes.map((note) => note.text).join("\n") ?? "";
+  if (said === "") return null;
+  return (
+    <span className="noted" title={said}>
+      <Icon name="message-circle" size={12} label={t("graph.note", { text: said })} />
+    </span>
   );
 }
 

@@ -64,6 +64,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
     return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
   });
   const empty = drawing.nodes.has("place");
+  const last = useStudio((state) => state.selection.at(-1));
 
   return (
     <div
@@ -72,6 +73,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       data-accepts={accepts}
       role="application"
       tabIndex={0}
+      aria-activedescendant={last === undefined ? undefined : `vertex-${last}`}
       aria-label={t("graph.label", { name: drawing.program.name })}
       data-testid="canvas"
     >

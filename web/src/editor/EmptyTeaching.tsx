@@ -18,14 +18,18 @@ export function firstParts({ all }: Parts): Shape[] {
   const bodies = all.filter((shape) => shape.kind === "constructor" && shape.flows.length > 0);
   const colours = (["choice", "loop", "parallel"] as const).map((colour) => {
     const same = bodies.filter((shape) => shape.colour === colour);
-    return same.find((shape) => shape.plugs.length > 0) ?? same[0];
+    // The one that asks for the least comes first.
+    return same.toSorted((a, b) => a.plugs.length - b.plugs.length)[0];
   });
   return [action, ...colours].filter((shape) => shape !== undefined);
 }
 
-/** The first sentence of a help text. */
+const MOST_LETTERS = 44;
+
+/** The first sentence of a help text, or the beginning of it when it is long. */
 function firstSentence(help: string): string {
-  return /^[^.:;,]*/.exec(help)?.[0] ?? help;
+  const sentence = /^[^.]*/.exec(help)?.[0] ?? help;
+  return sentence.length <= MOST_LETTERS ? sentence : (/^[^,;:]*/.exec(sentence)?.[0] ?? sentence);
 }
 
 export function EmptyTeaching({ drawing, extras }: { drawing: Drawing; extras: ReactNode }) {

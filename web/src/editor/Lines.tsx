@@ -1,6 +1,6 @@
 /** Frames and arcs: drawn by us in two layers of the viewport, frames under the vertices, arcs over them. */
 import { useStore, ViewportPortal } from "@xyflow/react";
-import { memo, useMemo } from "react";
+import { type CSSProperties, memo, useMemo } from "react";
 
 import { headPath, type LayoutArc, type LayoutFrame, type Point, roundedPath } from "../model/layout";
 import { title } from "../model/parts";
@@ -113,6 +113,7 @@ const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }
   const selected = useView((state) => state.arc === id);
   const aimed = useDrag((state) => state.target?.key === `arc:${id}`);
   const path = roundedPath(points, head);
+  const tip = head ? headPath(points) : "";
   const spot = spotOf(arc);
   const classes = ["arc"];
   if (selected) classes.push("is-selected");
@@ -126,10 +127,15 @@ const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }
   return (
     <g className={classes.join(" ")} data-colour={colour} onClick={select}>
       <path className="arc-reach" d={path} />
-      <path className="arc-line" d={path} />
-      {head ? <path className="arc-head" d={headPath(points)} /> : null}
+      <path className="arc-line" d={path} style={moving(path)} />
+      {head ? <path className="arc-head" d={tip} style={moving(tip)} /> : null}
       {label === null ? null : (
-        <text className="arc-label" x={label.x} y={label.y} textAnchor={label.anchor} dominantBaseline="central">
+        <text
+          className="arc-label"
+          style={{ transform: shift(label) }}
+          textAnchor={label.anchor}
+          dominantBaseline="central"
+        >
           {label.text}
         </text>
       )}
@@ -140,7 +146,7 @@ const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }
           role="button"
           aria-label={spokenArc(arc)}
           aria-pressed={selected}
-          transform={`translate(${String(spot.x)} ${String(spot.y)})`}
+          style={{ transform: shift(spot) }}
         >
           <circle r="9" />
           <path d="M-4 0H4M0 -4V4" />
@@ -149,6 +155,15 @@ const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }
     </g>
   );
 });
+
+/** As a style, so that a path that changes moves there (where the browser can; the attribute holds everywhere). */
+function moving(path: string): CSSProperties {
+  return { d: `path("${path}")` };
+}
+
+function shift({ x, y }: Point): string {
+  return `translate(${String(x)}px, ${String(y)}px)`;
+}
 
 function spokenArc({ source, out }: LayoutArc): string {
   const drawing = currentDrawing();

@@ -42,11 +42,11 @@ function Terminal({ node: { vertex: id, kind, w, h } }: { node: LayoutNode }) {
   return (
     <div
       className={`terminal${selected ? " is-selected" : ""}`}
+      id={`vertex-${id}`}
       data-testid={`vertex-${id}`}
-      role="button"
-      tabIndex={-1}
+      role="group"
       aria-label={name}
-      aria-pressed={selected}
+      aria-current={selected}
       style={{ width: w, height: h }}
       onClick={(event) => {
         selectVertex(id, event);
@@ -78,10 +78,10 @@ function Bar({ node }: { node: LayoutNode }) {
       className={`bars${selected ? " is-selected" : ""}${aimed ? " is-aimed" : ""}`}
       data-testid={first ? `vertex-${id}` : `vertex-${id}-end`}
       data-colour={colour}
-      role="button"
-      tabIndex={-1}
+      id={first ? `vertex-${id}` : undefined}
+      role="group"
       aria-label={spoken(node)}
-      aria-pressed={selected}
+      aria-current={selected}
       aria-hidden={first ? undefined : true}
       style={{ width: w, height: h }}
       onPointerDown={(event) => {

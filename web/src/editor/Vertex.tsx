@@ -12,13 +12,15 @@ import { t } from "../words/words";
 import { useThreadsAt } from "./active";
 import { beginDrag, justDragged, useDrag } from "./drag";
 import { Badges } from "./Badges";
-import { useView } from "./view";
+import { holdStill, useView } from "./view";
 
 /** Selects on a click; Shift or Ctrl adds to the selection or takes away from it. */
 export function selectVertex(id: string, event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): void {
   const { selection, select } = useStudio.getState();
+  holdStill();
   if (!event.shiftKey && !event.ctrlKey && !event.metaKey) select([id]);
   else select(selection.includes(id) ? selection.filter((one) => one !== id) : [...selection, id]);
+  useView.getState().viewport?.focus();
 }
 
 /** The vertices that a drag of this one takes along: all selected ones, if it is one of them. */
@@ -54,10 +56,10 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
       data-testid={`vertex-${id}`}
       data-colour={colour}
       data-threads={threads === "" ? undefined : threads}
-      role="button"
-      tabIndex={-1}
+      id={`vertex-${id}`}
+      role="group"
       aria-label={spoken(node)}
-      aria-pressed={selected}
+      aria-current={selected}
       style={{ width: w, height: h }}
       onPointerDown={(event) => {
         dragVertices(event, id, block.shape.element);
@@ -136,8 +138,8 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
       data-testid={`slot-${vertex}.${chip.slot}`}
       data-vertex={vertex}
       data-slot={chip.slot}
-      role="button"
-      tabIndex={-1}
+      role={chip.pieces.length > 1 ? "group" : "button"}
+      aria-label={chip.pieces.map((piece) => (piece.kind === "words" ? piece.words : piece.label)).join(" ")}
       onPointerDown={(event) => {
         if (chip.filler === null) return;
         event.stopPropagation();
@@ -177,7 +179,6 @@ function Hole({ vertex, slot, label }: { vertex: string; slot: string; label: st
       data-slot={slot}
       data-hole=""
       role="button"
-      tabIndex={-1}
       onClick={(event) => {
         event.stopPropagation();
         openSlot(vertex, slot);

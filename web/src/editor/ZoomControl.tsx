@@ -9,7 +9,7 @@ export function ZoomControl() {
   const zoom = useStore(({ transform }) => Math.round(transform[2] * 100));
   const viewport = useView((state) => state.viewport);
   return (
-    <div className="zoom" role="group" aria-label={t("graph.zoom-actual")}>
+    <div className="zoom" role="group" aria-label={t("graph.zoom")}>
       <button type="button" aria-label={t("graph.zoom-out")} title={t("graph.zoom-out")} onClick={viewport?.zoomOut}>
         <Icon name="minus" />
       </button>

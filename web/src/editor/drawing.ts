@@ -4,7 +4,7 @@ import { type Parts, partsOf } from "../model/parts";
 import { readStructure, type Structure } from "../model/structure";
 import { programInView, type StudioState, useStudio } from "../model/studio";
 import type { Program } from "../model/types";
-import { t } from "../words/words";
+import { languageInUse } from "../words/words";
 
 export interface Drawing {
   program: Program;
@@ -13,6 +13,8 @@ export interface Drawing {
   structure: Structure;
   layout: Layout;
   nodes: Map<string, LayoutNode>;
+  /** Words are in the layout: another language is another drawing. */
+  language: string;
 }
 
 const made = new WeakMap<Program, Drawing>();
@@ -23,11 +25,12 @@ export function drawingOf(state: StudioState): Drawing | null {
   if (program === undefined) return null;
   const parts = partsOf(state.catalogue, program.robot);
   const known = made.get(program);
-  if (known?.parts === parts) return known;
+  const language = languageInUse();
+  if (known?.parts === parts && known.language === language) return known;
   const structure = readStructure(program, parts);
-  const layout = layoutStructure(structure, { done: t("graph.done") });
+  const layout = layoutStructure(structure);
   const nodes = new Map(layout.nodes.map((node) => [node.id, node]));
-  const drawing = { program, parts, structure, layout, nodes };
+  const drawing = { program, parts, structure, layout, nodes, language };
   made.set(program, drawing);
   return drawing;
 }

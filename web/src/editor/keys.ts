@@ -17,6 +17,12 @@ function step(direction: Step): boolean {
   return true;
 }
 
+/** Every vertex that stands in a chain; what is inside them goes along. */
+export function selectAll(): void {
+  const nodes = currentDrawing()?.layout.nodes.filter((node) => node.block !== null && node.kind !== "barEnd") ?? [];
+  useStudio.getState().select(nodes.map((node) => node.vertex));
+}
+
 /** Enter goes to the first thing that can be set on the selected vertex. */
 function editSelected(): boolean {
   const field = document.querySelector<HTMLElement>("[data-inspector-field]");
@@ -45,6 +51,7 @@ function press(event: KeyboardEvent): boolean {
     if (key === "z") (event.shiftKey ? redo : undo)();
     else if (key === "y") redo();
     else if (key === "d") duplicateSelection();
+    else if (key === "a") selectAll();
     else if (key === "0") useView.getState().viewport?.home();
     else return false;
     return true;

@@ -47,6 +47,17 @@ export const useView = create<ViewState>((set) => ({
   },
 }));
 
+let still_until_ms = 0;
+
+/** What is selected by pointing at it is in view already: the canvas does not move for it. */
+export function holdStill(): void {
+  still_until_ms = performance.now() + 60;
+}
+
+export function standsStill(): boolean {
+  return performance.now() < still_until_ms;
+}
+
 useStudio.subscribe((state, before) => {
   if (state.activeProgram !== before.activeProgram) useView.setState({ arc: null, adding: null });
   else if (state.selection !== before.selection && state.selection.length > 0) useView.setState({ arc: null });

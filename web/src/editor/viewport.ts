@@ -6,7 +6,7 @@ import { useStudio } from "../model/studio";
 import type { Drawing } from "./drawing";
 import { currentDrawing } from "./drawing";
 import { spotOfArc } from "./Lines";
-import { useView } from "./view";
+import { standsStill, useView } from "./view";
 
 const remembered = new Map<string, Camera>();
 const MARGIN = 48;
@@ -99,7 +99,7 @@ export function useViewport(
       // A vertex that was selected elsewhere, or made beyond the edge, comes into view.
       useStudio.subscribe((state, before) => {
         const last = state.selection.at(-1);
-        if (last === undefined || state.selection === before.selection) return;
+        if (last === undefined || state.selection === before.selection || standsStill()) return;
         queueMicrotask(() => useView.getState().viewport?.reveal(last));
       }),
     [],

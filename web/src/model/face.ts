@@ -4,6 +4,7 @@
 import { textWidth } from "./measure";
 import { type Shape, shortTitle } from "./parts";
 import type { Block } from "./structure";
+import { t } from "../words/words";
 import { text } from "./texts";
 import { fieldWords, type Piece, piecesOf } from "./words";
 
@@ -73,7 +74,7 @@ function chips(block: Block): Chip[] {
 }
 
 function chip(block: Block, slot: string, accepts: "condition" | "action", filler: Block | null): Chip {
-  const label = accepts === "action" ? "action" : "condition";
+  const label = t(accepts === "action" ? "graph.action" : "graph.condition");
   const pieces: Piece[] = filler === null ? [{ kind: "hole", vertex: block.vertex.id, slot, label }] : piecesOf(filler);
   const element = filler?.shape.element ?? "";
   return { slot, accepts, icon: filler?.shape.icon ?? "", pieces, filler: filler?.vertex.id ?? null, element };

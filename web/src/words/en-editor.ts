@@ -15,7 +15,7 @@ export const EDITOR_EN = {
   "graph.first-step": "Give the robot its first step",
   "graph.first-help":
     "It follows the arrows from Start to Stop. Drag a part from the left onto the dashed place, or begin with one of these:",
-  "graph.unknown": "unknown part",
+  "graph.zoom": "Zoom",
   "graph.zoom-in": "Zoom in",
   "graph.zoom-out": "Zoom out",
   "graph.zoom-actual": "Zoom to 100 %",
@@ -23,7 +23,20 @@ export const EDITOR_EN = {
   "graph.problem": "Problem: {message}",
   "graph.thread": "thread {number} is here",
   "graph.park-here": "Drop to keep it aside",
-  "graph.cannot": "It does not fit here",
+
+  "graph.note": "Note: {text}",
+
+  "command.add": "Add {name}",
+  "command.delete": "Delete {name}",
+  "command.move": "Move {name}",
+  "command.copy": "Copy {name}",
+  "command.parts": "parts",
+  "command.set": "Set {name}",
+  "command.note": "Write note",
+  "command.add-branch": "Add a branch to {name}",
+  "command.remove-branch": "Remove a branch",
+  "command.change": "Change to {name}",
+  "command.rename": "Rename {name}",
 
   "add.title": "Add a part",
   "add.find": "Type to find a part",
@@ -58,7 +71,6 @@ export const EDITOR_EN = {
   "inspector.whole": "Type a whole number from {min} to {max}.",
   "inspector.from-value": "The value comes from {what}.",
   "inspector.type-instead": "Type a number instead",
-  "inspector.mark": "its branch ends when the others have",
   "inspector.method": "Does",
   "inspector.unknown": "The file that describes {element} is missing. It is kept as it is.",
   "inspector.start": "The program begins here.",

@@ -1,4 +1,5 @@
 /** Adds a branch to a constructor with a repeated slot, or takes one away. */
+import { t } from "../../words/words";
 import type { Command } from "../command";
 import { type Parts, shortTitle } from "../parts";
 import { dropBranch, findSpot, growBranch } from "../tree";
@@ -8,7 +9,7 @@ import { editStructure } from "./edit";
 /** One more branch at the end of the first repeated slot, or null when the vertex has none. */
 export function addBranch(program: Program, parts: Parts, id: string): Command | null {
   const shape = parts.shape(program.vertices.find((one) => one.id === id)?.element ?? "");
-  return editStructure(`Add branch to ${shortTitle(shape)}`, program, parts, (structure) => {
+  return editStructure(t("command.add-branch", { name: shortTitle(shape) }), program, parts, (structure) => {
     const block = findSpot(structure, id)?.block;
     const flow = block?.shape.flows.find((one) => one.repeat);
     if (block === undefined || flow === undefined) return false;
@@ -19,7 +20,7 @@ export function addBranch(program: Program, parts: Parts, id: string): Command |
 
 /** Without that branch (by its out-port) and what stands in it, or null when it is not there or one must stay. */
 export function removeBranch(program: Program, parts: Parts, id: string, out: string): Command | null {
-  return editStructure("Remove branch", program, parts, (structure) => {
+  return editStructure(t("command.remove-branch"), program, parts, (structure) => {
     const block = findSpot(structure, id)?.block;
     const flow = block?.shape.flows.find((one) => one.repeat && out.startsWith(`${one.name}.`));
     if (block === undefined || flow === undefined || !block.bodies.some((body) => body.out === out)) return false;

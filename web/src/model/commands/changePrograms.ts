@@ -1,4 +1,5 @@
 /** Adds, renames and removes whole programs of the mission. Agents follow a renamed program. */
+import { t } from "../../words/words";
 import type { Command } from "../command";
 import type { Mission, Program } from "../types";
 
@@ -22,14 +23,17 @@ function between(label: string, before: Mission, after: Mission): Command {
 /** A new, empty program at the end, or null when the name is taken or empty. */
 export function addProgram(mission: Mission, name: string, robot: string): Command | null {
   if (name === "" || mission.programs.some((one) => one.name === name)) return null;
-  return between(`Add ${name}`, mission, { ...mission, programs: [...mission.programs, emptyProgram(name, robot)] });
+  return between(t("command.add", { name }), mission, {
+    ...mission,
+    programs: [...mission.programs, emptyProgram(name, robot)],
+  });
 }
 
 /** The program under another name, its agents with it, or null when that name is taken or empty. */
 export function renameProgram(mission: Mission, name: string, to: string): Command | null {
   if (to === "" || mission.programs.some((one) => one.name === to)) return null;
   if (!mission.programs.some((one) => one.name === name)) return null;
-  return between(`Rename ${name}`, mission, {
+  return between(t("command.rename", { name }), mission, {
     ...mission,
     programs: mission.programs.map((one) => (one.name === name ? { ...one, name: to } : one)),
     agents: mission.agents.map((one) => (one.program === name ? { ...one, program: to } : one)),
@@ -39,7 +43,7 @@ export function renameProgram(mission: Mission, name: string, to: string): Comma
 /** Without that program and its agents, or null when it is the only one. */
 export function removeProgram(mission: Mission, name: string): Command | null {
   if (mission.programs.length <= 1 || !mission.programs.some((one) => one.name === name)) return null;
-  return between(`Remove ${name}`, mission, {
+  return between(t("command.delete", { name }), mission, {
     ...mission,
     programs: mission.programs.filter((one) => one.name !== name),
     agents: mission.agents.filter((one) => one.program !== name),

@@ -1,4 +1,5 @@
 /** Deletes vertices with all they hold; arcs heal, a marked action takes its mark along. */
+import { t } from "../../words/words";
 import type { Command } from "../command";
 import { type Parts, title } from "../parts";
 import { findSpot, inChain, takeOut, topmost, withMark } from "../tree";
@@ -8,8 +9,8 @@ import { editStructure } from "./edit";
 /** The command, or null when nothing of it can be deleted (Start and Stop stay). Selects what is then in that place. */
 export function deleteParts(program: Program, parts: Parts, ids: string[]): Command | null {
   const elements = ids.map((id) => program.vertices.find((one) => one.id === id)?.element ?? "");
-  const label = ids.length === 1 ? `Delete ${title(parts.shape(elements[0] ?? ""))}` : "Delete parts";
-  return editStructure(label, program, parts, (structure) => {
+  const name = ids.length === 1 ? title(parts.shape(elements[0] ?? "")) : t("command.parts");
+  return editStructure(t("command.delete", { name }), program, parts, (structure) => {
     const spots = topmost(structure, ids).map(withMark);
     const [first] = spots;
     if (first === undefined) return false;

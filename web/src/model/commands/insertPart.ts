@@ -1,4 +1,5 @@
 /** Puts a new part where it was dropped: on an arc, in a slot, on a vertex, or on the void, where it is parked. */
+import { t } from "../../words/words";
 import type { Command } from "../command";
 import { fits, isMark, type Parts, type Shape, standsInChain, title } from "../parts";
 import type { Structure } from "../structure";
@@ -22,7 +23,9 @@ import { editStructure } from "./edit";
 /** The command, or null when that part cannot stand there. */
 export function insertPart(program: Program, parts: Parts, place: Place, element: string): Command | null {
   const shape = parts.shape(element);
-  return editStructure(`Add ${title(shape)}`, program, parts, (structure) => insert(structure, place, shape));
+  return editStructure(t("command.add", { name: title(shape) }), program, parts, (structure) =>
+    insert(structure, place, shape),
+  );
 }
 
 function insert(structure: Structure, place: Place, shape: Shape): string[] | false {

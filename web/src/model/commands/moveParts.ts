@@ -1,4 +1,5 @@
 /** Moves vertices with all they hold to another place, or puts copies of them there. */
+import { t } from "../../words/words";
 import type { Command } from "../command";
 import { fits, isMark, type Parts, standsInChain, title } from "../parts";
 import type { Block, Structure } from "../structure";
@@ -21,7 +22,7 @@ import { editStructure } from "./edit";
 
 /** The command, or null when they cannot go there (for one, into their own body). */
 export function moveParts(program: Program, parts: Parts, ids: string[], place: Place): Command | null {
-  const command = editStructure(named("Move", program, parts, ids), program, parts, (structure) => {
+  const command = editStructure(named("command.move", program, parts, ids), program, parts, (structure) => {
     const spots = topmost(structure, ids).map(withMark);
     if (spots.length === 0 || holds(spots, place)) return false;
     const blocks = spots.map((spot) => spot.block);
@@ -39,7 +40,7 @@ function changes(command: Command, program: Program): boolean {
 
 /** The command that puts a copy of the vertices there. */
 export function copyParts(program: Program, parts: Parts, ids: string[], place: Place): Command | null {
-  return editStructure(named("Copy", program, parts, ids), program, parts, (structure) => {
+  return editStructure(named("command.copy", program, parts, ids), program, parts, (structure) => {
     const nextId = freshIds(structure);
     const copies = topmost(structure, ids)
       .map(withMark)
@@ -54,9 +55,9 @@ function shown(block: Block): string {
   return (isMark(block.shape) ? block.plugs[0]?.block : null)?.vertex.id ?? block.vertex.id;
 }
 
-function named(verb: string, program: Program, parts: Parts, ids: string[]): string {
+function named(key: "command.move" | "command.copy", program: Program, parts: Parts, ids: string[]): string {
   const only = ids.length === 1 ? program.vertices.find((one) => one.id === ids[0]) : undefined;
-  return only === undefined ? `${verb} parts` : `${verb} ${title(parts.shape(only.element))}`;
+  return t(key, { name: only === undefined ? t("command.parts") : title(parts.shape(only.element)) });
 }
 
 /** Whether the place is inside one of the blocks that are to move. */

@@ -1,4 +1,5 @@
 /** Makes another part of the same role of a vertex: EqualTo of LessThan, LightOn of LightOff. */
+import { t } from "../../words/words";
 import type { Command } from "../command";
 import { fits, type Parts, title } from "../parts";
 import { findSpot, newBlock } from "../tree";
@@ -8,7 +9,7 @@ import { editStructure } from "./edit";
 /** The command, or null when that part cannot stand there. Fields and slots of the same name keep what they have. */
 export function replaceElement(program: Program, parts: Parts, id: string, element: string): Command | null {
   const shape = parts.shape(element);
-  return editStructure(`Change to ${title(shape)}`, program, parts, (structure) => {
+  return editStructure(t("command.change", { name: title(shape) }), program, parts, (structure) => {
     const spot = findSpot(structure, id);
     if (spot === undefined || spot.block.shape.element === element || spot.block.shape.role !== shape.role)
       return false;

@@ -1,4 +1,5 @@
 /** Types a value into a field of a vertex; steps of one drag or one word join into a single undo. */
+import { t } from "../../words/words";
 import { type Command, replaceProgram } from "../command";
 import type { Parts } from "../parts";
 import type { Program } from "../types";
@@ -9,7 +10,7 @@ export function setField(program: Program, parts: Parts, id: string, name: strin
   if (vertex === undefined || vertex.settings[name] === value) return null;
   const changed = { ...vertex, settings: inOrder({ ...vertex.settings, [name]: value }, parts, vertex.element) };
   const after = { ...program, vertices: program.vertices.map((one) => (one === vertex ? changed : one)) };
-  return { ...replaceProgram(`Set ${name}`, program, after), joins: `set ${program.name} ${id} ${name}` };
+  return { ...replaceProgram(t("command.set", { name }), program, after), joins: `set ${program.name} ${id} ${name}` };
 }
 
 /** Settings in the order of the element's fields, so that the file does not depend on the order of typing. */

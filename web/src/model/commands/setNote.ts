@@ -1,4 +1,5 @@
 /** Writes the note above a vertex, the one that becomes comment lines above its instruction. */
+import { t } from "../../words/words";
 import { type Command, replaceProgram } from "../command";
 import type { Program } from "../types";
 
@@ -11,7 +12,10 @@ export function setNote(program: Program, id: string, text: string): Command | n
   const others = vertex.notes.filter((note) => note.at !== "");
   const notes = text === "" ? others : [{ text, at: "" }, ...others];
   const vertices = program.vertices.map((one) => (one === vertex ? { ...one, notes } : one));
-  return { ...replaceProgram("Write note", program, { ...program, vertices }), joins: `note ${program.name} ${id}` };
+  return {
+    ...replaceProgram(t("command.note"), program, { ...program, vertices }),
+    joins: `note ${program.name} ${id}`,
+  };
 }
 
 /** The lines above an instruction as one text. */

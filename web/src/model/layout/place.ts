@@ -11,6 +11,7 @@
  */
 import type { Block, Body, Structure } from "../structure";
 import { text } from "../texts";
+import { t } from "../../words/words";
 import type { Colour, Vertex } from "../types";
 import { ceilTo, HALF_BAR, HALF_ROW, type Measured, PITCH, Sizes, TO_BAR } from "./sizes";
 import type { ArcColour, ArcLabel, Layout, LayoutArc, LayoutFrame, LayoutNode, NodeKind, Point } from "./types";
@@ -40,11 +41,6 @@ interface Placed {
   next: number;
 }
 
-/** Words that are ours, not the constructors'. */
-export interface LayoutWords {
-  done: string;
-}
-
 const EXIT_BELOW = 16;
 const PLACE = { w: 320, h: 56, middle: 104, stop: 200 };
 const NO_FACE = { object: "", name: "", boxes: [], chips: [] };
@@ -55,12 +51,7 @@ export class Placer {
   readonly frames: LayoutFrame[] = [];
   readonly arcs: LayoutArc[] = [];
   private readonly sizes = new Sizes();
-  private readonly words: LayoutWords;
   private parked = false;
-
-  constructor(words: LayoutWords) {
-    this.words = words;
-  }
 
   layout(structure: Structure): Layout {
     this.placeMain(structure);
@@ -215,7 +206,7 @@ export class Placer {
     const leaving = this.piece(arcId(measured), "next", colour, { x: x + width / 2, y: middle });
     leaving.fixed = true;
     leaving.points.push({ x: x + half, y: middle });
-    leaving.label = { text: this.words.done, x: x + width / 2 + 8, y: middle - 11, anchor: "start" };
+    leaving.label = { text: t("graph.done"), x: x + width / 2 + 8, y: middle - 11, anchor: "start" };
     return { tail: { pieces: [leaving], lane: true }, bottom, laneY: bottom + EXIT_BELOW, next: bottom + 56 };
   }
 
