@@ -232,7 +232,7 @@ function drawScore(brush: Brush, scene: Scene): void {
 /** Where there is no road to see it by: place and direction of the robot that is watched. */
 function drawPlace(brush: Brush, scene: Scene, one: Seen): void {
   if (scene.world.roads.length > 0 || one.actor.role !== "robot") return;
-  const { pen, room, colours } = brush;
+  const { pen, camera, room, colours } = brush;
   const angle = Math.round((one.pose.heading_rad * 180) / Math.PI);
   pen.textAlign = "left";
   pen.textBaseline = "alphabetic";
@@ -242,7 +242,7 @@ function drawPlace(brush: Brush, scene: Scene, one: Seen): void {
     y: grouped(Math.round(one.pose.y_mm)),
     angle: ((angle % 360) + 360) % 360,
   });
-  write(brush, words, 24, room.height - 14, 12, 500, colours.muted);
+  write(brush, words, Math.max(toScreen(camera, 0, 0)[0], 8), room.height - 8, 12, 500, colours.muted);
 }
 
 export function drawActors(brush: Brush, scene: Scene, seen: readonly Seen[], selected: string): void {

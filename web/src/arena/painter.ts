@@ -11,7 +11,7 @@ import { drawActors } from "./draw-robots";
 import { drawWorld, unitOf } from "./draw-world";
 import { lookAt, type Scene, type Seen } from "./scene";
 
-const WALL_MARGIN = 20;
+const WALL_MARGIN = 26;
 const ORIGIN: Camera = { scale: 1, x: 0, y: 0 };
 
 export class Painter {

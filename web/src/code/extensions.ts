@@ -92,7 +92,7 @@ class Numbered extends GutterMarker {
       box.textContent = String(this.line);
     } else {
       box.className = "token token-small";
-      box.textContent = `▶${this.threads}`;
+      box.textContent = this.threads;
     }
     return box;
   }

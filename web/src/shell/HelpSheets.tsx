@@ -21,7 +21,11 @@ const KEYS: [keys: string, meaning: Key][] = [
 const GRAPH_KEYS: [keys: string, meaning: Key][] = [
   ["/", "help.keys-insert"],
   ["↑ ↓ ← →", "help.keys-walk"],
+  ["Enter", "help.keys-edit"],
   ["Delete", "help.keys-delete"],
+  ["Ctrl+D", "help.keys-duplicate"],
+  ["Ctrl+A", "help.keys-all"],
+  ["+ · − · Ctrl+0", "help.keys-zoom"],
 ];
 
 function Keys({ keys }: { keys: [string, Key][] }) {

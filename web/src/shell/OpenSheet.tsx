@@ -52,7 +52,7 @@ export function OpenSheet() {
           </ul>
         </div>
       )}
-      <footer className="sheet-foot">
+      <div className="sheet-foot">
         <input
           ref={chooser}
           className="only-spoken"
@@ -75,7 +75,7 @@ export function OpenSheet() {
         <button type="button" className="button" onClick={() => show(null)}>
           {t("open.cancel")}
         </button>
-      </footer>
+      </div>
     </Sheet>
   );
 }

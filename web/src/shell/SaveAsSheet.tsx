@@ -75,7 +75,7 @@ export function SaveAsSheet() {
             </>
           )}
         </p>
-        <footer className="sheet-foot">
+        <div className="sheet-foot">
           {shown?.taken === null || shown === null ? null : (
             <button
               type="button"
@@ -92,7 +92,7 @@ export function SaveAsSheet() {
           <button type="submit" className="button button-ink" data-testid="save" disabled={path === ""}>
             {t("save.save")}
           </button>
-        </footer>
+        </div>
       </form>
     </Sheet>
   );

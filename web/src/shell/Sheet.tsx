@@ -45,12 +45,12 @@ export function Sheet({ title, testId, children, wide = false }: SheetProps) {
       }}
     >
       <div className="sheet-body">
-        <header className="sheet-head">
+        <div className="sheet-head">
           <h2 id={`${testId}-title`}>{title}</h2>
           <button type="button" className="tool small" aria-label={t("help.close")} onClick={() => show(null)}>
             <Icon name="x" size={16} />
           </button>
-        </header>
+        </div>
         {children}
       </div>
     </dialog>

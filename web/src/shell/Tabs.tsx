@@ -6,9 +6,10 @@
  */
 import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
+import type { AgentActivity } from "../api/wire";
 import { renameProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
-import { useActiveVertices, useRun, watchedAgent } from "../run/run";
+import { isLive, type RunState, useActiveVertices, useRun, watchedAgent } from "../run/run";
 import { Icon } from "../theme";
 import { t } from "../words/words";
 import { reveal } from "./actions";
@@ -48,13 +49,19 @@ function NameField({ name }: { name: string }) {
   );
 }
 
+/** What the watched agent does; when the run is over nobody does anything, but a failure stays to be seen. */
+function stateShown(run: RunState, program: string): AgentActivity {
+  const state = watchedAgent(run, program)?.state ?? "idle";
+  return isLive(run.status) || state === "failed" ? state : "idle";
+}
+
 function Tab({ name, onKey }: { name: string; onKey: (event: KeyboardEvent) => void }) {
   const active = useStudio((studio) => studio.activeProgram === name);
   const count = useStudio((studio) => studio.mission.agents.filter((agent) => agent.program === name).length);
   const errors = useStudio((studio) =>
     studio.report?.problems.some((one) => one.program === name && one.severity === "error"),
   );
-  const state = useRun((run) => watchedAgent(run, name)?.state ?? "idle");
+  const state = useRun((run) => stateShown(run, name));
   return (
     <button
       type="button"

@@ -1,14 +1,13 @@
 /** The entries of the menus that work on the graph: undo, redo, the selection, the view. */
 import { deleteSelection, duplicateSelection } from "../editor/edits";
+import { selectAll } from "../editor/keys";
 import type { Viewport } from "../editor/view";
 import type { StudioState } from "../model/studio";
-import { programInView } from "../model/studio";
 import { t } from "../words/words";
 import type { MenuEntry } from "./menu-model";
 
 export function editEntries(studio: StudioState): MenuEntry[] {
-  const { undo, redo, canUndo, canRedo, undoLabel, redoLabel, selection, select } = studio;
-  const program = programInView(studio);
+  const { undo, redo, canUndo, canRedo, undoLabel, redoLabel, selection } = studio;
   return [
     {
       kind: "item",
@@ -48,7 +47,7 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       id: "edit-select-all",
       label: t("edit.select-all"),
       keys: "Ctrl+A",
-      run: () => select(program?.vertices.map((vertex) => vertex.id) ?? []),
+      run: selectAll,
     },
   ];
 }

@@ -103,7 +103,11 @@ export const EN = {
   "help.keys-this": "This list",
   "help.keys-insert": "Insert a part at the selected arc or vertex",
   "help.keys-walk": "Walk along the flow",
+  "help.keys-edit": "Set the selected part",
   "help.keys-delete": "Delete the selected part",
+  "help.keys-duplicate": "Duplicate the selected part",
+  "help.keys-all": "Select all",
+  "help.keys-zoom": "Zoom in, zoom out, actual size",
 
   "open.title": "Open a mission",
   "open.workspace": "In {folder}",
