@@ -7,7 +7,7 @@ import { useRun } from "../run/run";
 import { useDocument } from "../shell/document";
 import { Icon } from "../theme";
 import { Said } from "../words/Said";
-import { t } from "../words/words";
+import { sentence, t } from "../words/words";
 import "./problems.css";
 import { goTo, orderProblems, useProblemList } from "./walk";
 
@@ -69,11 +69,11 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
         />
         <span className="problem-words">
           <span className="problem-message">
-            <Said text={problem.message} />
+            <Said text={sentence(problem.message)} />
           </span>
           {problem.help === "" ? null : (
             <span className="problem-help">
-              <Said text={problem.help} />
+              <Said text={sentence(problem.help)} />
             </span>
           )}
         </span>

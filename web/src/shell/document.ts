@@ -10,7 +10,7 @@ import { api, ApiError, type Session } from "../api/client";
 import type { MissionFile, Problem } from "../api/types";
 import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
-import { type Key, t } from "../words/words";
+import { type Key, sentence, t } from "../words/words";
 import { download } from "./download";
 
 export interface BannerAction {
@@ -58,7 +58,7 @@ export function dismissBanner(): void {
 }
 
 function placed({ line, message }: Problem): string {
-  return line > 0 ? t("banner.line", { line, message }) : message;
+  return line > 0 ? t("banner.line", { line, message }) : sentence(message);
 }
 
 /** Says that something failed, with a way to try again where there is one. */

@@ -27,9 +27,14 @@ export function chooseLanguage(wanted: readonly string[]): string {
 }
 
 export function t(key: Key, holes: Holes = {}): string {
-  const sentence: Sentence = TABLES[language]?.[key] ?? EN[key];
-  const form = typeof sentence === "string" ? sentence : sentence[pluralForm(Number(holes["count"] ?? 0))];
+  const found: Sentence = TABLES[language]?.[key] ?? EN[key];
+  const form = typeof found === "string" ? found : found[pluralForm(Number(holes["count"] ?? 0))];
   return form.replace(/\{(\w+)\}/g, (hole, name: string) => String(holes[name] ?? hole));
+}
+
+/** A diagnostic's words begin small, since a terminal prints them after a place; a page begins its sentences large. */
+export function sentence(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 function pluralForm(count: number): "one" | "other" {
