@@ -117,3 +117,10 @@ def test_without_a_studio_the_command_line_says_so(kitrobot):
     said = kitrobot()
     assert said.status == 1
     assert "without a studio" in said.err
+
+
+@pytest.mark.parametrize("name", ["a\x1b[31m.lll", "a\x07.lll", "a\u202e.lll", "a\r.lll"])
+def test_a_files_name_does_not_steer_the_terminal(kitrobot, name):
+    err = kitrobot("format", name).err
+    assert "a\ufffd" in err
+    assert not set(err) & set("\x1b\x07\u202e\r")

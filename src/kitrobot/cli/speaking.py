@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterable
 from typing import Any
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Source
+
+_STEERING = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 
 def use_utf8() -> None:
@@ -18,8 +21,8 @@ def use_utf8() -> None:
 
 
 def tell(text: str) -> None:
-    """Talk, on standard error."""
-    print(text, file=sys.stderr)
+    """Talk, on standard error; what would steer the terminal (a file's name may hold anything) is shown as U+FFFD."""
+    print(_STEERING.sub("\N{REPLACEMENT CHARACTER}", text), file=sys.stderr)
 
 
 def give(text: str) -> None:

@@ -92,12 +92,12 @@ def write_atomic(path: Path, data: bytes) -> None:
     Raises:
         FileError: the folder is missing or may not be written to, or the disk is full.
     """
-    target = Path(os.path.realpath(path))
-    if target.is_dir():
-        raise _unreadable(path, f"`{path}` is a folder, not a file", "name a file in it")
     temporary: str | None = None
     try:
-        handle, temporary = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".part", dir=target.parent)
+        target = Path(os.path.realpath(path))
+        if target.is_dir():
+            raise _unreadable(path, f"`{path}` is a folder, not a file", "name a file in it")
+        handle, temporary = tempfile.mkstemp(prefix=f".{target.name[:50]}.", suffix=".part", dir=target.parent)
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)
             stream.flush()
@@ -108,7 +108,7 @@ def write_atomic(path: Path, data: bytes) -> None:
         if temporary is not None:
             with contextlib.suppress(OSError):
                 os.unlink(temporary)
-        if not target.parent.is_dir():
+        if isinstance(error, FileNotFoundError):
             raise _unreadable(path, f"there is no folder `{path.parent}`", "make the folder first") from None
         raise _unreadable(path, f"`{path}` could not be written: {_reason(error)}", "") from None
 

@@ -16,7 +16,7 @@ from kitrobot.diagnostics import ArcName, Diagnostic, Place, Source
 from kitrobot.graph import IN, NEXT
 
 _TAG = re.compile(
-    r"<!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>"
+    r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)"
     r"""|<(?P<name>program|vertex|arc|agent|goal|world)(?P<attributes>(?:\s+[^\s=/>]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*/?>""",
     re.DOTALL,
 )
