@@ -36,7 +36,7 @@ class Studio(Protocol):
 def open_studio(
     context: typer.Context,
     target: Annotated[
-        str | None, typer.Argument(metavar="[FILE.krt | FOLDER]", help="A mission, or a folder of missions.")
+        str | None, typer.Argument(metavar="FILE.krt | FOLDER", help="A mission, or a folder of missions.")
     ] = None,
     browser: Annotated[bool, typer.Option(help="Open the browser.")] = True,
     port: Annotated[

@@ -1,0 +1,33 @@
+"""What the page about the command line shows is true."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from kitrobot.cli.app import app
+
+ROOT = Path(__file__).parents[2]
+PAGE = (ROOT / "docs" / "cli.md").read_text(encoding="utf-8")
+COMMANDS = [command.name for command in app.registered_commands if command.name]
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_and_every_option_is_on_the_page(kitrobot, command):
+    assert f"kitrobot {command}" in PAGE
+    for option in set(re.findall(r"--[a-z-]+", kitrobot(command, "--help").out)) - {"--help", "--browser"}:
+        assert option in PAGE, f"{command} {option}"
+
+
+def test_the_python_on_the_page_runs(tmp_path):
+    code = "\n".join(re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL))
+    (tmp_path / "mine.krt").write_text('<kitrobot version="1"/>')
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    ended = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, timeout=120, check=False)
+    assert ended.returncode == 0, ended.stderr
+    assert b"done" in ended.stdout
+    assert b"Wheel.Advance" in ended.stdout
