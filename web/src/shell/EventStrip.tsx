@@ -28,12 +28,14 @@ const GRAVITY: Record<RunEventKind, number> = { end: 0, collision: 1, load: 2, u
 
 /** Those that can be told apart at `gap` px: where they crowd, the weightier stay. In the order of time. */
 export function thinned(events: readonly RunEvent[], pxOf: (event: RunEvent) => number, gap: number): RunEvent[] {
-  const taken = new Set<number>();
+  const taken = new Map<number, number>();
   const kept: RunEvent[] = [];
   for (const event of [...events].sort((a, b) => GRAVITY[a.kind] - GRAVITY[b.kind])) {
-    const cell = Math.floor(pxOf(event) / gap);
-    if (taken.has(cell) || (taken.has(cell - 1) && taken.has(cell + 1))) continue;
-    taken.add(cell);
+    const px = pxOf(event);
+    const cell = Math.floor(px / gap);
+    const crowded = [cell - 1, cell, cell + 1].some((near) => Math.abs((taken.get(near) ?? -Infinity) - px) < gap);
+    if (crowded) continue;
+    taken.set(cell, px);
     kept.push(event);
   }
   return kept.sort((a, b) => a.tick - b.tick);

@@ -8,7 +8,7 @@ import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
 import type { AgentActivity } from "../api/wire";
 import { renameProgram } from "../model/commands/changePrograms";
-import { useStudio } from "../model/studio";
+import { programInView, useStudio } from "../model/studio";
 import { isLive, type RunState, useActiveVertices, useRun, watchedAgent } from "../run/run";
 import { Icon } from "../theme";
 import { t } from "../words/words";
@@ -111,6 +111,7 @@ function Watched({ program }: { program: string }) {
 
 function Threads({ program }: { program: string }) {
   const active = useActiveVertices(program);
+  const vertices = useStudio((studio) => programInView(studio)?.vertices);
   if (active.size === 0) return null;
   const threads = [...active]
     .flatMap(([vertex, slots]) => slots.map((slot) => ({ slot, vertex })))
@@ -124,7 +125,7 @@ function Threads({ program }: { program: string }) {
           key={slot}
           className="token"
           data-testid={`thread-${String(slot)}`}
-          aria-label={t("tabs.thread", { slot, vertex })}
+          aria-label={t("tabs.thread", { slot, vertex: vertices?.find((one) => one.id === vertex)?.element ?? vertex })}
           onClick={() => reveal(program, [vertex])}
         >
           <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
