@@ -92,8 +92,28 @@ class Cursor:
                     level = max(0, level - 1)
             self.take()
 
+    def skip_guard(self, closer: str, parentheses: int) -> None:
+        """Goes to the `closer` of a guard with so many open parentheses, or to what must be behind the guard."""
+        brackets = opened = 0
+        while True:
+            kind, _, _, value = self.tokens[self.at]
+            if kind == END:
+                return
+            if kind == SYMBOL:
+                if brackets == 0 and value == closer:
+                    return
+                if value == ";" and opened == 0:
+                    return
+                if value == ")" and opened + parentheses == 0:
+                    return
+                if value == ")":
+                    opened, parentheses = (opened - 1, parentheses) if opened else (0, parentheses - 1)
+                opened += value == "("
+                brackets += (value == "[") - (value == "]" and brackets > 0)
+            self.take()
+
     def recover(self, closer: str) -> None:
-        """After a mistake between brackets: goes on behind `closer`, or before `;` or the end of the guard around it."""
+        """After a mistake between brackets: goes on behind `closer`, or before `;` or the end of the guard."""
         self.skip(f"{closer};{self.guard_closer}")
         if self.is_symbol(closer):
             self.take()
@@ -123,7 +143,7 @@ class Cursor:
         while index < len(self.comments) and self.comments[index].before <= self.at:
             comment = self.comments[index]
             if comment.before == self.at and comment.start >= node.end:
-                if "\n" not in self.text[self.last_end : comment.start]:
+                if "\n" not in self.text[node.end : comment.start]:
                     node.after = comment.text
                     if index == self.next_comment:
                         self.go_past_comment()

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from kitrobot.lll import rules
 from kitrobot.lll.cursor import PARTNER, Cursor, Mistake
-from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, RESERVED, SYMBOL, Token
+from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, RESERVED, SYMBOL, Token
 from kitrobot.lll.tree import MAX_NESTING, MAX_NUMBER, And, Call, Condition, Conditional, Hole, Not, Number, Or, Param
+
+_BEHIND_A_CALL = frozenset((";", ",", ")", "]", ">", "&", "|", MARK))
 
 
 class Expressions(Cursor):
@@ -37,8 +39,8 @@ class Expressions(Cursor):
             if not self.is_symbol(closer) and self.tokens[self.at][0] != END:
                 raise self.mistake(f"`&`, `|` or `{closer}`")
         except Mistake:
+            self.skip_guard(closer, self.depth - depth)
             self.depth, self.height = depth, 0
-            self.skip(f"{closer};")
             if not self.is_symbol(closer):
                 raise
             condition = Call("", "", start=opened[1], end=self.last_end)
@@ -51,6 +53,7 @@ class Expressions(Cursor):
         return self.chain("|")
 
     def chain(self, operator: str) -> Condition:
+        start = self.tokens[self.at][1]
         left = self.chain("&") if operator == "|" else self.unary()
         height = self.height
         while self.is_symbol(operator):
@@ -61,7 +64,7 @@ class Expressions(Cursor):
             if self.depth + height > MAX_NESTING:
                 self.deeper_condition(opened)
             made = Or if operator == "|" else And
-            left = made(left, right, start=left.start, end=self.last_end)
+            left = made(left, right, start=start, end=self.last_end)
         self.height = height
         return left
 
@@ -145,6 +148,10 @@ class Expressions(Cursor):
         self.take()
         if method in RESERVED:
             self.reserved(method, method_start, method_end)
+        after = self.tokens[self.at]
+        if after[0] == SYMBOL and after[3] in _BEHIND_A_CALL:  # as if `()` were there
+            self.mistake("`(`", f"write {value}.{method}()")
+            return Call("", "", start=start, end=self.last_end, method_start=start)
         params = self.params()
         if params is None:
             return Call("", "", start=start, end=self.last_end, method_start=start)

@@ -139,7 +139,7 @@ class _Parser(Expressions):
                     node = self.instruction()
                 except Mistake:
                     self.depth, self.height = depth, 0
-                    self.skip(";,")
+                    self.skip(";" + separators)
                     seq.below += [comment.text for comment in above]
                     continue
                 self.finish(node, above)
@@ -280,7 +280,11 @@ class _Parser(Expressions):
             self.recover(")")
             return Wait(0, start=start, end=self.last_end)
         duration: int | Hole = self.hole() if self.tokens[self.at][0] == HOLE else self.number()
-        self.expect(")", opened)
+        if self.is_symbol(")") or self.tokens[self.at][0] == END:
+            self.expect(")", opened)
+        else:
+            self.mistake("`)`", "WAIT takes one number")
+            self.recover(")")
         return Wait(duration, start=start, end=self.last_end)
 
     def body(self) -> Seq:

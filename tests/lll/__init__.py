@@ -1,0 +1,1 @@
+"""The Low Level Language as text and tree."""
