@@ -17,6 +17,7 @@ import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
 import { setResolver, useDrag } from "./drag";
 import { currentDrawing, type Drawing, useDrawing } from "./drawing";
+import { useEdgePan } from "./edgePan";
 import { EmptyTeaching } from "./EmptyTeaching";
 import { Ghost } from "./Ghost";
 import { useCanvasKeys } from "./keys";
@@ -58,6 +59,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
   const nodes = useMemo(() => nodesOf(drawing), [drawing]);
   const { first, onReady } = useViewport(root, drawing);
   useDropTargets(root);
+  useEdgePan(root);
   useCanvasKeys(root);
   const accepts = useDrag(({ payload, target }) => {
     if (payload === null) return "";

@@ -37,6 +37,13 @@ export function setResolver(resolve: Resolver): void {
   resolver = resolve;
 }
 
+/** Looks again where a drop would go, after the graph has moved under the pointer. */
+export function retarget(): void {
+  const { payload, at, target } = useDrag.getState();
+  const found = payload === null ? null : resolver(at, payload);
+  if (found?.key !== target?.key) useDrag.setState({ target: found });
+}
+
 /** Whether a drag has just ended, so that the click that follows it means nothing. */
 export function justDragged(): boolean {
   return performance.now() - ended_ms < 80;

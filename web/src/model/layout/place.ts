@@ -14,17 +14,8 @@ import { text } from "../texts";
 import { t } from "../../words/words";
 import type { Colour, Vertex } from "../types";
 import { ceilTo, HALF_BAR, HALF_ROW, type Measured, PITCH, Sizes, TO_BAR } from "./sizes";
-import type { ArcColour, ArcLabel, Layout, LayoutArc, LayoutFrame, LayoutNode, NodeKind, Point } from "./types";
-
-interface Piece {
-  source: string;
-  out: string;
-  colour: ArcColour;
-  /** Keeps its colour whoever takes it: the exit of a loop. */
-  fixed: boolean;
-  points: Point[];
-  label: ArcLabel | null;
-}
+import { Draft, NO_FACE, type Piece, startPiece } from "./draft";
+import type { ArcLabel, Layout, Point } from "./types";
 
 interface Tail {
   pieces: Piece[];
@@ -43,32 +34,28 @@ interface Placed {
 
 const EXIT_BELOW = 16;
 const PLACE = { w: 320, h: 56, middle: 104, stop: 200 };
-const NO_FACE = { object: "", name: "", boxes: [], chips: [] };
 const PARKED_GAP = 64;
 
 export class Placer {
-  readonly nodes: LayoutNode[] = [];
-  readonly frames: LayoutFrame[] = [];
-  readonly arcs: LayoutArc[] = [];
+  private readonly draft = new Draft();
   private readonly sizes = new Sizes();
-  private parked = false;
 
   layout(structure: Structure): Layout {
     this.placeMain(structure);
     this.placeParked(structure);
-    return { nodes: this.nodes, frames: this.frames, arcs: this.arcs, bounds: this.bounds() };
+    return this.draft.finished();
   }
 
   private placeMain({ start, stop, main, strays, parked }: Structure): void {
-    if (start !== null) this.terminal(start, "start", 0);
-    const from = this.piece(start?.id ?? "", "next", "flow", { x: 0, y: HALF_ROW });
+    if (start !== null) this.draft.terminal(start, "start", 0);
+    const from = startPiece(start?.id ?? "", "next", "flow", { x: 0, y: HALF_ROW });
     const entry: Tail = { pieces: start === null ? [] : [from], lane: false };
     if (main.chain.length === 0 && main.closed && strays.length === 0 && parked.length === 0 && stop !== null) {
       this.placeEmpty(stop, from);
       return;
     }
     const placed = this.placeChain(main.chain, entry, 0, PITCH, HALF_ROW);
-    if (stop !== null) this.terminal(stop, "stop", placed.next);
+    if (stop !== null) this.draft.terminal(stop, "stop", placed.next);
     this.end(placed, main.closed, [{ x: 0, y: placed.next - HALF_ROW }], 0);
   }
 
@@ -77,23 +64,23 @@ export class Placer {
     const { w, h, middle } = PLACE;
     const face = NO_FACE;
     const common = { colour: "action" as const, face, block: null, mark: null, parked: false };
-    this.nodes.push({ ...common, id: "place", vertex: "", x: -w / 2, y: middle - h / 2, w, h, kind: "place" });
+    this.draft.nodes.push({ ...common, id: "place", vertex: "", x: -w / 2, y: middle - h / 2, w, h, kind: "place" });
     from.points.push({ x: 0, y: middle - h / 2 });
-    this.emit([from]);
-    const below = this.piece(from.source, "next", "flow", { x: 0, y: middle + h / 2 });
+    this.draft.emit([from]);
+    const below = startPiece(from.source, "next", "flow", { x: 0, y: middle + h / 2 });
     below.points.push({ x: 0, y: PLACE.stop - HALF_ROW });
-    this.emit([below]);
-    this.terminal(stop, "stop", PLACE.stop);
+    this.draft.emit([below]);
+    this.draft.terminal(stop, "stop", PLACE.stop);
   }
 
   private placeParked({ parked }: Structure): void {
-    this.parked = true;
-    let x = PARKED_GAP + this.nodes.reduce((right, node) => Math.max(right, node.x + node.w), 0);
-    x = this.frames.reduce((right, frame) => Math.max(right, frame.x + frame.w + PARKED_GAP), x);
+    this.draft.parked = true;
+    let x = PARKED_GAP + this.draft.nodes.reduce((right, node) => Math.max(right, node.x + node.w), 0);
+    x = this.draft.frames.reduce((right, frame) => Math.max(right, frame.x + frame.w + PARKED_GAP), x);
     let y = -HALF_ROW;
     for (const chain of parked) {
       const half = this.sizes.halfOf(chain);
-      const frame = this.frame("parked", chain[0]?.vertex.id ?? "", "team", x, y, 2 * half + 32);
+      const frame = this.draft.frame("parked", chain[0]?.vertex.id ?? "", "team", x, y, 2 * half + 32);
       const middle = x + half + 16;
       const first = y + 40 + HALF_ROW;
       const placed = this.placeChain(chain, { pieces: [], lane: false }, middle, first, first);
@@ -124,7 +111,7 @@ export class Placer {
     const at = last.points.at(-1);
     if (tail.lane && at !== undefined) last.points.push({ x: at.x, y: laneY }, { x: point.x, y: laneY });
     last.points.push(point);
-    this.emit(tail.pieces);
+    this.draft.emit(tail.pieces);
   }
 
   private placeBlock(measured: Measured, x: number, middle: number): Placed {
@@ -145,16 +132,16 @@ export class Placer {
 
   private placeSimple(measured: Measured, x: number, middle: number): Placed {
     const kind = measured.style === "chip" ? "chip" : measured.hexagon ? "hexagon" : "rect";
-    this.node(measured, kind, x, middle);
+    this.draft.node(measured, kind, x, middle);
     const bottom = middle + HALF_ROW;
-    const leaving = this.piece(arcId(measured), "next", "flow", { x, y: bottom });
+    const leaving = startPiece(arcId(measured), "next", "flow", { x, y: bottom });
     return { tail: { pieces: [leaving], lane: false }, bottom, laneY: bottom, next: middle + PITCH };
   }
 
   private placeLegend(measured: Measured, x: number, middle: number): Placed {
     const { shown, half } = measured;
-    const frame = this.frame("legend", shown.vertex.id, shown.shape.colour, x - half, middle, 2 * half);
-    this.node(measured, measured.hexagon ? "hexagon" : "rect", x, middle);
+    const frame = this.draft.frame("legend", shown.vertex.id, shown.shape.colour, x - half, middle, 2 * half);
+    this.draft.node(measured, measured.hexagon ? "hexagon" : "rect", x, middle);
     const [body] = shown.bodies;
     const inner = this.placeBody(measured, body, x, middle + PITCH, { x, y: middle + HALF_ROW }, 56 - HALF_ROW);
     const bottom = inner.bottom + 8;
@@ -164,7 +151,7 @@ export class Placer {
     const at = last?.points.at(-1);
     const out = { x: lane && at !== undefined ? at.x : x, y: bottom };
     last?.points.push(out);
-    const leaving = this.piece(arcId(measured), "next", "flow", out);
+    const leaving = startPiece(arcId(measured), "next", "flow", out);
     return {
       tail: { pieces: [...pieces, leaving], lane },
       bottom,
@@ -176,8 +163,8 @@ export class Placer {
   private placeLoop(measured: Measured, x: number, middle: number): Placed {
     const { shown, half, width } = measured;
     const { colour } = shown.shape;
-    const frame = this.frame("loop", shown.vertex.id, colour, x - half, middle, 2 * half);
-    this.node(measured, measured.hexagon ? "hexagon" : "rect", x, middle);
+    const frame = this.draft.frame("loop", shown.vertex.id, colour, x - half, middle, 2 * half);
+    this.draft.node(measured, measured.hexagon ? "hexagon" : "rect", x, middle);
     const [body] = shown.bodies;
     const label: ArcLabel = { text: bodyLabel(shown, body), x: x + 8, y: middle + HALF_ROW + 10, anchor: "start" };
     const inner = this.placeBody(
@@ -203,7 +190,7 @@ export class Placer {
       ],
       colour,
     );
-    const leaving = this.piece(arcId(measured), "next", colour, { x: x + width / 2, y: middle });
+    const leaving = startPiece(arcId(measured), "next", colour, { x: x + width / 2, y: middle });
     leaving.fixed = true;
     leaving.points.push({ x: x + half, y: middle });
     leaving.label = { text: t("graph.done"), x: x + width / 2 + 8, y: middle - 11, anchor: "start" };
@@ -214,8 +201,8 @@ export class Placer {
     const { shown, half, columns } = measured;
     const { colour } = shown.shape;
     const bar = middle - 16;
-    const frame = this.frame("parallel", shown.vertex.id, colour, x - half, bar, 2 * half);
-    this.bar(measured, "bar", x, bar);
+    const frame = this.draft.frame("parallel", shown.vertex.id, colour, x - half, bar, 2 * half);
+    this.draft.bar(measured, "bar", x, bar);
     const inner = shown.bodies.map((body, index) => {
       const at = x + (columns[index] ?? 0);
       return this.placeBody(measured, body, at, bar + TO_BAR, { x: at, y: bar + HALF_BAR }, 52);
@@ -226,8 +213,8 @@ export class Placer {
     inner.forEach(({ tail }, index) => {
       this.close(tail, x + (columns[index] ?? 0), end - HALF_BAR, [], colour);
     });
-    this.bar(measured, "barEnd", x, end);
-    const leaving = this.piece(arcId(measured), "next", colour, { x, y: end + HALF_BAR });
+    this.draft.bar(measured, "barEnd", x, end);
+    const leaving = startPiece(arcId(measured), "next", colour, { x, y: end + HALF_BAR });
     const bottom = end + HALF_BAR;
     return { tail: { pieces: [leaving], lane: false }, bottom, laneY: bottom, next: end + TO_BAR };
   }
@@ -235,8 +222,8 @@ export class Placer {
   private placeColumns(measured: Measured, x: number, middle: number): Placed {
     const { shown, half, width, columns } = measured;
     const { colour } = shown.shape;
-    const frame = this.frame("legend", shown.vertex.id, colour, x - half, middle, 2 * half);
-    this.node(measured, "hexagon", x, middle);
+    const frame = this.draft.frame("legend", shown.vertex.id, colour, x - half, middle, 2 * half);
+    this.draft.node(measured, "hexagon", x, middle);
     const inner = shown.bodies.map((body, index) => {
       const at = x + (columns[index] ?? 0);
       const side = Math.sign(index - (shown.bodies.length - 1) / 2);
@@ -256,7 +243,7 @@ export class Placer {
     });
     const bottom = meet + 8;
     frame.h = bottom - middle;
-    const leaving = this.piece(arcId(measured), "next", "flow", { x, y: meet });
+    const leaving = startPiece(arcId(measured), "next", "flow", { x, y: meet });
     const next = ceilTo(8, bottom + PITCH - HALF_ROW);
     return { tail: { pieces: [leaving], lane: false }, bottom, laneY: bottom, next };
   }
@@ -272,7 +259,7 @@ export class Placer {
     label: ArcLabel | null = null,
   ): Placed {
     const { shape, vertex } = owner.shown;
-    const leaving = this.piece(vertex.id, body?.out ?? "", shape.colour, from);
+    const leaving = startPiece(vertex.id, body?.out ?? "", shape.colour, from);
     leaving.label = label;
     if (from.x !== x) this.bend(leaving, from, x, owner, first);
     const chain = body?.chain ?? [];
@@ -298,7 +285,7 @@ export class Placer {
     if (last === undefined || at === undefined) return;
     last.points.push({ x: tail.lane ? at.x : x, y }, ...after);
     for (const piece of tail.pieces) if (!piece.fixed) piece.colour = colour;
-    this.emit(tail.pieces, head);
+    this.draft.emit(tail.pieces, head);
   }
 
   /** Ends a chain that has no owner to return to: at `points`, or as a stub where an arc is missing. */
@@ -312,86 +299,7 @@ export class Placer {
     const at = last?.points.at(-1);
     if (last === undefined || at === undefined) return;
     last.points.push({ x: placed.tail.lane ? at.x : x, y: placed.bottom + EXIT_BELOW });
-    this.emit(placed.tail.pieces, false, true);
-  }
-
-  private piece(source: string, out: string, colour: ArcColour, from: Point): Piece {
-    return { source, out, colour, fixed: false, points: [from], label: null };
-  }
-
-  private emit(pieces: Piece[], head = true, missing = false): void {
-    pieces.forEach(({ source, out, colour, points, label }, index) => {
-      const last = index === pieces.length - 1;
-      this.arcs.push({
-        id: `${source}.${out}`,
-        source,
-        out,
-        colour,
-        points: straightened(points),
-        head: last && head,
-        label,
-        missing: last && missing,
-      });
-    });
-  }
-
-  private terminal(vertex: Vertex, kind: "start" | "stop", middle: number): void {
-    const box = { x: -60, y: middle - HALF_ROW, w: 120, h: 2 * HALF_ROW };
-    const face = { ...NO_FACE, name: vertex.element };
-    const common = { face, block: null, mark: null, parked: false, colour: "action" as const };
-    this.nodes.push({ id: vertex.id, vertex: vertex.id, ...box, kind, ...common });
-  }
-
-  private node({ shown, mark, face, width }: Measured, kind: NodeKind, x: number, middle: number): void {
-    const { id } = shown.vertex;
-    const h = kind === "chip" ? 28 : 2 * HALF_ROW;
-    const box = { x: x - width / 2, y: middle - h / 2, w: width, h };
-    this.nodes.push({
-      id,
-      vertex: id,
-      ...box,
-      kind,
-      colour: shown.shape.colour,
-      face,
-      block: shown,
-      mark,
-      parked: this.parked,
-    });
-  }
-
-  private bar({ shown, face, half }: Measured, kind: "bar" | "barEnd", x: number, y: number): void {
-    const { id } = shown.vertex;
-    this.nodes.push({
-      id: kind === "bar" ? id : `${id}:end`,
-      vertex: id,
-      x: x - half,
-      y: y - 14,
-      w: 2 * half,
-      h: 28,
-      kind,
-      colour: shown.shape.colour,
-      face,
-      block: shown,
-      mark: null,
-      parked: this.parked,
-    });
-  }
-
-  private frame(kind: LayoutFrame["kind"], id: string, colour: Colour, x: number, y: number, w: number): LayoutFrame {
-    const frame = { id, kind, colour, x, y, w, h: 0 };
-    this.frames.push(frame);
-    return frame;
-  }
-
-  private bounds(): Layout["bounds"] {
-    const boxes = [...this.nodes, ...this.frames];
-    const fold = (start: number, pick: (most: number, box: LayoutNode | LayoutFrame) => number) =>
-      boxes.reduce(pick, start);
-    const x = fold(0, (least, box) => Math.min(least, box.x));
-    const y = fold(0, (least, box) => Math.min(least, box.y));
-    const right = fold(0, (most, box) => Math.max(most, box.x + box.w));
-    const bottom = fold(0, (most, box) => Math.max(most, box.y + box.h));
-    return { x, y, w: right - x, h: bottom - y };
+    this.draft.emit(placed.tail.pieces, false, true);
   }
 }
 
@@ -403,17 +311,4 @@ function arcId({ shown, mark }: Measured): string {
 function bodyLabel({ shape }: Block, body: Body | undefined): string {
   const flow = shape.flows.find((one) => one.name === body?.out);
   return flow === undefined ? (body?.out ?? "") : text(flow.label, flow.name);
-}
-
-/** Without points that lie on the line between their neighbours. */
-function straightened(points: Point[]): Point[] {
-  return points.filter((point, index) => {
-    const before = points[index - 1];
-    const after = points[index + 1];
-    if (before === undefined || after === undefined) return true;
-    const repeated = point.x === before.x && point.y === before.y;
-    return (
-      !repeated && !(before.x === point.x && point.x === after.x) && !(before.y === point.y && point.y === after.y)
-    );
-  });
 }

@@ -1,0 +1,122 @@
+/** A layout while it is being made: what has been placed so far, and how each thing is written down. */
+import type { Colour, Vertex } from "../types";
+import { HALF_ROW, type Measured } from "./sizes";
+import type { ArcColour, ArcLabel, Layout, LayoutArc, LayoutFrame, LayoutNode, NodeKind, Point } from "./types";
+
+/** An arc that is not at its end yet. */
+export interface Piece {
+  source: string;
+  out: string;
+  colour: ArcColour;
+  /** Keeps its colour whoever takes it: the exit of a loop. */
+  fixed: boolean;
+  points: Point[];
+  label: ArcLabel | null;
+}
+
+export const NO_FACE = { object: "", name: "", boxes: [], chips: [] };
+
+export function startPiece(source: string, out: string, colour: ArcColour, from: Point): Piece {
+  return { source, out, colour, fixed: false, points: [from], label: null };
+}
+
+export class Draft {
+  readonly nodes: LayoutNode[] = [];
+  readonly frames: LayoutFrame[] = [];
+  readonly arcs: LayoutArc[] = [];
+  /** Whether what comes now hangs on nothing. */
+  parked = false;
+
+  finished(): Layout {
+    return { nodes: this.nodes, frames: this.frames, arcs: this.arcs, bounds: this.bounds() };
+  }
+
+  /** Writes arcs that follow each other; the last of them may end in a head. */
+  emit(pieces: Piece[], head = true, missing = false): void {
+    pieces.forEach(({ source, out, colour, points, label }, index) => {
+      const last = index === pieces.length - 1;
+      this.arcs.push({
+        id: `${source}.${out}`,
+        source,
+        out,
+        colour,
+        points: straightened(points),
+        head: last && head,
+        label,
+        missing: last && missing,
+      });
+    });
+  }
+
+  terminal(vertex: Vertex, kind: "start" | "stop", middle: number): void {
+    const box = { x: -60, y: middle - HALF_ROW, w: 120, h: 2 * HALF_ROW };
+    const face = { ...NO_FACE, name: vertex.element };
+    const common = { face, block: null, mark: null, parked: false, colour: "action" as const };
+    this.nodes.push({ id: vertex.id, vertex: vertex.id, ...box, kind, ...common });
+  }
+
+  node({ shown, mark, face, width }: Measured, kind: NodeKind, x: number, middle: number): void {
+    const { id } = shown.vertex;
+    const h = kind === "chip" ? 28 : 2 * HALF_ROW;
+    const box = { x: x - width / 2, y: middle - h / 2, w: width, h };
+    this.nodes.push({
+      id,
+      vertex: id,
+      ...box,
+      kind,
+      colour: shown.shape.colour,
+      face,
+      block: shown,
+      mark,
+      parked: this.parked,
+    });
+  }
+
+  bar({ shown, face, half }: Measured, kind: "bar" | "barEnd", x: number, y: number): void {
+    const { id } = shown.vertex;
+    this.nodes.push({
+      id: kind === "bar" ? id : `${id}:end`,
+      vertex: id,
+      x: x - half,
+      y: y - 14,
+      w: 2 * half,
+      h: 28,
+      kind,
+      colour: shown.shape.colour,
+      face,
+      block: shown,
+      mark: null,
+      parked: this.parked,
+    });
+  }
+
+  frame(kind: LayoutFrame["kind"], id: string, colour: Colour, x: number, y: number, w: number): LayoutFrame {
+    const frame = { id, kind, colour, x, y, w, h: 0 };
+    this.frames.push(frame);
+    return frame;
+  }
+
+  private bounds(): Layout["bounds"] {
+    const boxes = [...this.nodes, ...this.frames];
+    const fold = (start: number, pick: (most: number, box: LayoutNode | LayoutFrame) => number) =>
+      boxes.reduce(pick, start);
+    const x = fold(0, (least, box) => Math.min(least, box.x));
+    const y = fold(0, (least, box) => Math.min(least, box.y));
+    const right = fold(0, (most, box) => Math.max(most, box.x + box.w));
+    const bottom = fold(0, (most, box) => Math.max(most, box.y + box.h));
+    return { x, y, w: right - x, h: bottom - y };
+  }
+}
+
+/** Without points that lie on the line between their neighbours. */
+function straightened(points: Point[]): Point[] {
+  return points.filter((point, index) => {
+    const before = points[index - 1];
+    const after = points[index + 1];
+    if (before === undefined || after === undefined) return true;
+    const repeated = point.x === before.x && point.y === before.y;
+    return (
+      !repeated && !(before.x === point.x && point.x === after.x) && !(before.y === point.y && point.y === after.y)
+    );
+  });
+}
