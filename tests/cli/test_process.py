@@ -17,7 +17,7 @@ import httpx
 import pytest
 import websockets
 
-from kitrobot.workspace import examples_folder
+from tests.cli.conftest import EXAMPLE
 
 KITROBOT = [sys.executable, "-m", "kitrobot"]
 SHORT_S = 60
@@ -86,20 +86,39 @@ def test_a_mistake_of_ours_shows_where_only_when_asked(tmp_path):
         assert (b"Traceback" in ended.stderr) == bool(debug)
 
 
-@pytest.fixture(scope="module")
-def studio(tmp_path_factory) -> Iterator[tuple[str, str, subprocess.Popen[str]]]:
+@contextlib.contextmanager
+def opened(folder) -> Iterator[tuple[str, str, subprocess.Popen[str]]]:
     """A studio on a copy of the example: its address without the token, the token, the process."""
-    folder = tmp_path_factory.mktemp("studio")
-    examples = examples_folder()
-    assert examples is not None
-    (folder / "transport.krt").write_bytes((examples / "transport" / "transport.krt").read_bytes())
+    (folder / "transport.krt").write_bytes(EXAMPLE.read_bytes())
     command = [*KITROBOT, str(folder / "transport.krt"), "--no-browser", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         address, _, token = process.stdout.readline().strip().partition("/?token=")
-        yield address, token, process
-        if process.poll() is None:
-            process.kill()
+        try:
+            yield address, token, process
+        finally:
+            if process.poll() is None:
+                process.kill()
+
+
+@pytest.fixture(scope="module")
+def studio(tmp_path_factory):
+    """A studio that is only talked to."""
+    with opened(tmp_path_factory.mktemp("studio")) as made:
+        yield made
+
+
+async def watched(address: str, token: str, frames: int) -> websockets.ClientConnection:
+    """A socket with a run on it, from which so many frames were received."""
+    with httpx.Client(base_url=address, headers={"X-KitRobot-Token": token}, trust_env=False) as client:
+        file = client.get("/api/mission", params={"path": "transport.krt"}).json()
+    url = f"{address.replace('http', 'ws')}/api/run?token={token}"
+    ws = await websockets.connect(url, proxy=None, max_size=None)
+    start = {"type": "start", "mission": file["mission"], "path": file["path"], "seed": 1, "speed": 1}
+    await ws.send(json.dumps(start))
+    while frames:
+        frames -= isinstance(await ws.recv(), bytes)
+    return ws
 
 
 def test_the_printed_address_is_on_this_machine_and_has_a_token(studio):
@@ -132,30 +151,22 @@ def test_the_studio_listens_on_this_machine_only(tmp_path, host):
     assert b"does not listen" in ended.stderr
 
 
-def test_a_run_is_watched_over_a_real_socket_and_ctrl_c_ends_the_studio_in_the_middle(studio):
-    address, token, process = studio
+def test_ctrl_c_ends_the_studio_in_the_middle_of_runs_and_pages_that_left_leave_no_trace(tmp_path):
+    with opened(tmp_path) as (address, token, process):
 
-    async def watch() -> int:
-        with httpx.Client(base_url=address, headers={"X-KitRobot-Token": token}, trust_env=False) as client:
-            file = client.get("/api/mission", params={"path": "transport.krt"}).json()
-        url = f"{address.replace('http', 'ws')}/api/run?token={token}"
-        async with websockets.connect(url, proxy=None, max_size=None) as ws:
-            start = {"type": "start", "mission": file["mission"], "path": file["path"], "seed": 1, "speed": 1}
-            await ws.send(json.dumps(start))
-            frames = 0
-            while frames < 3:
-                frames += isinstance(await ws.recv(), bytes)
+        async def watch() -> None:
+            left = await watched(address, token, 3)
+            left.transport.abort()
+            stayed = await watched(address, token, 3)
             process.send_signal(signal.SIGINT)
             with contextlib.suppress(websockets.ConnectionClosed):
-                async for _ in ws:
+                async for _ in stayed:
                     pass
-            assert ws.close_code is not None
-        return frames
 
-    assert asyncio.run(watch()) == 3
-    assert process.wait(SHORT_S) == 0
-    assert process.stderr is not None
-    assert process.stderr.read() == "Ctrl-C ends the studio.\n"
+        asyncio.run(watch())
+        assert process.wait(SHORT_S) == 0
+        assert process.stderr is not None
+        assert process.stderr.read() == "Ctrl-C ends the studio.\n"
 
 
 def test_a_usual_port_that_is_taken_is_passed_over():

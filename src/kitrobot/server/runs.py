@@ -18,7 +18,7 @@ from collections.abc import Callable
 from typing import Any
 
 import orjson
-from fastapi import APIRouter, WebSocket
+from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, ValidationError
 
 from kitrobot.diagnostics import KitRobotError
@@ -142,7 +142,7 @@ class Session:
                 await self._drive(watch, Pace(watch.tick_s, self._clock, _speed(request.speed)))
         except KitRobotError as error:
             await self._fail(error.message, error.help)
-        except (RuntimeError, OSError):
+        except (RuntimeError, OSError, WebSocketDisconnect):
             # The page is gone in the middle of a message; `serve` hears of it too.
             _log.debug("the page left during a run", exc_info=True)
         except Exception as error:

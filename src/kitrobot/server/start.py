@@ -98,7 +98,8 @@ def _place(target: Path | None) -> Place:
         return Place(Path.cwd(), first_example())
     if target.is_dir():
         return Place(target, None)
-    return Place(target.absolute().parent, target.absolute())
+    mission = target.resolve()
+    return Place(mission.parent, mission)
 
 
 def _loopback(host: str) -> str:

@@ -67,10 +67,8 @@ class MissionFolder:
 
     def missions(self) -> list[MissionEntry]:
         """The missions of the folder by path, then the examples."""
-        own = [_entry(path, self.root, "") for path in _missions_below(self.root)]
-        # A folder of examples that is open as the folder itself is not listed twice.
-        if self.examples == self.root or self.root in self.examples.parents:
-            return own
+        # Examples that lie below the folder, as in a checkout, are listed once: as examples.
+        own = [_entry(path, self.root, "") for path in _missions_below(self.root, self.examples)]
         return own + [_entry(path, self.examples, EXAMPLE) for path in _missions_below(self.examples)]
 
     def name_of(self, path: Path) -> str:
@@ -80,7 +78,10 @@ class MissionFolder:
             MissionNameError: it is in neither.
         """
         real = path.resolve()
-        for root, prefix in ((self.root, ""), (self.examples, EXAMPLE)):
+        ways = [(self.root, ""), (self.examples, EXAMPLE)]
+        if self.root in self.examples.parents:
+            ways.reverse()  # as they are listed
+        for root, prefix in ways:
             if root in real.parents:
                 return prefix + real.relative_to(root).as_posix()
         raise MissionNameError(f"`{path}` is not in the folder `{self.root.name}`", "open its own folder")
@@ -185,17 +186,18 @@ def _conflict(name: str, before: str, now: str) -> ConflictError:
     return ConflictError(sentence, help, revision=now)
 
 
-def _missions_below(root: Path) -> list[Path]:
-    return sorted(_walk(root), key=lambda path: path.relative_to(root).as_posix().casefold())[:MOST_LISTED]
+def _missions_below(root: Path, without: Path | None = None) -> list[Path]:
+    return sorted(_walk(root, without), key=lambda path: path.relative_to(root).as_posix().casefold())[:MOST_LISTED]
 
 
-def _walk(root: Path) -> Iterator[Path]:
+def _walk(root: Path, without: Path | None) -> Iterator[Path]:
     looked_at = 0
     for folder, folders, files in os.walk(root):
         looked_at += len(folders) + len(files)
         depth = len(Path(folder).relative_to(root).parts)
         hidden = looked_at > MOST_LOOKED_AT or depth >= DEEPEST
-        folders[:] = [] if hidden else sorted(name for name in folders if not name.startswith((".", "node_modules")))
+        inner = [name for name in folders if not name.startswith(".") and name != "node_modules"]
+        folders[:] = [] if hidden else sorted(name for name in inner if Path(folder, name) != without)
         yield from (Path(folder, name) for name in files if name.lower().endswith(ENDING) and not name.startswith("."))
 
 

@@ -24,11 +24,8 @@ class TracePlaceError(KitRobotError):
 
 @dataclass(frozen=True)
 class Timing:
-    """What the clock on the wall decided: seconds to open and compile, seconds to run, simulated seconds a real
-    second.
-    """
+    """What the clock on the wall decided: how long the run took, and simulated seconds a real second."""
 
-    prepare_seconds: float
     real_seconds: float
     speed: float
 
@@ -101,13 +98,12 @@ def run(opened: OpenMission, seed: int, seconds: float, trace: Path | None, prog
     """Runs a mission to its end; see `OpenMission.run`."""
     if trace is not None and opened.path is not None and same_file(trace, opened.path):
         raise TracePlaceError(f"the trace would be written over `{trace}`", "give it a name of its own")
-    began = time.perf_counter()
     made = simulation(opened, seed, seconds)
-    ready = time.perf_counter()
+    began = time.perf_counter()
     simulate(made, trace, None if progress is None else lambda now: progress(now.seconds))
-    real = time.perf_counter() - ready
+    real = time.perf_counter() - began
     assert made.outcome is not None, "a run with a time limit ends"
-    timing = Timing(ready - began, real, made.seconds / real if real > 0 else 0.0)
+    timing = Timing(real, made.seconds / real if real > 0 else 0.0)
     return Run(
         made.outcome, made.sentence, made.tick, made.seconds, made.delivered, made.total, made.collisions, timing
     )
