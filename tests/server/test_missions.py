@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 
 import pytest
@@ -344,3 +345,25 @@ def test_what_is_not_there_is_said_in_json_under_api_and_on_a_page_elsewhere(pag
     assert page.get("/api/nothing").json()["message"]
     assert "<h1>" in page.get("/nothing").text
     assert page.delete("/api/mission").status_code == 405
+
+
+@pytest.mark.parametrize("text", ["\\ud800", "\\u0000", "a\\u0001b", "\\ufffe", "x\\udc00y"])
+@pytest.mark.parametrize("field", ["element", "id"])
+def test_characters_that_no_file_can_hold_are_no_mistake_of_ours(page, folder, text, field):
+    mission = opened(page)["mission"]
+    mission["programs"][0]["vertices"][1][field] = "@@"
+    body = json.dumps({"mission": mission, "path": "x.krt", "revision": ""}).replace("@@", text)
+    for method, address in (("POST", "/api/check"), ("POST", "/api/mission/text"), ("PUT", "/api/mission")):
+        assert (
+            page.request(method, address, content=body, headers={"Content-Type": "application/json"}).status_code == 200
+        )
+    assert page.get("/api/mission", params={"path": "x.krt"}).status_code == 200
+
+
+@pytest.mark.parametrize("unknown", ["</vertex><", "<", "<a>", "&nothing;", "<!DOCTYPE x>"])
+def test_what_would_not_open_again_is_not_saved(page, folder, unknown):
+    file = opened(page)
+    file["mission"]["programs"][0]["vertices"][1]["unknown"] = unknown
+    sent = {"path": "blink.krt", "revision": file["revision"], "mission": file["mission"]}
+    assert page.put("/api/mission", json=sent).status_code == 422
+    assert (folder / "blink.krt").read_text() == SHORT

@@ -7,7 +7,8 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, Query, Request
 
-from kitrobot.mission import save, write_mission
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.mission import read_mission, save, write_mission
 from kitrobot.server.shapes import (
     CheckShape,
     ConflictShape,
@@ -37,6 +38,11 @@ _CONFLICT: dict[int | str, dict[str, object]] = {
     **_FAILURES,
 }
 LONGEST_NAME = 1000
+
+
+class UnsavableError(KitRobotError):
+    """What would be written is no mission."""
+
 
 routes = APIRouter(prefix="/api", responses=_FAILURES)
 
@@ -99,6 +105,9 @@ def mission_save(studio: StudioOf, wanted: SaveShape) -> SavedShape:
     """Saves a mission, unless its file is not what the page last saw."""
     made = mission_from_shape(wanted.mission)
     data = write_mission(made)
+    if read_mission(data, wanted.path)[0] is None:
+        # Only XML that is kept word for word can do that; what is on the disk is worth more.
+        raise UnsavableError("this mission would not open again, so it was not saved", "load the page again")
     with studio.folder.hold(wanted.path, wanted.revision) as path:
         save(path, made)
     return SavedShape(path=wanted.path, revision=revision_of(data))

@@ -14,7 +14,7 @@ from pathlib import Path
 from kitrobot.compiler import compile_text
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.lll import parse
-from kitrobot.primitives import Robot, read_constructors, read_robot
+from kitrobot.primitives import Robot, load_catalogue, read_constructors, read_robot
 from kitrobot.workspace.files import FileError, decode, read_bytes
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.opening import open_mission
@@ -127,6 +127,12 @@ def _in_listing(error: KitRobotError, name: str) -> Diagnostic:
     return UNUSABLE(sentence, Place(name, line, 1, line + 1, 1), help=error.help)
 
 
+def _among_others(path: Path, found: list[Diagnostic]) -> list[Diagnostic]:
+    """What is wrong with constructors only together with all the others at hand: a branch of nothing, say."""
+    problems = load_catalogue([path.parent]).problems
+    return [item for item in problems if item.place and item.place.file == str(path) and item not in found]
+
+
 def _xml(path: Path) -> FileReport:
     data, name = read_bytes(path), str(path)
     source = Source(name, data.decode("utf-8-sig", errors="replace"))
@@ -143,6 +149,7 @@ def _xml(path: Path) -> FileReport:
         _, found = read_world(data, name)
     elif kind == "constructors" or first is None or lower.endswith("constructors.xml"):
         _, found = read_constructors(data, name)
+        found += _among_others(path, found)
     else:
         message = f"expected <robot>, <constructors>, <world> or <kitrobot>, found <{kind[:40]}>"
         found = [UNKNOWN_KIND(message, source.place(first.start(1), first.end(1)))]

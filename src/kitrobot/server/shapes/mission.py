@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, Field
+from pydantic import AfterValidator, BaseModel, Field
 
 from kitrobot.graph import Arc, Note, Program, Vertex
 from kitrobot.mission import Agent, Goal, Mission, Team
@@ -14,37 +14,47 @@ MOST_AGENTS = 10_000
 MOST_PROGRAMS = 1_000
 
 
+def _sound(text: str) -> str:
+    """The text with U+FFFD for what JSON can say and no file can hold: half of a character."""
+    if text.isascii():
+        return text
+    return text.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
+
+
+Words = Annotated[str, AfterValidator(_sound)]
+
+
 class NoteShape(BaseModel):
     """A comment of the user."""
 
-    text: str
-    at: str
+    text: Words
+    at: Words
 
 
 class VertexShape(BaseModel):
     """A program element; `unknown` is XML of the file inside it that nobody knows, kept word for word."""
 
-    id: str
-    element: str
-    settings: dict[str, str]
+    id: Words
+    element: Words
+    settings: dict[Words, Words]
     notes: list[NoteShape]
-    unknown: str = ""
+    unknown: Words = ""
 
 
 class ArcShape(BaseModel):
     """From the port `out` of one vertex to the port `at` of another."""
 
-    source: str
-    target: str
-    out: str
-    at: str
+    source: Words
+    target: Words
+    out: Words
+    at: Words
 
 
 class ProgramShape(BaseModel):
     """A graph and the robot it is for."""
 
-    name: str
-    robot: str
+    name: Words
+    robot: Words
     vertices: Annotated[list[VertexShape], Field(max_length=MOST_VERTICES)]
     arcs: Annotated[list[ArcShape], Field(max_length=2 * MOST_VERTICES)]
 
@@ -52,16 +62,16 @@ class ProgramShape(BaseModel):
 class AgentShape(BaseModel):
     """A robot of the team; `start` is a place of the world, "" for the one with the agent's name."""
 
-    name: str
-    program: str
-    start: str
+    name: Words
+    program: Words
+    start: Words
 
 
 class GoalShape(BaseModel):
     """What ends the mission as done: this storehouse holds this stock (a number, or `all`)."""
 
-    storehouse: str
-    stock: str
+    storehouse: Words
+    stock: Words
 
 
 class MissionShape(BaseModel):
@@ -74,8 +84,8 @@ class MissionShape(BaseModel):
     programs: Annotated[list[ProgramShape], Field(max_length=MOST_PROGRAMS)]
     agents: Annotated[list[AgentShape], Field(max_length=MOST_AGENTS)]
     goals: Annotated[list[GoalShape], Field(max_length=MOST_AGENTS)]
-    world: str
-    unknown: list[str] = []
+    world: Words
+    unknown: list[Words] = []
 
 
 def mission_shape(mission: Mission) -> MissionShape:
