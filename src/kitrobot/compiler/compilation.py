@@ -6,8 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.checker import check
+from kitrobot.compiler.graph_rules import UNKNOWN_ELEMENT
 from kitrobot.compiler.graph_to_lll import graph_to_lll
 from kitrobot.compiler.lowering import lower
+from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
 from kitrobot.diagnostics import Diagnostic, Source
 from kitrobot.graph import Program
 from kitrobot.image import DebugMap, Image
@@ -71,9 +73,17 @@ def compile_program(program: Program, catalogue: Catalogue) -> Compiled:
     translation = graph_to_lll(program, catalogue)
     source = Source(f"{program.name}.lll", print_program(translation.program))
     if not translation.ok:
-        diagnostics = translation.diagnostics + check(translation.program, robot, source, program.name)
+        found = check(translation.program, robot, source, program.name)
+        diagnostics = translation.diagnostics + _news(found, translation.diagnostics)
         return Compiled(translation.program, source, None, DebugMap(), diagnostics)
     compiled = compile_lll(translation.program, robot, source, program.name)
     return Compiled(
         compiled.program, source, compiled.image, compiled.debug, translation.diagnostics + compiled.diagnostics
     )
+
+
+def _news(found: list[Diagnostic], told: list[Diagnostic]) -> list[Diagnostic]:
+    """What the checker found, without calls that the graph's translation has named as unknown already."""
+    unknown = {vertex for item in told if item.code == UNKNOWN_ELEMENT.code for vertex in item.vertices}
+    codes = (UNKNOWN_OBJECT.code, UNKNOWN_METHOD.code)
+    return [item for item in found if item.code not in codes or unknown.isdisjoint(item.vertices)]

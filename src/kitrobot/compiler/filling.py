@@ -170,8 +170,9 @@ class _Filling:
 
     def branches(self, templates: list[Seq]) -> list[Seq]:
         branches: list[Seq] = []
-        if self.walk.deeper(self.vertex):  # also where no branch is left: it is printed with its parentheses
-            self.walk.depth -= 1
+        if not self.walk.deeper(self.vertex):  # also where no branch is left: the parentheses are a level
+            return branches
+        self.walk.depth -= 1
         for template in templates:
             if template.hole is None or not self.slot(template.hole).repeat:
                 branches.append(self.body(template))

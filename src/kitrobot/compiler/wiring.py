@@ -34,7 +34,8 @@ class Wiring:
         self.stop = self._only(STOP)
         for what, end in ((START, self.start), (STOP, self.stop)):
             if end is None:
-                self.report(rules.START_STOP("the program has no vertex " + what, help=f"add a vertex {what}"))
+                message = f"the program has no vertex {what}"
+                self.report(rules.START_STOP(message, help=f"add a vertex {what}", **self._at()))
         for arc in program.arcs:
             self._add_arc(arc)
 

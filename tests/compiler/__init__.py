@@ -1,0 +1,1 @@
+"""Translations of programs, and what is wrong or odd about them."""
