@@ -252,7 +252,9 @@ def test_a_file_is_needed(kitrobot):
 
 
 def test_a_constructor_that_adds_itself_to_nothing_is_told(kitrobot, write):
-    text = CONSTRUCTORS.replace("</group>", '<constructor name="More"><adds constructor="No" slot="branch"/></constructor></group>')
+    text = CONSTRUCTORS.replace(
+        "</group>", '<constructor name="More"><adds constructor="No" slot="branch"/></constructor></group>'
+    )
     said = kitrobot("check", write("c.xml", text), "--json")
     assert said.status == 1
     assert [(problem["file"], problem["code"]) for problem in said.json] == [("c.xml", "constructor-adds")]

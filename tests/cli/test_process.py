@@ -57,6 +57,24 @@ def test_a_reader_that_stops_reading_is_no_mistake(tmp_path):
     assert status in (1, 141)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="no terminals of our own there")
+def test_a_bar_is_drawn_while_a_person_watches_and_the_data_stays_clean():
+    import pty
+
+    ours, theirs = pty.openpty()
+    with open(ours, "rb", buffering=0) as terminal:
+        command = [*KITROBOT, "run", str(EXAMPLE), "--json"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=theirs) as process:
+            os.close(theirs)
+            drawn = b""
+            with contextlib.suppress(OSError):  # how the end of a terminal is told
+                while piece := terminal.read(4096):
+                    drawn += piece
+            assert process.stdout is not None
+            assert json.loads(process.stdout.read())["outcome"] == "done"
+    assert b"s simulated" in drawn
+
+
 def test_laying_out_a_text_loads_neither_the_simulator_nor_the_server(tmp_path):
     (tmp_path / "p.lll").write_text("WAIT(1);")
     ended = call("format", tmp_path / "p.lll", env={"PYTHONPROFILEIMPORTTIME": "1"})

@@ -68,8 +68,8 @@ def test_json_is_one_object_and_only_timing_depends_on_the_clock(kitrobot, short
 def test_the_summary_is_for_people(kitrobot, transport):
     said = kitrobot("run", transport)
     assert said.status == 0
-    assert said.out.startswith("done: ")
-    for words in ("carrier-2", "12 of 12", "collisions  0", "simulated", "real time"):
+    assert said.out.startswith("Done after ")
+    for words in ("outcome     done", "carrier-2", "12 of 12", "collisions  0", "simulated", "real time"):
         assert words in said.out
     assert said.err == ""
 

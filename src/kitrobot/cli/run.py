@@ -65,11 +65,12 @@ def _summary(run: Run) -> str:
     """The result as people read it."""
     width = max((len(name) for name in run.delivered), default=0)
     counts = [f"  {name:<{width}}  {count:>5}" for name, count in run.delivered.items()]
-    lines = [f"{run.outcome}: {run.sentence}" if run.sentence else run.outcome, ""]
+    lines = [run.sentence, ""]
     if counts:
         lines += [f"  {'delivered by':<{width}}", *counts, ""]
     real = run.timing.real_seconds
     lines += [
+        f"  outcome     {run.outcome}",
         f"  delivered   {sum(run.delivered.values())} of {run.total}",
         f"  collisions  {run.collisions}",
         f"  simulated   {run.seconds:.2f} s in {run.ticks} ticks",
