@@ -52,7 +52,7 @@ def random_case(rng: random.Random) -> Case:
         robot = shipped[rng.choice(sorted(shipped))]
     else:
         robot = random_robot(rng)
-    shape = Shape(rng.choice((4, 8, 15, 25, 40)), rng.choice((3, 5, 8)))
+    shape = Shape(rng.choice((4, 8, 15, 25, 40, 40, 100)), rng.choice((3, 5, 8, 12)))
     return Case(random_program(rng, robot, shape), robot, random_script(rng, robot, rng.choice((30, 30, 60, 100, 200))))
 
 

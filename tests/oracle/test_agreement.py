@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from tests.oracle.agreement import disagreement, first_difference, machine_for, random_case, report
 
-BUDGET = int(os.environ.get("KITROBOT_BUDGET", "200"))
+BUDGET = int(os.environ.get("KITROBOT_BUDGET", "600"))
 STREAMS = 4
 
 
