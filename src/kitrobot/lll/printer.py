@@ -134,9 +134,12 @@ class _Printer:
             last = len(node.branches) - 1
             for index, branch in enumerate(node.branches):
                 branch.start = self.at
-                self.seq(branch, level + 1, "" if index == last else ",")
+                separator = "" if index == last else ","
+                self.seq(branch, level + 1, "" if branch.below else separator)
                 for comment in branch.below:
                     self.comment(comment, level + 1)
+                if branch.below and separator:  # behind the comments, or they would belong to the next branch
+                    self.write("  " * (level + 1) + separator + "\n")
                 branch.end = self.at
             self.write("  " * level)
         self.write(")")
