@@ -13,6 +13,7 @@ from kitrobot.compiler.slots import SlotTree
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.image import (
     LARGEST_VALUE,
+    MOST_ARGUMENTS,
     MOST_CELLS,
     MOST_COMMANDS,
     MOST_INSTRUCTIONS,
@@ -89,6 +90,7 @@ class _Lowering:
             (len(self.tree.parallels), MOST_PARALLELS, "parallels"),
             (len(self.stops), MOST_STOPS, "marked actions with a stop"),
             (len(self.layout.commands), MOST_COMMANDS, "procedures of the robot"),
+            (self.layout.most_arguments, MOST_ARGUMENTS, "parameters of a procedure"),
             (len(self.code.rows), MOST_INSTRUCTIONS, "instructions"),
         )
         return [

@@ -79,6 +79,6 @@ TOO_LARGE = rule(
     "too-large",
     Severity.ERROR,
     "The program is larger than an image can hold",
-    "An image holds 256 cells (inputs, variables, counters, constants), 256 slots, 256 parallels, 256 marked actions "
-    "and 65536 instructions.",
+    "An image holds 256 cells (inputs, variables, counters, constants), 256 slots, 256 parallels, 256 marked actions, "
+    "256 procedures with 255 parameters each, and 65536 instructions.",
 )

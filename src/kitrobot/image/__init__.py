@@ -5,6 +5,7 @@ from kitrobot.image.listing import assemble, disassemble
 from kitrobot.image.machine import Command, Layout, Machine
 from kitrobot.image.model import (
     LARGEST_VALUE,
+    MOST_ARGUMENTS,
     MOST_CELLS,
     MOST_COMMANDS,
     MOST_INSTRUCTIONS,
@@ -21,6 +22,7 @@ from kitrobot.image.verification import most_instructions_a_tick, verify
 
 __all__ = [
     "LARGEST_VALUE",
+    "MOST_ARGUMENTS",
     "MOST_CELLS",
     "MOST_COMMANDS",
     "MOST_INSTRUCTIONS",

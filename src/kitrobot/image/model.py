@@ -22,6 +22,7 @@ MOST_SLOTS = 256
 MOST_PARALLELS = 256
 MOST_STOPS = 256
 MOST_COMMANDS = 256
+MOST_ARGUMENTS = 255
 MOST_INSTRUCTIONS = 65536
 LARGEST_VALUE = 2**29 - 1
 """The largest magnitude of a cell's value: sums of two still fit a word of the smallest board."""

@@ -11,7 +11,18 @@ from __future__ import annotations
 from itertools import pairwise
 
 from kitrobot.image.instructions import ADD, ARM, BY_NUMBER, CLAMP, FORK, JOIN, SUB, Op, Role
-from kitrobot.image.model import LARGEST_VALUE, Image, ImageError
+from kitrobot.image.model import (
+    LARGEST_VALUE,
+    MOST_ARGUMENTS,
+    MOST_CELLS,
+    MOST_COMMANDS,
+    MOST_INSTRUCTIONS,
+    MOST_PARALLELS,
+    MOST_SLOTS,
+    MOST_STOPS,
+    Image,
+    ImageError,
+)
 
 
 def verify(image: Image) -> None:
@@ -36,15 +47,16 @@ def _refuse(sentence: str) -> ImageError:
 
 def _check_sizes(image: Image) -> None:
     cells = len(image.cells)
-    if cells != image.first_constant + image.constants or not 1 <= cells <= 256:
-        raise _refuse(f"it has {cells} cells, and 1 to 256 are possible")
+    if cells != image.first_constant + image.constants or not 1 <= cells <= MOST_CELLS:
+        raise _refuse(f"it has {cells} cells, and 1 to {MOST_CELLS} are possible")
     if any(abs(value) > LARGEST_VALUE for value in image.cells):
         raise _refuse(f"a cell's value is outside ±{LARGEST_VALUE}")
-    if len(image.code) % 4 or not 1 <= image.instructions <= 65536:
+    if len(image.code) % 4 or not 1 <= image.instructions <= MOST_INSTRUCTIONS:
         raise _refuse("it has no whole instructions")
-    if not 1 <= len(image.slots) <= 256 or len(image.parallels) > 256 or len(image.stops) > 256:
+    slots, parallels, stops = len(image.slots), len(image.parallels), len(image.stops)
+    if not 1 <= slots <= MOST_SLOTS or parallels > MOST_PARALLELS or stops > MOST_STOPS:
         raise _refuse("it has too many slots, parallels or stops")
-    if len(image.commands) > 256 or image.actuators > 256 or image.most_arguments > 255:
+    if len(image.commands) > MOST_COMMANDS or image.actuators > 256 or image.most_arguments > MOST_ARGUMENTS:
         raise _refuse("it has too many commands, actuators or arguments")
     if any(actuator >= image.actuators for actuator in image.commands):
         raise _refuse("a command belongs to an actuator that does not exist")
