@@ -2,7 +2,8 @@
  * Dragging of parts and vertices with any pointer: mouse, finger, pen.
  *
  * A drag begins when a pressed pointer has moved a little; from then on a ghost follows it and the canvas says (by its
- * resolver) where a drop would go. Escape or a lost pointer ends it without a change.
+ * resolver) where a drop would go. Escape or a lost pointer ends it without a change. A finger that rests a moment on a
+ * part drags it in any direction; one that moves at once up or down scrolls what can be scrolled.
  */
 import type { PointerEvent as ReactPointerEvent } from "react";
 import { create } from "zustand";
@@ -28,9 +29,19 @@ type Resolver = (at: Point, payload: Payload) => Target | null;
 export const useDrag = create<DragState>(() => ({ payload: null, at: { x: 0, y: 0 }, target: null, copy: false }));
 
 const FAR_ENOUGH = 5;
+const HOLD_MS = 180;
 
 let resolver: Resolver = () => null;
 let ended_ms = 0;
+
+/** Once it drags, a finger does not scroll. Browsers want to know of this before the finger goes down. */
+window.addEventListener(
+  "touchmove",
+  (event) => {
+    if (useDrag.getState().payload !== null && event.cancelable) event.preventDefault();
+  },
+  { passive: false },
+);
 
 /** The canvas says where things go. */
 export function setResolver(resolve: Resolver): void {
@@ -56,15 +67,19 @@ export function beginDrag(event: ReactPointerEvent, payload: Payload): void {
   const pointer = event.pointerId;
   let active = false;
 
+  const show = (at: Point, copy: boolean) => {
+    active = true;
+    const found = resolver(at, payload);
+    const { target } = useDrag.getState();
+    useDrag.setState({ payload, at, copy, target: found?.key === target?.key ? target : found });
+  };
+  const hold = event.pointerType === "touch" ? setTimeout(() => show(from, false), HOLD_MS) : undefined;
   const move = (next: PointerEvent) => {
     if (next.pointerId !== pointer) return;
     const at = { x: next.clientX, y: next.clientY };
     if (!active && Math.hypot(at.x - from.x, at.y - from.y) < FAR_ENOUGH) return;
-    active = true;
     next.preventDefault();
-    const found = resolver(at, payload);
-    const { target } = useDrag.getState();
-    useDrag.setState({ payload, at, copy: next.altKey, target: found?.key === target?.key ? target : found });
+    show(at, next.altKey);
   };
   const up = (next: PointerEvent) => {
     if (next.pointerId !== pointer) return;
@@ -84,6 +99,7 @@ export function beginDrag(event: ReactPointerEvent, payload: Payload): void {
     finish();
   };
   const finish = () => {
+    clearTimeout(hold);
     window.removeEventListener("pointermove", move);
     window.removeEventListener("pointerup", up);
     window.removeEventListener("pointercancel", cancel);

@@ -21,8 +21,9 @@ export function edit(make: (drawing: Drawing) => Command | null): boolean {
 /** Puts a part where the selection says. */
 export function addPart(element: string): boolean {
   const { selection } = useStudio.getState();
-  return edit(({ program, parts, structure }) => {
-    const around = { vertex: selection.at(-1) ?? null, arc: useView.getState().arc };
+  return edit(({ program, parts, structure, layout }) => {
+    const arc = layout.arcs.find((one) => one.id === useView.getState().arc) ?? null;
+    const around = { vertex: selection.at(-1) ?? null, arc };
     const place = placeFor(structure, around, parts.shape(element));
     return place === null ? null : insertPart(program, parts, place, element);
   });

@@ -6,7 +6,6 @@
  */
 import { distanceToLine, type LayoutFrame, type LayoutNode, type Point } from "../model/layout";
 import { fits, isMark, type Shape, standsInChain } from "../model/parts";
-import { arcPlace } from "../model/placeFor";
 import { findSpot, type Place, verticesOf, withMark } from "../model/tree";
 import type { Drawing } from "./drawing";
 
@@ -57,14 +56,14 @@ export function targetInLayout(
 function arcTarget({ layout }: Drawing, point: Point, reach: number, moving: Set<string>): Target | null {
   const place = layout.nodes.find((node) => node.kind === "place");
   let nearest = place !== undefined && contains(place, point) ? 0 : Infinity;
-  let found = nearest === 0 ? (layout.arcs[0]?.id ?? null) : null;
+  let found = nearest === 0 ? layout.arcs[0] : undefined;
   for (const arc of layout.arcs) {
     const away = distanceToLine(arc.points, point);
     if (away >= nearest || away > reach || moving.has(arc.source)) continue;
     nearest = away;
-    found = arc.id;
+    found = arc;
   }
-  return found === null ? null : target(arcPlace(found));
+  return found === undefined ? null : target({ kind: "arc", source: found.source, out: found.out });
 }
 
 /** The innermost constructor under the point to which the part adds a branch. */

@@ -7,7 +7,7 @@ import { readStructure } from "./structure";
 import { CARRIER, CARRIER_PARTS as PARTS, missionOf } from "./testing/missions";
 
 const structure = readStructure(CARRIER, PARTS);
-const near = (vertex: string | null, element: string, arc: string | null = null) =>
+const near = (vertex: string | null, element: string, arc: { source: string; out: string } | null = null) =>
   placeFor(structure, { vertex, arc }, PARTS.shape(element));
 
 describe("the place of a part that nobody pointed at", () => {
@@ -18,7 +18,11 @@ describe("the place of a part that nobody pointed at", () => {
   });
 
   it("is the selected arc", () => {
-    expect(near(null, "While", "v3.branch.1")).toEqual({ kind: "arc", source: "v3", out: "branch.1" });
+    expect(near(null, "While", { source: "v3", out: "branch.1" })).toEqual({
+      kind: "arc",
+      source: "v3",
+      out: "branch.1",
+    });
   });
 
   it("is the end of the program when nothing is selected", () => {

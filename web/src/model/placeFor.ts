@@ -6,10 +6,10 @@ import { fits, isMark, type Shape, standsInChain } from "./parts";
 import type { Block, Structure } from "./structure";
 import { branchOwner, canMark, everySpot, findSpot, inChain, type Place, type Spot, withMark } from "./tree";
 
-/** What is selected: a vertex, an arc ("SOURCE.OUT"), or nothing. */
+/** What is selected: a vertex, an arc by the port it leaves, or nothing. */
 export interface Around {
   vertex: string | null;
-  arc: string | null;
+  arc: { source: string; out: string } | null;
 }
 
 /** The place, or null when there is none (a branch without a constructor to add it to). */
@@ -17,23 +17,21 @@ export function placeFor(structure: Structure, around: Around, shape: Shape): Pl
   const spot = around.vertex === null ? undefined : findSpot(structure, around.vertex);
   if (shape.role === "branch") return branchPlace(structure, spot, shape);
   if (!standsInChain(shape)) return slotPlace(structure, spot, shape) ?? { kind: "void" };
-  if (around.arc !== null) return arcPlace(around.arc);
+  if (around.arc !== null) return arcPlace(around.arc.source, around.arc.out);
   if (spot !== undefined) {
     const action = emptySlot(spot.block, shape);
     if (action !== null) return action;
     if (isMark(shape) && withMark(spot) === spot && canMark(spot))
       return { kind: "vertex", vertex: spot.block.vertex.id };
-    return { kind: "arc", source: inChain(spot).block.vertex.id, out: "next" };
+    return arcPlace(inChain(spot).block.vertex.id);
   }
-  if (around.vertex !== null && around.vertex === structure.start?.id) return arcPlace(`${around.vertex}.next`);
+  if (around.vertex !== null && around.vertex === structure.start?.id) return arcPlace(around.vertex);
   const last = structure.main.chain.at(-1)?.vertex.id ?? structure.start?.id;
-  return last === undefined ? { kind: "void" } : { kind: "arc", source: last, out: "next" };
+  return last === undefined ? { kind: "void" } : arcPlace(last);
 }
 
-/** An arc's name as a place. */
-export function arcPlace(arc: string): Place & { kind: "arc" } {
-  const dot = arc.indexOf(".");
-  return { kind: "arc", source: arc.slice(0, dot), out: arc.slice(dot + 1) };
+function arcPlace(source: string, out = "next"): Place & { kind: "arc" } {
+  return { kind: "arc", source, out };
 }
 
 function branchPlace(structure: Structure, spot: Spot | undefined, shape: Shape): Place | null {
