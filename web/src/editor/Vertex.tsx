@@ -1,7 +1,7 @@
 /** A vertex that is a box or a stretched diamond: tile, name, chips for its conditions, boxes for its values. */
 import { memo, type PointerEvent } from "react";
 
-import { type Box, type Chip, faceWidth } from "../model/face";
+import { type Box, type Chip, chipWidth, faceWidth, MOST_CHIP } from "../model/face";
 import type { LayoutNode } from "../model/layout";
 import { title } from "../model/parts";
 import { useStudio } from "../model/studio";
@@ -132,6 +132,7 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
   if (selected) classes.push("is-selected");
   if (aimed) classes.push("is-aimed");
   if (chip.filler === null) classes.push("is-empty");
+  const words = chip.pieces.map((piece) => (piece.kind === "words" ? piece.words : piece.label)).join(" ");
   return (
     <span
       className={classes.join(" ")}
@@ -139,7 +140,8 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
       data-vertex={vertex}
       data-slot={chip.slot}
       role={chip.pieces.length > 1 ? "group" : "button"}
-      aria-label={chip.pieces.map((piece) => (piece.kind === "words" ? piece.words : piece.label)).join(" ")}
+      aria-label={words}
+      title={chipWidth(chip) < MOST_CHIP ? undefined : words}
       onPointerDown={(event) => {
         if (chip.filler === null) return;
         event.stopPropagation();

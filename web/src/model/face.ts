@@ -39,7 +39,8 @@ const PAD = 8;
 const TILE = 28;
 const TIP = 16;
 const NAME_GAP = 10;
-const MOST_CHIP = 360;
+/** A longer condition ends in dots; its words are in the tooltip. */
+export const MOST_CHIP = 360;
 
 export function faceOf(block: Block): Face {
   const { shape } = block;

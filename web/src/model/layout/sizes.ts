@@ -82,7 +82,7 @@ function isChoice({ shape }: Block): boolean {
 
 function vertexWidth(block: Block, style: Style, face: Face, hexagon: boolean): number {
   if (style === "chip") return ceilTo(8, chipWidth(chipOf(block)));
-  if (style === "bars") return ceilTo(8, textWidth(face.name, 14, true) + 64);
+  if (style === "bars") return ceilTo(8, textWidth(face.name, 14, true) + 48);
   const needed = faceWidth(face, hexagon);
   if (hexagon) return Math.max(280, ceilTo(16, needed - 8) + 8);
   const usual = face.boxes.length > 0 && style === "simple" ? 288 : 256;
@@ -118,9 +118,11 @@ function sideBySide(halves: number[]): { total: number; middles: number[] } {
   return { total: Math.max(0, at - GAP), middles };
 }
 
+/** Branches between bars; the first one leaves room for the name tag, which stands left of its arc and of the middle. */
 function bars(tag: number, halves: number[]): { half: number; columns: number[] } {
-  const { total, middles } = sideBySide(halves);
-  const half = ceilTo(8, Math.max(total + 16, tag + 48) / 2);
+  const [leftmost = 0, ...others] = halves;
+  const { total, middles } = sideBySide([Math.max(leftmost, tag + 8), ...others]);
+  const half = ceilTo(8, (total + 16) / 2);
   const first = ceilTo(8, -total / 2 - 7);
   return { half, columns: middles.map((middle) => first + middle) };
 }
