@@ -56,6 +56,12 @@ def random_case(rng: random.Random) -> Case:
     return Case(random_program(rng, robot, shape), robot, random_script(rng, robot, rng.choice((30, 30, 60, 100, 200))))
 
 
+def small_case(rng: random.Random) -> Case:
+    """A small program for the paper's robot: what Hypothesis can draw fast and make smaller."""
+    robot = shipped_robots()["mini-robot"]
+    return Case(random_program(rng, robot, Shape(8, 4)), robot, random_script(rng, robot, 30))
+
+
 def machine_for(case: Case) -> Machine | None:
     """The real machine with the compiled program, or None for a program that is refused for its size."""
     compiled = compile_lll(case.program, case.robot)
