@@ -83,8 +83,3 @@ export function fieldWords(block: Block, name: string): string {
 export function isOn(setting: string): boolean {
   return setting !== "" && setting !== "0" && setting !== "false";
 }
-
-/** The icon of a condition: its sensor's or variable's, or that of the constructor that joins. */
-export function iconOf(block: Block): string {
-  return block.shape.icon;
-}
