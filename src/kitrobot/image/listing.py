@@ -11,6 +11,18 @@ from kitrobot.image.instructions import BY_NAME, BY_NUMBER, Role
 from kitrobot.image.model import Image, ImageError, ParallelRecord, SlotRecord, StopRecord
 
 _SIZES = ("inputs", "variables", "counters", "temporaries", "constants")
+_ONCE = ("robot", "tick", "wait-unit", *_SIZES, "actuators", "arguments")
+_VALUES = {
+    "cell": 1,
+    "slot": 4,
+    "parallel": 3,
+    "stop": 2,
+    "command": 1,
+    "code": 0,
+    "bytes": 4,
+    **dict.fromkeys(_ONCE, 1),
+}
+"""How many values each directive takes."""
 
 
 def disassemble(image: Image) -> str:
@@ -73,6 +85,7 @@ class _Assembler:
     def __init__(self, name: str) -> None:
         self.name = name
         self.line = 0
+        self.given: set[str] = set()
         self.single: dict[str, int] = {}
         self.fingerprint: bytes | None = None
         self.cells: list[int] = []
@@ -95,11 +108,7 @@ class _Assembler:
             words = line.partition(";")[0].split()
             if words:
                 self.directive(words) if words[0].startswith(".") else self.instruction(words)
-        missing = [
-            f".{word}" for word in ("tick", "wait-unit", *_SIZES, "actuators", "arguments") if word not in self.single
-        ]
-        if self.fingerprint is None:
-            missing.insert(0, ".robot")
+        missing = [f".{word}" for word in _ONCE if word not in self.given]
         if missing:
             raise self.wrong(f"the listing ends without {', '.join(missing)}")
         assert self.fingerprint is not None
@@ -123,9 +132,14 @@ class _Assembler:
 
     def directive(self, words: list[str]) -> None:
         word, values = words[0][1:], words[1:]
-        wanted = {"slot": 4, "parallel": 3, "stop": 2, "code": 0, "bytes": 4}.get(word, 1)
+        wanted = _VALUES.get(word)
+        if wanted is None:
+            raise self.wrong(f"`.{word[:24]}` is no directive of a listing")
         if len(values) != wanted:
-            raise self.wrong(f"`.{word[:24]}` takes {wanted} values, found {len(values)}")
+            raise self.wrong(f"`.{word}` takes {wanted} value{'s' * (wanted != 1)}, found {len(values)}")
+        if word in _ONCE and word in self.given:
+            raise self.wrong(f"`.{word}` is given twice")
+        self.given.add(word)
         match word:
             case "robot":
                 if not re.fullmatch("[0-9a-f]{16}", values[0]):
@@ -147,12 +161,8 @@ class _Assembler:
                 self.code += bytes(self.number(value, 0, 255) for value in values)
             case "code":
                 pass
-            case "tick" | "wait-unit" | "actuators" | "arguments":
-                self.single[word] = self.number(values[0])
-            case _ if word in _SIZES:
-                self.single[word] = self.number(values[0])
             case _:
-                raise self.wrong(f"`.{word[:24]}` is no directive of a listing")
+                self.single[word] = self.number(values[0])
 
     def instruction(self, words: list[str]) -> None:
         op = BY_NAME.get(words[0])
@@ -160,7 +170,7 @@ class _Assembler:
             raise self.wrong(f"`{words[0][:24]}` is no instruction")
         roles = [role for role in (op.a, op.b, op.c) if role is not Role.UNUSED]
         if len(words) - 1 != len(roles):
-            raise self.wrong(f"{op.name} takes {len(roles)} operands, found {len(words) - 1}")
+            raise self.wrong(f"{op.name} takes {len(roles)} operand{'s' * (len(roles) != 1)}, found {len(words) - 1}")
         values = iter(words[1:])
         operands = []
         for role in (op.a, op.b) if op.jumps else (op.a, op.b, op.c):

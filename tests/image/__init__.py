@@ -1,0 +1,1 @@
+"""Images: their file, their listing, their verification, the machine."""
