@@ -8,6 +8,7 @@
 import { create } from "zustand";
 
 import type { Command } from "./command";
+import type { Change, History, Step } from "./history";
 import type { Catalogue, Mission, MissionFile, Program, Report, World } from "./types";
 
 interface Done {
@@ -42,7 +43,10 @@ export interface StudioState {
   /** Labels for the menu: what undo would take back, what redo would do again. */
   undoLabel: string;
   redoLabel: string;
-  openMission: (file: MissionFile) => void;
+  /** What happened to the document last; a new object each time. */
+  change: Change;
+  /** Opens a mission, or the work that was left on it: then with its history, whose mission counts. */
+  openMission: (file: MissionFile, history?: History) => void;
   execute: (command: Command) => void;
   undo: () => void;
   redo: () => void;
@@ -60,6 +64,12 @@ const NO_PARTS: Catalogue = { groups: [], robots: [], problems: [] };
 function stillThere(mission: Mission, program: string, ids: string[]): string[] {
   const known = new Set(mission.programs.find((one) => one.name === program)?.vertices.map((vertex) => vertex.id));
   return ids.every((id) => known.has(id)) ? ids : ids.filter((id) => known.has(id));
+}
+
+/** A step of a journal as something that can be taken back. */
+function doneBefore({ label, program, before, after }: Step): Done {
+  const command = { label, execute: () => after, revert: () => before };
+  return { command, selection: [], program, at_ms: 0 };
 }
 
 /** The program that stays in view: the same one, or the one that took its place. */
@@ -82,6 +92,10 @@ export const useStudio = create<StudioState>((set, get) => {
     redoLabel: future.at(-1)?.command.label ?? "",
   });
 
+  const told = (kind: Change["kind"], label = "", program = ""): { change: Change } => ({
+    change: { kind, label, program, saved },
+  });
+
   const place = (mission: Mission, wanted: string, selection: string[]) => {
     const before = get();
     const at = before.mission.programs.findIndex((one) => one.name === before.activeProgram);
@@ -102,11 +116,13 @@ export const useStudio = create<StudioState>((set, get) => {
     canRedo: false,
     undoLabel: "",
     redoLabel: "",
+    change: { kind: "open", label: "", program: "", saved: 0 },
 
-    openMission: ({ path, name, revision, mission, catalogue, world }) => {
-      past = [];
-      future = [];
-      saved = 0;
+    openMission: ({ path, name, revision, mission: read, catalogue, world }, history) => {
+      past = history?.past.map(doneBefore) ?? [];
+      future = history?.future.map(doneBefore) ?? [];
+      saved = history?.saved ?? 0;
+      const mission = history?.mission ?? read;
       set({
         file: { path, name, revision },
         mission,
@@ -116,6 +132,7 @@ export const useStudio = create<StudioState>((set, get) => {
         selection: [],
         report: null,
         ...stacks(),
+        ...told("open"),
       });
     },
 
@@ -125,6 +142,7 @@ export const useStudio = create<StudioState>((set, get) => {
       if (after === mission) return;
       if (saved > past.length) saved = -1;
       const now = Date.now();
+      const depth = past.length;
       const last = past.at(-1);
       const joins = command.joins !== undefined && command.joins === last?.command.joins && future.length === 0;
       if (joins && saved !== past.length && now - last.at_ms < JOIN_MS) {
@@ -133,21 +151,26 @@ export const useStudio = create<StudioState>((set, get) => {
         past.push({ command, selection, program: activeProgram, at_ms: now });
       }
       future = [];
-      set(place(after, activeProgram, command.selects ?? selection));
+      const kind = past.length > depth ? "do" : "join";
+      set({
+        ...place(after, activeProgram, command.selects ?? selection),
+        ...told(kind, command.label, activeProgram),
+      });
     },
 
     undo: () => {
       const last = past.pop();
       if (last === undefined) return;
       future.push(last);
-      set(place(last.command.revert(get().mission), last.program, last.selection));
+      set({ ...place(last.command.revert(get().mission), last.program, last.selection), ...told("undo") });
     },
 
     redo: () => {
       const next = future.pop();
       if (next === undefined) return;
       past.push(next);
-      set(place(next.command.execute(get().mission), next.program, next.command.selects ?? next.selection));
+      const after = next.command.execute(get().mission);
+      set({ ...place(after, next.program, next.command.selects ?? next.selection), ...told("redo") });
     },
 
     select: (ids) => {
@@ -168,7 +191,7 @@ export const useStudio = create<StudioState>((set, get) => {
 
     markSaved: (path, revision, name, saving) => {
       saved = saving === undefined || saving === get().mission ? past.length : -1;
-      set({ file: { path, revision, name: name ?? path.split("/").at(-1) ?? path }, ...stacks() });
+      set({ file: { path, revision, name: name ?? path.split("/").at(-1) ?? path }, ...stacks(), ...told("save") });
     },
 
     loadParts: (catalogue) => {
