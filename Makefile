@@ -14,7 +14,7 @@ SOURCES := $(wildcard src tests tools benchmarks hatch_build.py)
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help install page run test check format bench lock clean
+.PHONY: help install page run test check format bench pictures lock clean
 
 help: ## list the tasks
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -44,6 +44,9 @@ format: install ## lay out every file, mend what can be mended by rule
 
 bench: install ## measure, each subject beside its peer
 	$(PY) -m benchmarks
+
+pictures: install page ## take the pictures in docs/pictures from the running studio
+	KITROBOT_PICTURES=1 $(BIN)/pytest -q tests/studio/test_pictures.py
 
 page: $(STAMP) ## build the page into the package, if it is stale
 	@$(PAGE) build

@@ -185,7 +185,7 @@ class Expressions(Cursor):
             return value
         shown = digits if len(digits) <= 20 else digits[:17] + "…"
         self.report(rules.NUMBER_TOO_LARGE, f"expected a number from 0 to {MAX_NUMBER}, found {shown}", start, end)
-        return MAX_NUMBER
+        return 1  # what was meant is not known; this offends no other rule
 
     def number(self) -> int:
         kind, start, end, value = self.tokens[self.at]

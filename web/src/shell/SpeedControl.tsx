@@ -2,6 +2,7 @@
 import { useRun } from "../run/run";
 import { Icon } from "../theme";
 import { t } from "../words/words";
+import { nextSpeed } from "./actions";
 import { MAX_POSITION, positionOf, speedAt } from "./speed";
 
 export function speedWords(speed: number): string {
@@ -28,8 +29,11 @@ export function SpeedControl() {
         data-testid="speed"
         onChange={(event) => setSpeed(speedAt(Number(event.target.value)))}
         onKeyDown={(event) => {
-          // One key press is one notch, also across the gap before the last one.
-          if (event.key === "ArrowRight" && position >= 100) setSpeed(0);
+          // One key press is one round speed: a notch of the slider is less than the eye or the run can tell.
+          const by = ({ ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 } as const)[event.key];
+          if (by === undefined) return;
+          event.preventDefault();
+          setSpeed(nextSpeed(speed, by));
         }}
         onDoubleClick={() => setSpeed(1)}
       />

@@ -1,0 +1,60 @@
+"""The pictures in the documents come from the running product: `make pictures` keeps what these tests take.
+
+Without KITROBOT_PICTURES the pictures go to a temporary folder; the tests then hold that each scene can be reached.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+
+
+@pytest.fixture
+def pictures(tmp_path: Path) -> Path:
+    """Where pictures go."""
+    if os.environ.get("KITROBOT_PICTURES"):
+        return Path(__file__).resolve().parents[2] / "docs" / "pictures"
+    return tmp_path
+
+
+def take(studio: Studio, path: Path) -> None:
+    """Takes the whole window, when nothing moves any more."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    studio.page.mouse.move(800, 990)
+    studio.page.screenshot(path=path, animations="disabled")
+    assert path.stat().st_size > 20_000
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_the_studio_in_the_middle_of_the_transport(open_studio: OpenStudio, pictures: Path, theme: str) -> None:
+    studio = open_studio("transport/transport.krt")
+    studio.page.emulate_media(color_scheme="dark" if theme == "dark" else "light")
+    studio.at("speed").focus()
+    for _ in range(3):
+        studio.page.keyboard.press("ArrowRight")
+    studio.at("run-button").click()
+    expect(studio.at("arena-summary")).to_contain_text(re.compile("[4-9] of 12 delivered"), timeout=60_000)
+    studio.at("pause-button").click()
+    expect(studio.at("status")).to_contain_text("Paused")
+    studio.page.locator(".vertex", has_text="Advance").first.click()
+    expect(studio.at("inspector")).to_contain_text("speed")
+    take(studio, pictures / ("studio.png" if theme == "light" else "studio-dark.png"))
+
+
+def test_a_new_program(open_studio: OpenStudio, pictures: Path) -> None:
+    studio = open_studio(None)
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    expect(studio.at("first-place")).to_be_visible()
+    take(studio, pictures / "new-program.png")
