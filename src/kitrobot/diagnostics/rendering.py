@@ -31,7 +31,7 @@ def render_one(diagnostic: Diagnostic, source: Source | None) -> str:
         shown = _shown(text[first : first + _WIDEST])
         gutter = f"{place.line} | "
         before, guilty = shown[: place.column - 1 - first], shown[place.column - 1 - first : until - 1 - first]
-        lines.append(f"  {gutter}{shown}")
+        lines.append(f"  {gutter}{shown}".rstrip())
         lines.append("  " + " " * (len(gutter) + _width(before)) + "^" * max(1, _width(guilty)))
     if diagnostic.help:
         lines.append(_shown(f"  help: {diagnostic.help}"))

@@ -1,0 +1,1 @@
+"""How KitRobot says what is wrong."""
