@@ -8,6 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from kitrobot.lll import MAX_NESTING, format_text, parse, print_program
+from tests.lll.frames import at_most_frames
 
 DEEP: list[tuple[str, Callable[[int], str], int]] = [
     ("bodies of loops", lambda n: "1*(" * n + ")" * n, 0),
@@ -42,8 +43,9 @@ def test_a_program_at_the_limit_is_read_and_one_beyond_it_is_not(made: Callable[
 
 @pytest.mark.parametrize("made", [row[1] for row in DEEP], ids=[row[0] for row in DEEP])
 def test_a_program_at_the_limit_is_printed_and_read_again(made: Callable[[int], str]) -> None:
-    program = parse(made(MAX_NESTING - MAX_NESTING % 3)).program
-    again = parse(print_program(program))
+    with at_most_frames(850):
+        program = parse(made(MAX_NESTING - MAX_NESTING % 3)).program
+        again = parse(print_program(program))
     assert again.diagnostics == []
     assert again.program == program
 
@@ -59,7 +61,8 @@ def test_ten_thousand_levels_are_refused_at_once(made: Callable[[int], str]) -> 
 @pytest.mark.parametrize("opener", ["[", "<", "(", "[(", "*[(", "[[", "<[", "°", "a.b(", "!(", "//(", "1*(", "{"])
 def test_ten_thousand_openers_end_in_a_mistake(opener: str) -> None:
     began = time.process_time()
-    parsed = parse(opener * 10_000)
+    with at_most_frames(850):
+        parsed = parse(opener * 10_000)
     assert not parsed.ok
     assert len(parsed.diagnostics) < 4
     assert time.process_time() - began < 2

@@ -137,14 +137,14 @@ class _Filling:
         made: Call = self.node(template)
         return made
 
-    def body(self, template: Seq) -> Seq:
-        return self.nested(template, template.hole.name if template.hole is not None else "")
-
-    def nested(self, template: Seq, port: str) -> Seq:
-        """A body one level down, its hole filled by what follows a port."""
+    def body(self, template: Seq, port: str = "") -> Seq:
+        """A body one level down, its hole filled by what follows a port (if none is given, that of its name)."""
         if not self.walk.deeper(self.vertex):
             return Seq()
-        seq = self.items(template, port)
+        if template.hole is not None and not template.items:
+            seq = self.walk.body(self.vertex, port or template.hole.name)
+        else:
+            seq = self.items(template, port)
         self.walk.depth -= 1
         return seq
 
@@ -183,7 +183,7 @@ class _Filling:
                 key=lambda port: int(port[len(base) :]),
             )
             for port in ports:
-                body = self.nested(template, port)
+                body = self.body(template, port)
                 if body.items:
                     branches.append(body)
                 else:
