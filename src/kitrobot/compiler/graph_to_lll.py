@@ -29,9 +29,10 @@ from kitrobot.primitives import Catalogue, Parameter, Role
 
 @dataclass(frozen=True)
 class Translation:
-    """The program as far as it could be read off the graph, and what is wrong with the graph."""
+    """The program as far as it could be read off the graph, what is wrong with the graph, and how it is wired."""
 
     program: Seq
+    wiring: Wiring = field(repr=False, compare=False)
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
     @property
@@ -47,7 +48,7 @@ def graph_to_lll(program: Program, catalogue: Catalogue) -> Translation:
     """
     walk = _Walk(program, catalogue)
     seq = walk.whole()
-    return Translation(seq, walk.wiring.found)
+    return Translation(seq, walk.wiring, walk.wiring.found)
 
 
 class _Walk:

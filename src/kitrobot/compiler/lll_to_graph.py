@@ -2,133 +2,263 @@
 
 A construct becomes a vertex of the constructor whose template is that very construct around distinct holes; matching
 the template against the node says which part of the node fills which slot. Ids are v1, v2, … in reading order.
+
+Drawn beside the graph that the text came from (`keep`), an instruction that is still there keeps its vertex, also one
+of a constructor whose template is more than one construct, as long as the text is still made from that template.
+The result is read back: where it does not say what the text says (a note that had two homes, a slot that was
+filled twice), it is drawn once more with less of the old.
 """
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import dataclass, replace
 from typing import Any
 
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.keeping import Branch, Old, Origin, note
+from kitrobot.compiler.unfilling import Bound, unfill, unfill_all
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
-from kitrobot.lll import Call, Hole, Instruction, Node, Number, Seq
+from kitrobot.lll import Call, Instruction, Node, Number, Seq
 from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind, shape
 
 
-def lll_to_graph(program: Seq, robot: Robot, catalogue: Catalogue, name: str) -> Program:
+def lll_to_graph(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, keep: Program | None = None) -> Program:
     """The graph of an LLL program.
 
-    Raises KitRobotError when no constructor at hand is the inverse of a construct the program uses.
+    Args:
+        seq: the program; its places and vertices do not matter.
+        robot: the robot it is for.
+        catalogue: the constructors to draw with.
+        name: the name of the graph.
+        keep: the graph to take over as much from as can be; the same text gives this very graph back.
+
+    Raises KitRobotError when no constructor at hand is the inverse of a construct the program uses, or the catalogue
+    lacks the robot that `keep` is for.
     """
-    drawing = _Drawing(Program(name, robot.name), robot, catalogue)
-    drawing.whole(program)
-    return drawing.program
+    old = Old(keep, seq, robot, catalogue)
+    if keep is None:
+        return _Drawing(Program(name, robot.name), robot, catalogue, old).whole(seq)
+    if old.tree == seq:
+        return replace(keep, name=name, robot=robot.name)
+    drawn = Program(name, robot.name)
+    for notes_anew in (False, True):
+        drawn = _Drawing(Program(name, robot.name), robot, catalogue, old, notes_anew=notes_anew).whole(seq)
+        old.leave(drawn, loose_only=notes_anew)
+        if graph_to_lll(drawn, catalogue).program == seq:
+            break
+    return drawn
+
+
+@dataclass(frozen=True)
+class _Choice:
+    """What an instruction is drawn as: an element, what its slots hold, and the vertex it was before, if any.
+
+    `before` is what the slots held then, when it was the same element; `width` counts the instructions it stands for.
+    """
+
+    element: str
+    constructor: Constructor | None = None
+    bound: Bound | None = None
+    origin: Origin | None = None
+    before: Any = None
+    width: int = 1
 
 
 class _Drawing:
-    def __init__(self, program: Program, robot: Robot, catalogue: Catalogue) -> None:
+    def __init__(
+        self, program: Program, robot: Robot, catalogue: Catalogue, old: Old, *, notes_anew: bool = False
+    ) -> None:
         self.program = program
         self.robot = robot
         self.catalogue = catalogue
-        self.count = 0
+        self.old = old
+        self.notes_anew = notes_anew
+        self.number = old.highest_number()
+        self.used: set[str] = set()
+        self.title: list[str] = []
+        """Start's notes, which stand above the first instruction."""
 
-    def whole(self, seq: Seq) -> None:
-        self.program.vertices.append(Vertex("start", START))
-        last, port = self.chain(seq, "start", NEXT)
-        stop = Vertex("stop", STOP)
-        if seq.below:
-            stop.notes.append(Note("\n".join(seq.below)))
+    def whole(self, seq: Seq) -> Program:
+        start, stop = self.old.end(START), self.old.end(STOP)
+        self.used |= {start.id, stop.id}
+        self.title = _lines(start.notes)
+        top = seq.items[0].above if seq.items else seq.below
+        if self.notes_anew or top[: len(self.title)] != self.title:
+            start.notes, self.title = [], []
+        self.program.vertices.append(start)
+        last, port = self.chain(seq, start.id, NEXT, len(self.title))
+        below = seq.below[0 if seq.items else len(self.title) :]
+        if _lines(stop.notes) != below:
+            stop.notes = note(below)
         self.program.vertices.append(stop)
-        self.arc(last, "stop", port)
+        self.arc(last, stop.id, port)
+        return self.program
 
     def arc(self, source: str, target: str, out: str = NEXT, at: str = IN) -> None:
         self.program.arcs.append(Arc(source, target, out, at))
 
-    def vertex(self, element: str) -> Vertex:
-        self.count += 1
-        vertex = Vertex(f"v{self.count}", element)
+    def vertex(self, choice: _Choice) -> Vertex:
+        """The vertex of an instruction: the one it was, or a new one."""
+        if choice.origin is None:
+            self.number += 1
+            vertex = Vertex(f"v{self.number}", choice.element)
+        else:
+            was = choice.origin.vertex
+            settings = dict(was.settings) if was.element == choice.element else {}
+            vertex = replace(was, element=choice.element, settings=settings, notes=list(was.notes))
+        self.used.add(vertex.id)
         self.program.vertices.append(vertex)
         return vertex
 
-    def chain(self, seq: Seq, source: str, port: str) -> tuple[str, str]:
-        """Draws a body behind a port; the port from which it goes on."""
-        for node in seq.items:
-            element, constructor = self.element(node)
-            vertex = self.vertex(element)
+    def chain(self, seq: Seq, source: str, port: str, title: int = 0) -> tuple[str, str]:
+        """Draws a body behind a port; the port from which it goes on. The first `title` comments are not its own."""
+        at = 0
+        while at < len(seq.items):
+            choice = self.choose(seq.items[at], seq, at)
+            vertex = self.vertex(choice)
             self.arc(source, vertex.id, port)
-            self.notes(vertex, node)
-            self.inside(vertex, node, constructor)
+            first, last = seq.items[at], seq.items[at + choice.width - 1]
+            bare = self.notes(vertex, choice, first.above[title if at == 0 else 0 :], last)
+            self.inside(vertex, first, choice, bare)
             source, port = vertex.id, NEXT
+            at += choice.width
         return source, port
 
-    def notes(self, vertex: Vertex, node: Instruction) -> None:
-        if node.above:
-            vertex.notes.append(Note("\n".join(node.above)))
-        if node.after is not None:
-            vertex.notes.append(Note(node.after, "after"))
+    def notes(self, vertex: Vertex, choice: _Choice, above: list[str], last: Instruction) -> bool:
+        """Sets the notes above and behind an instruction; whether what stands in its slots may bring none."""
+        kept = [one for one in vertex.notes if one.at not in ("", "after")]
+        over = [one for one in vertex.notes if one.at == ""]
+        behind = [one for one in vertex.notes if one.at == "after"]
+        bare = True
+        if choice.origin is not None and not self.notes_anew:
+            nodes = choice.origin.nodes
+            first = bool(self.old.tree.items) and self.old.tree.items[0] is nodes[0]
+            bare = nodes[0].above[len(self.title) if first else 0 :] != above
+            if nodes[-1].after == last.after:
+                last = replace(last, after=None)
+            else:
+                behind = []
+        else:
+            behind = []
+        vertex.notes = (note(above) if bare else over) + behind
+        if last.after is not None:
+            vertex.notes.append(Note(last.after, "after"))
+        vertex.notes += kept
+        return bare
 
-    def element(self, node: Node) -> tuple[str, Constructor | None]:
+    # -- which element
+
+    def choose(self, node: Node, body: Seq, at: int = 0) -> _Choice:
+        """What a node is drawn as; an instruction stands in `body` at the place `at`."""
+        origin = self.old.origin(node)
+        if origin is not None and origin.vertex.id in self.used:
+            origin = None
+        if origin is not None:
+            kept = self.still(origin, node, body, at)
+            if kept is not None:
+                return kept
         if isinstance(node, Call):
-            return f"{node.object}.{node.method}", None
+            element = f"{node.object}.{node.method}"
+            same = origin is not None and origin.vertex.element == element and isinstance(origin.nodes[0], Call)
+            return _Choice(element, origin=origin, before=origin.nodes[0] if origin is not None and same else None)
         constructor = self.catalogue.inverse.get(shape(node))
         if constructor is None:
             raise KitRobotError(
                 f"no constructor at hand draws the LLL construct {type(node).__name__}",
                 "bring back the constructors' XML that was shipped",
             )
-        return constructor.name, constructor
+        assert constructor.template is not None, "only what has a template is an inverse"
+        bound = unfill(constructor, constructor.template, node, any_number=True)
+        return _Choice(constructor.name, constructor, bound, origin)
 
-    def inside(self, vertex: Vertex, node: Any, constructor: Constructor | None) -> None:
+    def still(self, origin: Origin, node: Node, body: Seq, at: int) -> _Choice | None:
+        """The constructor that the vertex was of, where its template still stands in the text."""
+        constructor = self.catalogue.constructors.get(origin.vertex.element)
+        if constructor is None or constructor.template is None:
+            return None
+        template = constructor.template
+        if not isinstance(template, Seq):
+            bound = unfill(constructor, template, node)
+            before = unfill(constructor, template, origin.nodes[0])
+            return None if bound is None else _Choice(constructor.name, constructor, bound, origin, before)
+        width = len(template.items)
+        if template.hole is not None or template.below or width == 0:
+            return None
+        bound = unfill_all(constructor, template.items, body.items[at : at + width])
+        before = unfill_all(constructor, template.items, origin.nodes)
+        return None if bound is None else _Choice(constructor.name, constructor, bound, origin, before, width)
+
+    # -- what it holds
+
+    def inside(self, vertex: Vertex, node: Any, choice: _Choice, bare: bool) -> None:
         """Fills the slots of a vertex from its node: settings, fillers, bodies."""
-        if constructor is None:
-            self.params(vertex, node)
+        below = [one for one in vertex.notes if one.at.startswith("in:")]
+        vertex.notes = [one for one in vertex.notes if not one.at.startswith("in:")]
+        if choice.constructor is None:
+            self.params(vertex, node, choice, bare)
             return
-        matched = _match(constructor.template, node)
-        for slot in constructor.slots:
-            content = matched[slot.name]
-            match slot.kind:
-                case SlotKind.FLOW:
-                    bodies = content if slot.repeat else [content]
-                    for number, body in enumerate(bodies, 1):
-                        self.body(vertex, f"{slot.name}.{number}" if slot.repeat else slot.name, body)
-                case SlotKind.CONDITION | SlotKind.ACTION:
-                    self.filler(vertex, slot.name, content)
-                case _:
-                    vertex.settings[slot.name] = str(content)
+        assert choice.bound is not None, "an inverse fits its shape"
+        before: Bound = choice.before or {}
+        for slot in choice.constructor.slots:
+            content, was = choice.bound[slot.name], before.get(slot.name)
+            if slot.kind is SlotKind.FLOW and slot.repeat:
+                branches = [Branch(body) for body in content]
+                if choice.origin is not None and was is not None:
+                    branches = self.old.branches(choice.origin, slot.name, was, content)
+                for number, branch in enumerate(branches, 1):
+                    self.body(vertex, f"{slot.name}.{number}", branch.body, _at(below, branch.port), bare=bare)
+            elif slot.kind is SlotKind.FLOW:
+                self.body(vertex, slot.name, content, _at(below, slot.name))
+            elif isinstance(content, Node) and not isinstance(content, Number):
+                self.filler(vertex, slot.name, content, bare)
+            else:
+                self.setting(vertex, slot.name, content, was)
 
-    def body(self, vertex: Vertex, port: str, seq: Seq) -> None:
-        if seq.below:
-            vertex.notes.append(Note("\n".join(seq.below), f"in:{port}"))
+    def setting(self, vertex: Vertex, name: str, value: Any, was: Any) -> None:
+        """A number that was typed; one that says the same as before stays as it was written."""
+        if was is None or value != was:
+            vertex.settings[name] = str(value.value if isinstance(value, Number) else value)
+
+    def body(self, vertex: Vertex, port: str, seq: Seq, notes: list[Note], *, bare: bool = True) -> None:
+        """A body, with the notes that stood at its end before. An empty branch keeps them unless `bare`."""
+        if _lines(notes) == seq.below or not (bare or seq.items):
+            vertex.notes += [replace(one, at=f"in:{port}") for one in notes]
+        else:
+            vertex.notes += note(seq.below, f"in:{port}")
         last, out = self.chain(seq, vertex.id, port)
         self.arc(last, vertex.id, out, RETURN)
 
-    def filler(self, vertex: Vertex, slot: str, node: Any) -> None:
-        element, constructor = self.element(node)
-        filler = self.vertex(element)
+    def filler(self, vertex: Vertex, slot: str, node: Any, bare: bool) -> None:
+        choice = self.choose(node, Seq())
+        filler = self.vertex(choice)
+        if bare:
+            filler.notes = []
         self.arc(filler.id, vertex.id, NEXT, slot)
-        self.inside(filler, node, constructor)
+        self.inside(filler, node, choice, bare)
 
-    def params(self, vertex: Vertex, call: Call) -> None:
+    def params(self, vertex: Vertex, call: Call, choice: _Choice, bare: bool) -> None:
         meaning = self.robot.calls.get((call.object, call.method))
-        names = [parameter.name for parameter in meaning[1].parameters] if meaning is not None else []
+        before = choice.before.params if isinstance(choice.before, Call) else []
+        if meaning is not None:
+            names = [parameter.name for parameter in meaning[1].parameters]
+        else:
+            names = list(vertex.settings) if len(vertex.settings) == len(before) else []
         names += [f"parameter{number}" for number in range(len(names) + 1, len(call.params) + 1)]
-        for name, param in zip(names, call.params, strict=False):
+        for index, (name, param) in enumerate(zip(names, call.params, strict=False)):
             if isinstance(param, Number):
-                vertex.settings[name] = str(param.value)
+                self.setting(vertex, name, param, before[index] if index < len(before) else None)
             elif isinstance(param, Call):
-                self.filler(vertex, name, param)
+                self.filler(vertex, name, param, bare)
+        if meaning is None:
+            for name in names[len(call.params) :]:
+                vertex.settings.pop(name, None)
 
 
-def _match(template: Any, node: Any) -> dict[str, Any]:
-    """Hole name → the part of the node that stands there; a repeated body gives the list of all branches."""
-    matched: dict[str, Any] = {}
-    for part in fields(template):
-        pattern, value = getattr(template, part.name), getattr(node, part.name)
-        if isinstance(pattern, list) and pattern and isinstance(pattern[0], Seq):
-            assert pattern[0].hole is not None
-            matched[pattern[0].hole.name] = value
-        elif isinstance(pattern, Seq) and pattern.hole is not None:
-            matched[pattern.hole.name] = value
-        elif isinstance(pattern, Hole):
-            matched[pattern.name] = value
-    return matched
+def _at(notes: list[Note], port: str | None) -> list[Note]:
+    return [one for one in notes if one.at == f"in:{port}"]
+
+
+def _lines(notes: list[Note]) -> list[str]:
+    """Notes as the comment lines that they become."""
+    return [line.rstrip() for one in notes for line in one.text.split("\n")]

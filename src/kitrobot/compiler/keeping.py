@@ -1,0 +1,149 @@
+"""What a graph that is drawn anew from its edited text takes over from the graph that was there.
+
+An instruction that is still in the text (see `identity`) keeps its vertex: the id, settings that say the same, notes
+whose text did not change, XML that nobody knows. Vertices that were no part of the text (parked chains, elements
+nobody knows beside the flow) stay with their arcs, and so do arcs that fitted nowhere. Branches that held nothing,
+so that the text does not show them, stay between the same neighbours.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from typing import Any
+
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.identity import Same, same_nodes
+from kitrobot.compiler.wiring import Wiring
+from kitrobot.graph import RETURN, START, Note, Program, Vertex
+from kitrobot.lll import Node, Number, Seq, children
+from kitrobot.primitives import Catalogue, Robot
+
+_NUMBERED = re.compile(r"v([1-9][0-9]{0,8})")
+
+
+@dataclass(frozen=True)
+class Origin:
+    """The vertex an instruction or a condition was, and the nodes it had become (the first of each template item)."""
+
+    vertex: Vertex
+    nodes: list[Any]
+
+
+@dataclass(frozen=True)
+class Branch:
+    """A body of a repeated slot: what stands in it, and the port it had before, if any."""
+
+    body: Seq
+    port: str | None = None
+
+
+class Old:
+    """The graph before the edit; without one, everything is new."""
+
+    def __init__(self, program: Program | None, new: Seq, robot: Robot, catalogue: Catalogue) -> None:
+        self.program = program if program is not None else Program("", robot.name)
+        self.tree, self.wiring = Seq(), Wiring(Program("", robot.name), robot, catalogue)
+        self.same: Same = {}
+        if program is not None:
+            translation = graph_to_lll(program, catalogue)
+            self.tree, self.wiring = translation.program, translation.wiring
+            self.same = same_nodes(self.tree, new)
+        self.roots: dict[str, list[Any]] = {}
+        self.root_of: dict[int, str] = {}
+        self._find_roots()
+
+    def _find_roots(self) -> None:
+        """The outermost nodes of each vertex: a template's inner nodes name the vertex too."""
+        waiting: list[tuple[Node, str | None]] = [(self.tree, None)]
+        while waiting:
+            node, owner = waiting.pop()
+            if node.vertex is not None and node.vertex != owner and not isinstance(node, Number):
+                self.roots.setdefault(node.vertex, []).append(node)
+                self.root_of[id(node)] = node.vertex
+            owner = node.vertex or owner
+            waiting += [(child, owner) for child in reversed(children(node))]
+
+    def origin(self, node: Node) -> Origin | None:
+        """What a node of the new text was; None when it is new, or was an inner part of a vertex."""
+        before = self.same.get(id(node))
+        name = self.root_of.get(id(before)) if before is not None else None
+        if name is None or self.roots[name][0] is not before:
+            return None
+        return Origin(self.wiring.vertices[name], self.roots[name])
+
+    def end(self, element: str) -> Vertex:
+        """Start or Stop as it was, with its notes."""
+        found = self.wiring.start if element == START else self.wiring.stop
+        if found is not None:
+            return replace(found, notes=list(found.notes))
+        name = element.lower()
+        while name in self.wiring.vertices:
+            name += "-"
+        return Vertex(name, element)
+
+    def highest_number(self) -> int:
+        """The highest n of the ids v<n> in use, by vertices or by arcs."""
+        ids = [vertex.id for vertex in self.program.vertices]
+        ids += [name for arc in self.program.arcs for name in (arc.source, arc.target)]
+        return max((int(found[1]) for found in map(_NUMBERED.fullmatch, ids) if found), default=0)
+
+    def branches(self, origin: Origin, slot: str, before: list[Seq], after: list[Seq]) -> list[Branch]:
+        """The bodies of a repeated slot, with those that held nothing in their places."""
+        layout = self._layout(origin.vertex.id, slot, before)
+        if layout is None:
+            return [Branch(body) for body in after]
+        place = {id(body): at for at, (_, body) in enumerate(layout) if body is not None}
+        places = [place.get(id(self.same.get(id(body)))) for body in after]
+        made: list[Branch] = []
+        at = 0
+        for index, body in enumerate(after):
+            known = places[index]
+            ahead = [one for one in places[index:] if one is not None and one >= at]
+            if known is not None and known >= at:
+                made += [Branch(Seq(), port) for port, old in layout[at:known] if old is None]
+                made.append(Branch(body, layout[known][0]))
+                at = known + 1
+                continue
+            free = [one for one in range(at, min(ahead, default=len(layout))) if layout[one][1] is None]
+            made.append(Branch(body, layout[free[0]][0] if free else None))
+            at = free[0] + 1 if free else at
+        return made + [Branch(Seq(), port) for port, old in layout[at:] if old is None]
+
+    def _layout(self, vertex: str, slot: str, before: list[Seq]) -> list[tuple[str, Seq | None]] | None:
+        """Port and body of each branch in order, the body None where it holds nothing; None when they do not agree."""
+        base = slot + "."
+        ports = [port for port in self.wiring.ports.get(vertex, ()) if port.startswith(base)]
+        ports.sort(key=lambda port: int(port[len(base) :]))
+        full = [port for port in ports if self.wiring.out[vertex, port].at != RETURN]
+        if len(full) != len(before):
+            return None
+        bodies = dict(zip(full, before, strict=True))
+        return [(port, bodies.get(port)) for port in ports]
+
+    def leave(self, program: Program, *, loose_only: bool) -> None:
+        """Adds what was no part of the text. `loose_only`: without arcs between it and the flow."""
+        in_text = set(self.roots)
+        first = {id(vertex) for vertex in self.wiring.vertices.values()}
+        in_text |= {end.id for end in (self.wiring.start, self.wiring.stop) if end is not None}
+        flow = {vertex.id for vertex in program.vertices}
+        program.vertices += [
+            vertex for vertex in self.program.vertices if vertex.id not in in_text or id(vertex) not in first
+        ]
+        there = {vertex.id for vertex in program.vertices}
+        drawn = {(arc.source, arc.out, arc.target, arc.at) for arc in program.arcs}
+        fitted = {id(arc) for arc in self.wiring.out.values()}
+        for arc in self.program.arcs:
+            if arc.source in in_text and id(arc) in fitted:
+                continue
+            if arc.source not in there or arc.target not in there:
+                continue
+            if loose_only and (arc.source in flow or arc.target in flow):
+                continue
+            if (arc.source, arc.out, arc.target, arc.at) not in drawn:
+                program.arcs.append(arc)
+
+
+def note(text: list[str], at: str = "") -> list[Note]:
+    """The note of some comment lines, or none."""
+    return [Note("\n".join(text), at)] if text else []
