@@ -1,24 +1,101 @@
-"""Every mission of the gallery has no problems, runs to its end as done, and is written as we write missions."""
+"""Every mission of the gallery has no problems, says what it is, runs to its end as done, and does what it says."""
 
 from __future__ import annotations
 
+import itertools
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
 
 import kitrobot
 from kitrobot.mission import read_mission, write_mission
+from kitrobot.sim import Simulation
 
 EXAMPLES = sorted((Path(__file__).resolve().parents[2] / "examples").glob("*/*.krt"))
+LANGUAGES = {"", "fr", "ur"}
+
+
+@dataclass
+class Watched:
+    """A run seen by its poses, once a tick: x mm, y mm, heading rad, load, flags of each agent."""
+
+    run: Simulation
+    poses: list[list[tuple[float, float, float, int, int]]] = field(default_factory=list)
+
+    def path(self, agent: int = 0) -> list[tuple[float, float]]:
+        """Where an agent was."""
+        return [(poses[agent][0], poses[agent][1]) for poses in self.poses]
+
+    def reached(self, x: float, y: float, agent: int = 0) -> bool:
+        """Whether an agent came by this point, to 60 mm."""
+        return any(math.hypot(px - x, py - y) < 60 for px, py in self.path(agent))
+
+    def lamps_lit(self, agent: int = 0) -> int:
+        """How often the lamp went on."""
+        lit = [bool(poses[agent][4] & 1) for poses in self.poses]
+        return sum(now and not before for before, now in zip([False, *lit], lit, strict=False))
+
+
+def watch(path: Path) -> Watched:
+    """Runs a mission to its end, at most five minutes of its time."""
+    watched = Watched(kitrobot.open(path).simulation(seed=1))
+    while watched.run.outcome is None and watched.run.seconds < 300:
+        watched.run.step()
+        watched.poses.append(list(watched.run.poses()))
+    return watched
+
+
+def variable(watched: Watched, name: str) -> int:
+    return watched.run.agents[0].values[name]
+
+
+def way(watched: Watched) -> float:
+    path = watched.path()
+    return sum(math.dist(a, b) for a, b in itertools.pairwise(path))
+
+
+ACHIEVED: dict[str, Callable[[Watched], bool]] = {
+    "blink": lambda seen: seen.lamps_lit() == 5 and way(seen) > 300,
+    "brake": lambda seen: 3700 < seen.path()[-1][0] < 3960,
+    "bump": lambda seen: seen.run.collisions == 1 and seen.path()[-1][0] < 3800,
+    "circle": lambda seen: seen.reached(1800, 1000) and seen.reached(1100, 1700) and seen.reached(400, 1050),
+    "door": lambda seen: seen.lamps_lit() == 5 and way(seen) == 0,
+    "faster": lambda seen: variable(seen, "Level") == 80 and way(seen) > 500,
+    "pair": lambda seen: all(abs(seen.path(k)[-1][0] - 350) < 60 and seen.lamps_lit(k) == 2 for k in (0, 1)),
+    "red-and-green": lambda seen: seen.lamps_lit() == 1 and abs(seen.path()[-1][0] - 1900) < 120,
+    "rooms": lambda seen: way(seen) > 1500,
+    "square": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 30 and way(seen) > 600,
+    "star": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 60 and seen.lamps_lit() == 15,
+    "stripes": lambda seen: variable(seen, "Count") == 4 and 1500 < seen.path()[-1][0] < 1850,
+    "transport": lambda seen: seen.run.stock == {"A": 0, "B": 12},
+    "wall": lambda seen: way(seen) > 3000,
+}
+
+
+def test_the_gallery_holds_at_least_ten_missions_each_with_what_it_must_achieve() -> None:
+    assert len(EXAMPLES) >= 10
+    assert {path.stem for path in EXAMPLES} == set(ACHIEVED)
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_example_runs_to_its_end_as_done(path: Path) -> None:
-    mission = kitrobot.open(path)
-    assert [problem for problem in mission.check().problems if problem.severity != "hint"] == []
-    run = mission.run(seed=1, seconds=300)
-    assert run.outcome == "done", run.sentence
-    assert run.collisions == 0
+def test_example_has_no_problems_and_ends_as_done_and_does_what_it_says(path: Path) -> None:
+    assert list(kitrobot.open(path).check().problems) == []
+    seen = watch(path)
+    assert seen.run.outcome == "done", seen.run.sentence
+    assert seen.run.collisions == (1 if path.stem == "bump" else 0)
+    assert ACHIEVED[path.stem](seen), (way(seen), seen.lamps_lit(), seen.path()[-1])
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_example_says_its_title_and_what_happens_in_three_languages(path: Path) -> None:
+    mission, _ = read_mission(path.read_bytes(), path.name)
+    assert mission is not None
+    assert set(mission.label) == set(mission.help) == LANGUAGES
+    assert all(0 < len(text) <= 32 for text in mission.label.values())
+    assert all(0 < len(text) <= 100 for text in mission.help.values())
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)

@@ -188,3 +188,24 @@ def test_saving_through_a_link_writes_the_file_it_leads_to_with_its_mode(tmp_pat
     assert (tmp_path / "link.krt").is_symlink()
     assert real.read_bytes() == GOOD.encode()
     assert real.stat().st_mode & 0o777 == 0o640
+
+
+def test_title_and_what_happens_come_first_one_line_a_language_and_come_back() -> None:
+    first = Mission(label={"ur": "چوکور", "": "A <square>"}, help={"fr": "Quatre côtés"})
+    data = write_mission(first)
+    assert data.decode().splitlines()[1:4] == [
+        "  <label>A &lt;square&gt;</label>",
+        '  <label xml:lang="ur">چوکور</label>',
+        '  <help xml:lang="fr">Quatre côtés</help>',
+    ]
+    again = mission(data)
+    assert (again.label, again.help) == (first.label, first.help)
+    assert write_mission(again) == data
+
+
+def test_a_title_given_twice_in_one_language_is_said_and_the_first_is_kept() -> None:
+    data = b'<kitrobot version="1"><label>One</label><label xml:lang="en">Two</label></kitrobot>'
+    found, problems = read_mission(data, "test.krt")
+    assert found is not None
+    assert found.label == {"": "One"}
+    assert "already" in problems[0].message

@@ -33,7 +33,13 @@ def test_missions_are_listed_with_the_examples_after_them(page, folder):
     assert [entry["path"] for entry in own] == ["blink.krt", "sub/line-follower_two.krt"]
     assert own[1]["title"] == "Line follower two"
     assert own[0]["modified"].endswith("+00:00")
-    assert "example:transport/transport.krt" in [entry["path"] for entry in listed if entry["example"]]
+    examples = [entry for entry in listed if entry["example"]]
+    assert examples[-1]["path"] == "example:transport/transport.krt"  # the easiest first
+    assert all(entry["label"]["fr"] and entry["help"]["ur"] and entry["picture"] for entry in examples)
+    assert examples[-1]["title"] == examples[-1]["label"][""] == "Transport as a team"
+    assert examples[-1]["picture"]["world"]["name"] == "ring"
+    assert own[0]["label"] == {}
+    assert own[0]["picture"] is None
 
 
 def test_a_mission_opens_with_its_world_and_catalogue(page):

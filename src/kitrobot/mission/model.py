@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from kitrobot.graph import Program
+from kitrobot.primitives import Texts
 
 VERSION = 1
 """The newest version of the `.krt` format."""
@@ -50,13 +51,18 @@ class Team:
 
 @dataclass(slots=True)
 class Mission:
-    """A whole mission. `world_href` names a world's file, "" means the empty world; `unknown` is XML kept as it is."""
+    """A whole mission. `world_href` names a world's file, "" means the empty world; `unknown` is XML kept as it is.
+
+    `label` is its title and `help` says in a sentence what happens, each by language, "" for English.
+    """
 
     version: int = VERSION
     programs: list[Program] = field(default_factory=list)
     team: Team = field(default_factory=Team)
     world_href: str = ""
     unknown: list[str] = field(default_factory=list)
+    label: Texts = field(default_factory=dict)
+    help: Texts = field(default_factory=dict)
 
     def program(self, name: str) -> Program | None:
         """The program of that name, or None."""

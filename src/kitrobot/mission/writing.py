@@ -14,12 +14,13 @@ from pathlib import Path
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import write_program
 from kitrobot.mission.model import Mission, Team
-from kitrobot.primitives import attributes
+from kitrobot.primitives import Texts, attributes, escape_text
 
 
 def write_mission(mission: Mission) -> bytes:
     """The `.krt` file: one vertex, arc or agent a line. The same mission gives the same bytes."""
     lines = [f"<kitrobot{attributes(('version', mission.version))}>"]
+    lines += [*_texts("label", mission.label), *_texts("help", mission.help)]
     for program in mission.programs:
         lines += write_program(program)
     lines += _team(mission.team)
@@ -28,6 +29,14 @@ def write_mission(mission: Mission) -> bytes:
     lines += [f"  {raw}" for raw in mission.unknown]
     lines.append("</kitrobot>")
     return ("\n".join(lines) + "\n").encode()
+
+
+def _texts(name: str, texts: Texts) -> list[str]:
+    """One line a language, English first."""
+    return [
+        f"  <{name}{attributes(('xml:lang', language or None))}>{escape_text(texts[language])}</{name}>"
+        for language in sorted(texts)
+    ]
 
 
 def _team(team: Team) -> list[str]:

@@ -71,12 +71,7 @@ def session(studio: StudioOf) -> SessionShape:
 @routes.get("/missions")
 def missions(studio: StudioOf) -> list[MissionEntryShape]:
     """The missions of the folder, and the examples."""
-    return [
-        MissionEntryShape(
-            path=entry.path, name=entry.name, title=entry.title, example=entry.example, modified=entry.modified
-        )
-        for entry in studio.folder.missions()
-    ]
+    return studio.gallery.entries(studio)
 
 
 @routes.get("/mission")

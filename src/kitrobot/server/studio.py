@@ -13,6 +13,7 @@ from pathlib import Path
 
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
+from kitrobot.server.gallery import Gallery
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
 from kitrobot.workspace import MissionFolder, OpenMission, read_mission_data, with_mission
 
@@ -28,6 +29,7 @@ class Studio:
         self.folder = MissionFolder(workspace)
         self.first = self.folder.name_of(mission) if mission is not None else None
         self.runs = 0
+        self.gallery = Gallery()
         self._lock = threading.Lock()
         self._kept: dict[Path, tuple[Stamp, Catalogue, CatalogueShape]] = {}
 

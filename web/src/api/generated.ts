@@ -109,6 +109,14 @@ export interface Group {
   constructors: Constructor[];
 }
 
+/** A coloured line on the floor, sampled like a road. */
+export interface Line {
+  colour: "red" | "green" | "blue";
+  width_mm: number;
+  closed: boolean;
+  points: [number, number][];
+}
+
 /** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
 export interface Method {
   name: string;
@@ -124,7 +132,7 @@ export interface Method {
 
 /**
  * All of a `.krt`; `world` is the name of a world's file, "" for the empty world. `unknown` is XML of the file that
- * nobody knows, kept word for word.
+ * nobody knows, kept word for word; `label` and `help` are the title and what happens, by language.
  */
 export interface Mission {
   version: 1;
@@ -133,15 +141,23 @@ export interface Mission {
   goals: Goal[];
   world: string;
   unknown?: string[];
+  label?: Record<string, string>;
+  help?: Record<string, string>;
 }
 
-/** A mission that can be opened; examples are read-only. `modified` is a moment in UTC (ISO 8601). */
+/**
+ * A mission that can be opened; `modified` is a moment in UTC (ISO 8601). Examples are read-only and say more: title
+ * (`label`) and what happens (`help`) by language, and their picture.
+ */
 export interface MissionEntry {
   path: string;
   name: string;
   title: string;
   example: boolean;
   modified: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  picture: Picture | null;
 }
 
 /** A mission opened; `revision` names the content that was read, "" when there is no file yet. */
@@ -181,6 +197,13 @@ export interface Parameter {
 /** Stand still. */
 export interface PauseRequest {
   type: "pause";
+}
+
+/** What a small picture of a mission is drawn from: its first program and where it takes place. */
+export interface Picture {
+  program: Program;
+  world: World | null;
+  agents: string[];
 }
 
 /** A diagnostic; lines and columns count from 1 and are 0 where there is no file. */
@@ -439,6 +462,7 @@ export interface World {
   width_mm: number;
   height_mm: number;
   walls: Wall[];
+  lines: Line[];
   roads: Road[];
   docks: Dock[];
   storehouses: Storehouse[];

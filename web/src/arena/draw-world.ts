@@ -247,9 +247,24 @@ function drawWalls({ pen, camera, colours, unit }: Brush, world: World): void {
   pen.stroke();
 }
 
+/** Coloured lines on the floor, the last one on top as the robots see it. */
+function drawLines({ pen, camera, colours }: Brush, world: World): void {
+  pen.lineJoin = "round";
+  pen.lineCap = "butt";
+  for (const line of world.lines ?? []) {
+    pen.beginPath();
+    for (const [x, y] of line.points) pen.lineTo(...toScreen(camera, x, y));
+    if (line.closed) pen.closePath();
+    pen.strokeStyle = colours[line.colour];
+    pen.lineWidth = line.width_mm * camera.scale;
+    pen.stroke();
+  }
+}
+
 export function drawWorld(brush: Brush, scene: Scene): void {
   const { world } = scene;
   ground(brush, world);
+  drawLines(brush, world);
   for (const road of world.roads) drawRoad(brush, road);
   for (const dock of world.docks) drawDock(brush, dock, world);
   for (const road of world.roads) drawSigns(brush, road);

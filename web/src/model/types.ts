@@ -141,6 +141,9 @@ export interface Mission {
   agents: Agent[];
   goals: Goal[];
   world: string;
+  /** The title and what happens, by language. */
+  label?: Texts;
+  help?: Texts;
 }
 
 export interface Problem {
@@ -183,6 +186,7 @@ export interface World {
   width_mm: number;
   height_mm: number;
   walls: { x1: number; y1: number; x2: number; y2: number }[];
+  lines?: { colour: "red" | "green" | "blue"; width_mm: number; closed: boolean; points: [number, number][] }[];
   roads: {
     name: string;
     width_mm: number;

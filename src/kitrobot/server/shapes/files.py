@@ -5,7 +5,7 @@ from __future__ import annotations
 from pydantic import BaseModel
 
 from kitrobot.server.shapes.catalogue import CatalogueShape
-from kitrobot.server.shapes.mission import MissionShape
+from kitrobot.server.shapes.mission import MissionShape, ProgramShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.world import WorldShape
 
@@ -18,14 +18,28 @@ class SessionShape(BaseModel):
     workspace: str
 
 
+class PictureShape(BaseModel):
+    """What a small picture of a mission is drawn from: its first program and where it takes place."""
+
+    program: ProgramShape
+    world: WorldShape | None
+    agents: list[str]
+
+
 class MissionEntryShape(BaseModel):
-    """A mission that can be opened; examples are read-only. `modified` is a moment in UTC (ISO 8601)."""
+    """A mission that can be opened; `modified` is a moment in UTC (ISO 8601).
+
+    Examples are read-only and say more: title (`label`) and what happens (`help`) by language, and their picture.
+    """
 
     path: str
     name: str
     title: str
     example: bool
     modified: str
+    label: dict[str, str]
+    help: dict[str, str]
+    picture: PictureShape | None
 
 
 class MissionFileShape(BaseModel):

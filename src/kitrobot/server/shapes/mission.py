@@ -77,7 +77,8 @@ class GoalShape(BaseModel):
 class MissionShape(BaseModel):
     """All of a `.krt`; `world` is the name of a world's file, "" for the empty world.
 
-    `unknown` is XML of the file that nobody knows, kept word for word.
+    `unknown` is XML of the file that nobody knows, kept word for word; `label` and `help` are the title and what
+    happens, by language.
     """
 
     version: Literal[1]
@@ -86,6 +87,8 @@ class MissionShape(BaseModel):
     goals: Annotated[list[GoalShape], Field(max_length=MOST_AGENTS)]
     world: Words
     unknown: list[Words] = []
+    label: dict[Words, Words] = {}
+    help: dict[Words, Words] = {}
 
 
 def mission_shape(mission: Mission) -> MissionShape:
@@ -97,6 +100,8 @@ def mission_shape(mission: Mission) -> MissionShape:
         goals=[GoalShape(storehouse=goal.storehouse, stock=goal.stock) for goal in mission.team.goals],
         world=mission.world_href,
         unknown=mission.unknown,
+        label=dict(mission.label),
+        help=dict(mission.help),
     )
 
 
@@ -107,7 +112,7 @@ def mission_from_shape(shape: MissionShape) -> Mission:
         goals=[Goal(storehouse=goal.storehouse, stock=goal.stock) for goal in shape.goals],
     )
     programs = [_program(program) for program in shape.programs]
-    return Mission(shape.version, programs, team, shape.world, shape.unknown)
+    return Mission(shape.version, programs, team, shape.world, shape.unknown, shape.label, shape.help)
 
 
 def _program_shape(program: Program) -> ProgramShape:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, cast
 
 from pydantic import BaseModel
 
 from kitrobot.world import LOAD, Dock, Start, World
+
+FloorColour = Literal["red", "green", "blue"]
 
 
 class WallShape(BaseModel):
@@ -16,6 +18,15 @@ class WallShape(BaseModel):
     y1: float
     x2: float
     y2: float
+
+
+class LineShape(BaseModel):
+    """A coloured line on the floor, sampled like a road."""
+
+    colour: FloorColour
+    width_mm: float
+    closed: bool
+    points: list[tuple[float, float]]
 
 
 class SectionShape(BaseModel):
@@ -78,6 +89,7 @@ class WorldShape(BaseModel):
     width_mm: float
     height_mm: float
     walls: list[WallShape]
+    lines: list[LineShape]
     roads: list[RoadShape]
     docks: list[DockShape]
     storehouses: list[StorehouseShape]
@@ -91,6 +103,15 @@ def world_shape(world: World) -> WorldShape:
         width_mm=world.width_mm,
         height_mm=world.height_mm,
         walls=[WallShape(x1=wall.x1_mm, y1=wall.y1_mm, x2=wall.x2_mm, y2=wall.y2_mm) for wall in world.walls],
+        lines=[
+            LineShape(
+                colour=cast(FloorColour, line.colour),
+                width_mm=line.width_mm,
+                closed=line.closed,
+                points=list(zip(line.line.xs, line.line.ys, strict=True)),
+            )
+            for line in world.lines
+        ],
         roads=[
             RoadShape(
                 name=road.name,
