@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
+    from kitrobot.workspace.differences import Difference, differences, text_differences
     from kitrobot.workspace.examples import examples_folder, first_example
     from kitrobot.workspace.executables import Executable, load_executable
     from kitrobot.workspace.execution import Executed, execute
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     )
     from kitrobot.workspace.forms import Form, FormError
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
+    from kitrobot.workspace.journal import Journal, JournalError, read_journal, write_journal
+    from kitrobot.workspace.journals import Claimed, Journals, Left, News, state_folder
     from kitrobot.workspace.layout import Layout, lay_out, lay_out_file
     from kitrobot.workspace.opening import (
         NoProgramError,
@@ -45,6 +48,7 @@ if TYPE_CHECKING:
 _ROOMS = {
     "checking": ("FileReport", "check_file"),
     "conversion": ("ConversionError", "Converted", "convert"),
+    "differences": ("Difference", "differences", "text_differences"),
     "examples": ("examples_folder", "first_example"),
     "executables": ("Executable", "load_executable"),
     "execution": ("Executed", "execute"),
@@ -52,6 +56,8 @@ _ROOMS = {
     "folder": ("ConflictError", "MissionEntry", "MissionFolder", "MissionNameError", "ReadOnlyError", "revision_of"),
     "forms": ("Form", "FormError"),
     "inputs": ("Change", "Inputs", "read_inputs"),
+    "journal": ("Journal", "JournalError", "read_journal", "write_journal"),
+    "journals": ("Claimed", "Journals", "Left", "News", "state_folder"),
     "layout": ("Layout", "lay_out", "lay_out_file"),
     "opening": (
         "NoProgramError",
@@ -72,9 +78,11 @@ _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
 
 __all__ = [
     "Change",
+    "Claimed",
     "ConflictError",
     "ConversionError",
     "Converted",
+    "Difference",
     "Executable",
     "Executed",
     "FileError",
@@ -82,10 +90,15 @@ __all__ = [
     "Form",
     "FormError",
     "Inputs",
+    "Journal",
+    "JournalError",
+    "Journals",
     "Layout",
+    "Left",
     "MissionEntry",
     "MissionFolder",
     "MissionNameError",
+    "News",
     "NoProgramError",
     "OpenMission",
     "ProblemsError",
@@ -97,6 +110,7 @@ __all__ = [
     "Timing",
     "check_file",
     "convert",
+    "differences",
     "examples_folder",
     "execute",
     "find_robot",
@@ -108,10 +122,14 @@ __all__ = [
     "new_mission",
     "open_mission",
     "read_inputs",
+    "read_journal",
     "read_mission_data",
     "revision_of",
+    "state_folder",
+    "text_differences",
     "with_help",
     "with_mission",
+    "write_journal",
     "written_out",
 ]
 
