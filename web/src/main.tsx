@@ -6,17 +6,23 @@ import { token } from "./api/token";
 import { App } from "./shell/App";
 import { installTheme } from "./theme";
 import "./theme/styles";
-import { chooseLanguage } from "./words/words";
+import { installLanguage, useLanguage } from "./words/language";
 
-const root = document.getElementById("root");
-if (root === null) throw new Error("index.html has no #root");
+const found = document.getElementById("root");
+if (found === null) throw new Error("index.html has no #root");
+const root = found;
+
+/** Words are read while drawing: another language draws the page anew, from the same document. */
+function Spoken() {
+  return <App key={useLanguage((state) => state.language)} />;
+}
 
 token();
 installTheme();
-document.documentElement.lang = chooseLanguage(navigator.languages);
-
-createRoot(root).render(
-  <StrictMode>
-    <App />
-  </StrictMode>,
-);
+void installLanguage().then(() => {
+  createRoot(root).render(
+    <StrictMode>
+      <Spoken />
+    </StrictMode>,
+  );
+});

@@ -5,6 +5,7 @@ import { useStudio } from "../model/studio";
 import { posesAt, watchFrames } from "../run/poses";
 import { useRun } from "../run/run";
 import { Icon, useTheme } from "../theme";
+import { decimal } from "../words/numbers";
 import { t } from "../words/words";
 import "./arena.css";
 import { Painter } from "./painter";
@@ -71,7 +72,7 @@ function useSummary(scene: Scene | null): string {
 function Heading({ scene, painter }: { scene: Scene | null; painter: Painter | null }) {
   const seed = useRun((run) => run.seed);
   const world = scene?.world;
-  const size = (mm: number) => String(Number((mm / 1000).toFixed(2)));
+  const size = (mm: number) => decimal(mm / 1000);
   const what =
     world === undefined
       ? ""

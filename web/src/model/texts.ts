@@ -3,6 +3,6 @@ import { languageInUse } from "../words/words";
 import type { Texts } from "./types";
 
 /** The text in the page's language ("fr-CA" falls back on "fr"), else the default one (English), else `fallback`. */
-export function text(texts: Texts, fallback = "", language = languageInUse()): string {
+export function text(texts: Texts, fallback = "", language: string = languageInUse()): string {
   return texts[language] || texts[language.split("-")[0] ?? ""] || texts[""] || texts["en"] || fallback;
 }

@@ -2,6 +2,7 @@
 import { useEffect, useRef, useState } from "react";
 
 import { useStudio } from "../model/studio";
+import { text } from "../model/texts";
 import { Icon } from "../theme";
 import { t } from "../words/words";
 import { addProgramFor } from "./actions";
@@ -13,7 +14,7 @@ export function robotEntries(robots: readonly { name: string; label: Record<stri
   return robots.map(({ name, label }) => ({
     kind: "item",
     id: `add-${name}`,
-    label: label[""] ?? name,
+    label: text(label, name),
     run: () => addProgramFor(name),
   }));
 }

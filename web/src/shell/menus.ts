@@ -8,7 +8,8 @@ import { useView, type Viewport } from "../editor/view";
 import { useStudio } from "../model/studio";
 import { isLive, useRun } from "../run/run";
 import { type ThemeChoice, useTheme } from "../theme";
-import { type Key, t } from "../words/words";
+import { useLanguage } from "../words/language";
+import { type Key, type Language, languageInUse, LANGUAGES, t } from "../words/words";
 import { nextSpeed, pause, removeProgramNamed, run } from "./actions";
 import { robotEntries } from "./AddProgram";
 import { downloadMission, downloadProgram, newMission, save, show } from "./document";
@@ -38,7 +39,8 @@ function fileMenu(program: string, translated: boolean): MenuEntry[] {
   ];
 }
 
-const THEMES: ThemeChoice[] = ["light", "dark", "system"];
+const THEMES: ThemeChoice[] = ["light", "dark", "contrast", "system"];
+const SPOKEN = Object.keys(LANGUAGES) as Language[];
 const PANELS: Panel[] = ["palette", "inspector", "code", "arena"];
 
 function viewMenu(choice: ThemeChoice, folded: Record<Panel, boolean>, viewport: Viewport | null): MenuEntry[] {
@@ -51,6 +53,14 @@ function viewMenu(choice: ThemeChoice, folded: Record<Panel, boolean>, viewport:
       label: t(`view.${theme}` as Key),
       checked: choice === theme,
       run: () => useTheme.getState().choose(theme),
+    })),
+    { kind: "heading", id: "view-language", label: t("view.language") },
+    ...SPOKEN.map((language): MenuEntry => ({
+      kind: "radio",
+      id: `view-${language}`,
+      label: LANGUAGES[language].name,
+      checked: languageInUse() === language,
+      run: () => void useLanguage.getState().choose(language),
     })),
     { kind: "heading", id: "view-panels", label: t("view.panels") },
     ...PANELS.map((panel): MenuEntry => ({

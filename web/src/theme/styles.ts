@@ -3,4 +3,5 @@ import "@fontsource-variable/inter/wght.css";
 import "@fontsource-variable/jetbrains-mono/wght.css";
 
 import "./tokens.css";
+import "./tokens-contrast.css";
 import "./base.css";

@@ -1,24 +1,28 @@
 /**
- * The theme: light, dark, or as the system does.
+ * The theme: light, dark, high contrast, or as the system does.
  *
  * The choice lives in localStorage; what is shown is always written on the root element as data-theme, so that CSS and
  * the arena's canvas read one thing. Colours themselves are in tokens.css.
  */
 import { create } from "zustand";
 
-export type ThemeChoice = "light" | "dark" | "system";
-export type Theme = "light" | "dark";
+export type Theme = "light" | "dark" | "contrast";
+export type ThemeChoice = Theme | "system";
 
 const KEY = "kitrobot.theme";
 
+const MORE_CONTRAST = "(prefers-contrast: more)";
+const DARK = "(prefers-color-scheme: dark)";
+
 function systemTheme(): Theme {
-  return typeof matchMedia === "function" && matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  if (typeof matchMedia !== "function") return "light";
+  return matchMedia(MORE_CONTRAST).matches ? "contrast" : matchMedia(DARK).matches ? "dark" : "light";
 }
 
 function remembered(): ThemeChoice {
   try {
     const value = localStorage.getItem(KEY);
-    return value === "light" || value === "dark" ? value : "system";
+    return value === "light" || value === "dark" || value === "contrast" ? value : "system";
   } catch {
     return "system";
   }
@@ -54,9 +58,11 @@ export function installTheme(): void {
   write(useTheme.getState());
   useTheme.subscribe(write);
   if (typeof matchMedia === "function") {
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-      if (useTheme.getState().choice === "system") useTheme.setState({ theme: systemTheme() });
-    });
+    for (const wish of [MORE_CONTRAST, DARK]) {
+      matchMedia(wish).addEventListener("change", () => {
+        if (useTheme.getState().choice === "system") useTheme.setState({ theme: systemTheme() });
+      });
+    }
   }
 }
 

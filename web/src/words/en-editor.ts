@@ -24,6 +24,8 @@ export const EDITOR_EN = {
   "graph.thread": "thread {number} is here",
   "graph.park-here": "Drop to keep it aside",
 
+  "graph.close": "Close",
+
   "graph.note": "Note: {text}",
 
   "command.add": "Add {name}",
@@ -33,10 +35,18 @@ export const EDITOR_EN = {
   "command.parts": "parts",
   "command.set": "Set {name}",
   "command.note": "Write note",
+  "command.paste": "Paste {name}",
+  "command.wrap": "Wrap in {name}",
+  "command.unwrap": "Unwrap {name}",
   "command.add-branch": "Add a branch to {name}",
   "command.remove-branch": "Remove a branch",
   "command.change": "Change to {name}",
   "command.rename": "Rename {name}",
+
+  "paste.empty": "The clipboard is empty. Copy some parts or an LLL text first.",
+  "paste.rubbish": "What you pasted is no program text. {why}",
+  "paste.nothing": "That cannot be pasted here.",
+  "paste.by-key": "The browser keeps the clipboard to itself. Press Ctrl+V instead.",
 
   "add.title": "Add a part",
   "add.find": "Type to find a part",
@@ -53,6 +63,12 @@ export const EDITOR_EN = {
   "parts.tree": "Parts",
   "parts.on": "true",
   "parts.off": "false",
+
+  "edit.cut": "Cut",
+  "edit.copy": "Copy",
+  "edit.paste": "Paste",
+
+  "help.keys-clipboard": "Cut, copy, paste, as text too",
 
   "inspector.title": "Inspector",
   "inspector.nothing": "Nothing selected.",

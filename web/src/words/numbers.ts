@@ -1,18 +1,53 @@
-/** Numbers and times as the page writes them. */
+/** Numbers and times as the page writes them: digits of code (0–9) in every language, the reader's decimal sign. */
+import { languageInUse } from "./words";
+
 /** Times of a run in words: "00:42.6". */
 export function clock(seconds: number): string {
   const tenths = Math.floor(Math.max(seconds, 0) * 10 + 1e-6);
   const minutes = Math.floor(tenths / 600);
   const rest = tenths % 600;
-  return `${String(minutes).padStart(2, "0")}:${String(Math.floor(rest / 10)).padStart(2, "0")}.${String(rest % 10)}`;
+  return `${two(minutes)}:${two(Math.floor(rest / 10))}${decimalSign()}${String(rest % 10)}`;
 }
 
 /** A mark on the time axis: "0:50", "12:00". */
 export function axisTime(seconds: number): string {
-  return `${String(Math.floor(seconds / 60))}:${String(Math.round(seconds % 60)).padStart(2, "0")}`;
+  return `${String(Math.floor(seconds / 60))}:${two(Math.round(seconds % 60))}`;
 }
 
-/** 2130 → "2 130", with a narrow space. */
+/** 2130 → "2 130", with a narrow space: the same in every language, and never taken for a decimal sign. */
 export function grouped(number: number): string {
-  return String(number).replace(/\B(?=(\d{3})+$)/g, "\u2009");
+  return format({ maximumFractionDigits: 0 })
+    .formatToParts(number)
+    .map((part) => (part.type === "group" ? "\u2009" : part.value))
+    .join("");
+}
+
+/** 4.25 → "4.25", in French "4,25". */
+export function decimal(number: number): string {
+  return format({ maximumFractionDigits: 2, useGrouping: false }).format(number);
+}
+
+const made = new Map<string, Intl.NumberFormat>();
+
+function format(options: Intl.NumberFormatOptions): Intl.NumberFormat {
+  const key = `${languageInUse()} ${JSON.stringify(options)}`;
+  let found = made.get(key);
+  if (found === undefined) {
+    // "always": Polish or Spanish would leave four digits together, and numbers that run should not change their shape.
+    found = new Intl.NumberFormat(languageInUse(), { numberingSystem: "latn", useGrouping: "always", ...options });
+    made.set(key, found);
+  }
+  return found;
+}
+
+function two(number: number): string {
+  return String(number).padStart(2, "0");
+}
+
+function decimalSign(): string {
+  return (
+    format({ maximumFractionDigits: 2 })
+      .formatToParts(0.5)
+      .find((part) => part.type === "decimal")?.value ?? "."
+  );
 }

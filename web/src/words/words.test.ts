@@ -1,6 +1,13 @@
-import { expect, it } from "vitest";
+import { afterEach, describe, expect, it } from "vitest";
 
-import { chooseLanguage, languageInUse, sentence, t } from "./words";
+import { EN } from "./en";
+import { FR } from "./fr";
+import { UR } from "./ur";
+import { bestLanguage, type Key, languageInUse, sentence, type Sentence, speak, t, type Table } from "./words";
+
+afterEach(async () => {
+  await speak("en");
+});
 
 it("fills the holes of a sentence", () => {
   expect(t("arena.delivered-of", { done: 7, total: 12 })).toBe("7 of 12 delivered.");
@@ -15,10 +22,77 @@ it("counts one and many", () => {
   expect(t("problems.count", { count: 0 })).toBe("0 problems");
 });
 
-it("falls back to English for a language without a table", () => {
-  expect(chooseLanguage(["xx-YY", "en-GB"])).toBe("en");
-  expect(chooseLanguage(["xx"])).toBe("en");
+it("counts as each language does: in French nothing is one", async () => {
+  await speak("fr");
+  expect(t("problems.count", { count: 0 })).toBe("0 problème");
+  expect(t("problems.count", { count: 2 })).toBe("2 problèmes");
+});
+
+it("finds the language of a dialect, and English for a language without a table", () => {
+  expect(bestLanguage(["xx-YY", "fr-CA", "en"])).toBe("fr");
+  expect(bestLanguage(["UR-pk"])).toBe("ur");
+  expect(bestLanguage(["xx"])).toBe("en");
+  expect(bestLanguage(["constructor"])).toBe("en");
   expect(languageInUse()).toBe("en");
+});
+
+const TABLES: [string, Table][] = [
+  ["French", FR],
+  ["Urdu", UR],
+];
+const keys = Object.keys(EN) as Key[];
+
+/** Sentences that are the same in another language: names, and words that French and English share. */
+const NAMES: Key[] = [
+  "app.name",
+  "menu.bar",
+  "graph.action",
+  "graph.condition",
+  "graph.zoom",
+  "parts.robot",
+  "parts.variables",
+  "inspector.note",
+  "inspector.branches",
+  "view.code",
+  "run.max",
+  "run.pause",
+  "help.keys-pause",
+  "help.keys-menu",
+  "strip.message",
+  "strip.collision",
+  "file.untitled",
+];
+
+function forms(sentence: Sentence): string[] {
+  return typeof sentence === "string" ? [sentence] : Object.values(sentence);
+}
+
+function holes(sentence: Sentence): string[] {
+  return forms(sentence)
+    .map((form) => [...form.matchAll(/\{(\w+)\}/g)].map((match) => match[1]).sort())
+    .reduce((all, one) => [...new Set([...all, ...one])].sort(), [] as (string | undefined)[]) as string[];
+}
+
+describe.each(TABLES)("%s", (_, table) => {
+  it("lacks no sentence of English", () => {
+    expect(keys.filter((key) => table[key] === undefined)).toEqual([]);
+  });
+
+  it("has the holes that English has", () => {
+    const differ = keys.filter((key) => {
+      const said = table[key];
+      return said !== undefined && holes(said).join() !== holes(EN[key]).join();
+    });
+    expect(differ).toEqual([]);
+  });
+
+  it("leaves nothing in English that is not a name", () => {
+    const same = keys.filter(
+      (key) =>
+        typeof EN[key] === "string" && /[a-z]{3}/.test(EN[key].replace(/\{\w+\}/g, "")) && table[key] === EN[key],
+    );
+    expect(same.filter((key) => !NAMES.includes(key))).toEqual([]);
+  });
 });
 
 it("begins a sentence large, but leaves a quoted name as it is", () => {

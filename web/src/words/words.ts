@@ -2,41 +2,68 @@
  * The words of the page in the reader's language.
  *
  * `t(key, holes)` looks a sentence up and fills its {holes}; a sentence that counts has one form per plural rule of its
- * language and is chosen by the hole `count`. A language is a table with the keys of English; what a table lacks is said
- * in English.
+ * language and is chosen by the hole `count`. English is always there; another language is a table with the keys of
+ * English, in a chunk that is fetched when it is wanted. What a table lacks is said in English. `language.ts` chooses,
+ * remembers and writes the choice on the page.
  */
 import { EN } from "./en";
 
 export type Key = keyof typeof EN;
-export type Sentence = string | { one: string; other: string };
+export type Sentence = string | ({ other: string } & Partial<Record<Intl.LDMLPluralRule, string>>);
+export type Table = Readonly<Partial<Record<Key, Sentence>>>;
 type Holes = Readonly<Record<string, string | number>>;
 
-const TABLES: Readonly<Record<string, Partial<Record<Key, Sentence>>>> = { en: EN };
+/** Languages with a table, by the name that their readers give them, and the way they run. */
+export const LANGUAGES = {
+  en: { name: "English", dir: "ltr" },
+  fr: { name: "Français", dir: "ltr" },
+  ur: { name: "اردو", dir: "rtl" },
+} as const;
 
-let language = "en";
+export type Language = keyof typeof LANGUAGES;
 
-export function languageInUse(): string {
+const FETCH: Readonly<Record<Language, () => Promise<Table>>> = {
+  en: () => Promise.resolve(EN),
+  fr: () => import("./fr").then((chunk) => chunk.FR),
+  ur: () => import("./ur").then((chunk) => chunk.UR),
+};
+
+let language: Language = "en";
+let table: Table = EN;
+let plural = new Intl.PluralRules("en");
+
+export function languageInUse(): Language {
   return language;
 }
 
-/** Takes the first language of the list that there is a table for. */
-export function chooseLanguage(wanted: readonly string[]): string {
-  const found = wanted.map((tag) => tag.toLowerCase().split("-")[0] ?? "").find((tag) => Object.hasOwn(TABLES, tag));
-  language = found ?? "en";
+export function isLanguage(tag: string): tag is Language {
+  return Object.hasOwn(LANGUAGES, tag);
+}
+
+/** The first language of the list that there is a table for ("fr-CA" is French), else English. */
+export function bestLanguage(wanted: readonly string[]): Language {
+  return wanted.map((tag) => tag.toLowerCase().split("-")[0] ?? "").find(isLanguage) ?? "en";
+}
+
+/** Speaks that language from now on; when its words cannot be fetched, goes on as before. Gives the language in use. */
+export async function speak(wanted: Language): Promise<Language> {
+  try {
+    table = await FETCH[wanted]();
+  } catch {
+    return language;
+  }
+  language = wanted;
+  plural = new Intl.PluralRules(wanted);
   return language;
 }
 
 export function t(key: Key, holes: Holes = {}): string {
-  const found: Sentence = TABLES[language]?.[key] ?? EN[key];
-  const form = typeof found === "string" ? found : found[pluralForm(Number(holes["count"] ?? 0))];
+  const found: Sentence = table[key] ?? EN[key];
+  const form = typeof found === "string" ? found : (found[plural.select(Number(holes["count"] ?? 0))] ?? found.other);
   return form.replace(/\{(\w+)\}/g, (hole, name: string) => String(holes[name] ?? hole));
 }
 
 /** A diagnostic's words begin small, since a terminal prints them after a place; a page begins its sentences large. */
 export function sentence(text: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
-}
-
-function pluralForm(count: number): "one" | "other" {
-  return new Intl.PluralRules(language).select(count) === "one" ? "one" : "other";
 }
