@@ -13,7 +13,7 @@ from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
 from kitrobot.diagnostics import Diagnostic, Source
 from kitrobot.graph import Program
 from kitrobot.image import DebugMap, Image
-from kitrobot.lll import Seq, parse, print_program
+from kitrobot.lll import Seq, collection_paused, parse, print_program
 from kitrobot.primitives import Catalogue, Robot
 
 
@@ -69,6 +69,11 @@ def compile_program(program: Program, catalogue: Catalogue) -> Compiled:
 
     Raises KitRobotError when the catalogue has no such robot.
     """
+    with collection_paused():
+        return _compile_program(program, catalogue)
+
+
+def _compile_program(program: Program, catalogue: Catalogue) -> Compiled:
     robot = catalogue.robot(program.robot)
     translation = graph_to_lll(program, catalogue)
     source = Source(f"{program.name}.lll", print_program(translation.program))

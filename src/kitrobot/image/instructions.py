@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cached_property
 
 
 class Role(StrEnum):
@@ -38,7 +39,7 @@ class Op:
     blocks: bool = False
     falls_through: bool = True
 
-    @property
+    @cached_property
     def jumps(self) -> bool:
         """Whether b and c hold a target."""
         return self.b is Role.TARGET

@@ -30,9 +30,10 @@ def verify(image: Image) -> None:
     _check_sizes(image)
     _check_tree(image)
     regions = _regions(image)
+    allowed = _allowed(image)
     for slot, (start, end) in enumerate(regions):
         for at in range(start, end):
-            _check_instruction(image, at, slot, start, end)
+            _check_instruction(image, allowed, at, slot, start, end)
         most_instructions(image, start, end)
 
 
@@ -101,7 +102,7 @@ def _regions(image: Image) -> list[tuple[int, int]]:
     return list(zip(entries, [*entries[1:], image.instructions], strict=True))
 
 
-def _check_instruction(image: Image, at: int, slot: int, start: int, end: int) -> None:
+def _check_instruction(image: Image, allowed: dict[Role, range], at: int, slot: int, start: int, end: int) -> None:
     number, a, b, c = image.code[4 * at : 4 * at + 4]
     op = BY_NUMBER.get(number)
     if op is None:
@@ -113,7 +114,7 @@ def _check_instruction(image: Image, at: int, slot: int, start: int, end: int) -
     else:
         operands = [(op.a, a), (op.b, b), (op.c, c)]
     for role, value in operands:
-        if not _operand_fits(image, role, value, b):
+        if value not in allowed[role] or (role is Role.COUNT and b + value > len(image.cells)):
             raise _refuse(f"instruction {at} ({op.name}) has the operand {value}, which names nothing it may use")
     if op.falls_through and at + 1 >= end:
         raise _refuse(f"instruction {at} runs past the end of its slot")
@@ -127,26 +128,20 @@ def _check_instruction(image: Image, at: int, slot: int, start: int, end: int) -
         raise _refuse(f"instruction {at} arms the stop of another slot")
 
 
-def _operand_fits(image: Image, role: Role, value: int, first: int) -> bool:
-    match role:
-        case Role.WRITTEN:
-            return value < image.first_constant
-        case Role.READ:
-            return value < len(image.cells)
-        case Role.CONSTANT:
-            return image.first_constant <= value < len(image.cells)
-        case Role.COMMAND:
-            return value < len(image.commands)
-        case Role.FIRST:
-            return value <= len(image.cells)
-        case Role.COUNT:
-            return value <= image.most_arguments and first + value <= len(image.cells)
-        case Role.STOP:
-            return value < len(image.stops)
-        case Role.PARALLEL:
-            return value < len(image.parallels)
-        case _:
-            return value == 0
+def _allowed(image: Image) -> dict[Role, range]:
+    """What each role's operand may be; a COUNT may also not lead past the last cell."""
+    cells = len(image.cells)
+    return {
+        Role.WRITTEN: range(image.first_constant),
+        Role.READ: range(cells),
+        Role.CONSTANT: range(image.first_constant, cells),
+        Role.COMMAND: range(len(image.commands)),
+        Role.FIRST: range(cells + 1),
+        Role.COUNT: range(image.most_arguments + 1),
+        Role.STOP: range(len(image.stops)),
+        Role.PARALLEL: range(len(image.parallels)),
+        Role.UNUSED: range(1),
+    }
 
 
 def most_instructions(image: Image, start: int, end: int) -> int:

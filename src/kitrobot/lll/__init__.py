@@ -1,5 +1,6 @@
 """The Low Level Language as text and tree: tokens, parser, printer."""
 
+from kitrobot.lll.collection import collection_paused
 from kitrobot.lll.formatting import format_text
 from kitrobot.lll.parser import Parsed, parse, parse_template
 from kitrobot.lll.printer import print_program
@@ -55,6 +56,7 @@ __all__ = [
     "Wait",
     "While",
     "children",
+    "collection_paused",
     "format_text",
     "is_name",
     "nodes",

@@ -25,6 +25,7 @@ from defusedxml.common import DefusedXmlException
 from defusedxml.sax import make_parser
 
 from kitrobot.diagnostics import Diagnostic, Place
+from kitrobot.lll import collection_paused
 from kitrobot.primitives import rules
 from kitrobot.primitives.xml_decoding import decode
 from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, one_of, shown
@@ -87,7 +88,8 @@ class Reader:
                 self.stop(text)
             self.text = text
             events = _Events(self, roots)
-            events.parse(self.text)
+            with collection_paused():
+                events.parse(self.text)
         except _Stop:
             return None
         return events.root
