@@ -55,7 +55,7 @@ lock: ## choose the newest versions that pyproject.toml allows: constraints.txt
 	sh tools/lock.sh $(PYTHON)
 
 clean: ## remove what was built and installed
-	rm -rf $(VENV) build dist web/node_modules web/dist web/coverage src/kitrobot/server/static
+	rm -rf $(VENV) build dist web/node_modules benchmarks/node_modules web/dist web/coverage src/kitrobot/server/static
 	rm -rf .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis test-results
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
