@@ -14,6 +14,7 @@ from starlette.exceptions import HTTPException
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server import pages
+from kitrobot.server.fragments import routes as fragment_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
 from kitrobot.server.security import Guard
@@ -50,6 +51,7 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
     )
     app.state.studio = Studio(workspace, mission)
     app.include_router(routes)
+    app.include_router(fragment_routes)
     app.include_router(run_routes)
     app.add_exception_handler(KitRobotError, _failed)
     app.add_exception_handler(OSError, _disk_failed)

@@ -5,7 +5,7 @@
  */
 import type * as server from "./generated";
 import type { MissionEntry, Saved, Session } from "./client";
-import type { Mission, MissionFile, Report } from "./types";
+import type { Fragment, Mission, MissionFile, Report } from "./types";
 import type { RunMessage, RunRequest } from "./wire";
 
 type Fits<Wanted, Given extends Wanted> = Given;
@@ -15,6 +15,7 @@ export type Received = [
   Fits<MissionEntry, server.MissionEntry>,
   Fits<MissionFile, server.MissionFile>,
   Fits<Report, server.Report>,
+  Fits<Fragment, server.Fragment>,
   Fits<Saved, server.Saved>,
   Fits<RunMessage, server.RunMessage>,
 ];

@@ -6,7 +6,7 @@
  */
 import { t } from "../words/words";
 import { token } from "./token";
-import type { Mission, MissionFile, Problem, Report } from "./types";
+import type { Fragment, Mission, MissionFile, Problem, Report } from "./types";
 
 export interface Session {
   version: string;
@@ -98,6 +98,8 @@ export const api = {
   saveMission: (path: string, revision: string, mission: Mission) =>
     ask<Saved>("mission", { method: "PUT", json: { path, revision, mission } }),
   missionText: (mission: Mission) => ask<{ text: string }>("mission/text", { method: "POST", json: { mission } }),
+  fragment: (text: string, robot: string, path: string) =>
+    ask<Fragment>("fragment", { method: "POST", json: { text, robot, path } }),
   check: (mission: Mission, path: string, signal?: AbortSignal) =>
     ask<Report>("check", { method: "POST", json: { mission, path }, ...(signal === undefined ? {} : { signal }) }),
 };

@@ -95,6 +95,19 @@ export interface Failure {
   problems?: Problem[];
 }
 
+/** What the text became: a chain from Start to Stop, or a condition on its own; None when it is no LLL. */
+export interface Fragment {
+  program: Program | null;
+  problems: Problem[];
+}
+
+/** A text for a program of that robot; `path` is the mission's file, "" for a new one. */
+export interface FragmentRequest {
+  text: string;
+  robot: string;
+  path: string;
+}
+
 /** What ends the mission as done: this storehouse holds this stock (a number, or `all`). */
 export interface Goal {
   storehouse: string;

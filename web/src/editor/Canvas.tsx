@@ -15,6 +15,7 @@ import { useStudio } from "../model/studio";
 import { t } from "../words/words";
 import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
+import { useClipboard } from "./clipboard";
 import { setResolver, useDrag } from "./drag";
 import { currentDrawing, type Drawing, useDrawing } from "./drawing";
 import { useEdgePan } from "./edgePan";
@@ -23,6 +24,7 @@ import { Ghost } from "./Ghost";
 import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
 import { type GraphNode, NODE_TYPES } from "./Nodes";
+import { Said } from "./Said";
 import { insideOf, REACH, slotOnScreen, type Target, targetInLayout } from "./targets";
 import { useView } from "./view";
 import { useViewport } from "./viewport";
@@ -61,6 +63,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
   useDropTargets(root);
   useEdgePan(root);
   useCanvasKeys(root);
+  useClipboard();
   const accepts = useDrag(({ payload, target }) => {
     if (payload === null) return "";
     return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
@@ -108,6 +111,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       </ReactFlow>
       <ZoomControl />
       <AddPopup key={drawing.program.name} />
+      <Said />
       <Ghost />
       <ActiveVertices program={drawing.program.name} />
     </div>

@@ -30,6 +30,8 @@ interface ViewState {
   arc: string | null;
   adding: Adding | null;
   viewport: Viewport | null;
+  /** A sentence about what was tried and could not be done; "" for none. */
+  said: string;
   selectArc: (arc: string | null) => void;
   setAdding: (adding: Adding | null) => void;
 }
@@ -38,6 +40,7 @@ export const useView = create<ViewState>((set) => ({
   arc: null,
   adding: null,
   viewport: null,
+  said: "",
   selectArc: (arc) => {
     set({ arc });
     if (arc !== null) useStudio.getState().select([]);

@@ -176,6 +176,12 @@ export interface ProgramReport {
   instructions: number;
 }
 
+/** What a pasted text became; null when it is no LLL. */
+export interface Fragment {
+  program: Program | null;
+  problems: Problem[];
+}
+
 export interface Report {
   programs: ProgramReport[];
   problems: Problem[];

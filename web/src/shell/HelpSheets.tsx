@@ -24,6 +24,7 @@ const GRAPH_KEYS: [keys: string, meaning: Key][] = [
   ["Enter", "help.keys-edit"],
   ["Delete", "help.keys-delete"],
   ["Ctrl+D", "help.keys-duplicate"],
+  ["Ctrl+X · Ctrl+C · Ctrl+V", "help.keys-clipboard"],
   ["Ctrl+A", "help.keys-all"],
   ["+ · − · Ctrl+0", "help.keys-zoom"],
 ];

@@ -1,4 +1,5 @@
 /** The entries of the menus that work on the graph: undo, redo, the selection, the view. */
+import { copySelection, cutSelection, pasteFromMenu } from "../editor/clipboard";
 import { deleteSelection, duplicateSelection } from "../editor/edits";
 import { selectAll } from "../editor/keys";
 import type { Viewport } from "../editor/view";
@@ -26,6 +27,29 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       run: redo,
     },
     { kind: "line", id: "edit-1" },
+    {
+      kind: "item",
+      id: "edit-cut",
+      label: t("edit.cut"),
+      keys: "Ctrl+X",
+      disabled: selection.length === 0,
+      run: cutSelection,
+    },
+    {
+      kind: "item",
+      id: "edit-copy",
+      label: t("edit.copy"),
+      keys: "Ctrl+C",
+      disabled: selection.length === 0,
+      run: copySelection,
+    },
+    {
+      kind: "item",
+      id: "edit-paste",
+      label: t("edit.paste"),
+      keys: "Ctrl+V",
+      run: () => void pasteFromMenu(),
+    },
     {
       kind: "item",
       id: "edit-delete",

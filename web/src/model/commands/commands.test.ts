@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Command } from "../command";
+import { copyOf } from "../fragment";
 import { readStructure, writeStructure } from "../structure";
 import { useStudio } from "../studio";
 import {
@@ -20,10 +21,12 @@ import { emptyProgram } from "./changePrograms";
 import { deleteParts } from "./deleteParts";
 import { insertPart } from "./insertPart";
 import { copyParts, moveParts } from "./moveParts";
+import { pasteParts } from "./pasteParts";
 import { replaceElement } from "./replaceElement";
 import { setField } from "./setField";
 import { noteText, setNote } from "./setNote";
 import { toggleMark } from "./toggleMark";
+import { unwrapPart, wrapParts } from "./wrapParts";
 
 function after(program: Program, command: Command | null): Program {
   if (command === null) throw new Error("no command");
@@ -188,8 +191,14 @@ function randomEdit(random: () => number, program: Program): Command | null {
   const id = pick(random, ids);
   const place = pick(random, placesOf(program));
   const dice = random();
-  if (dice < 0.45) return insertPart(program, PARTS, place, pick(random, PARTS.all).element);
-  if (dice < 0.6) return moveParts(program, PARTS, [id, pick(random, ids)], place);
+  if (dice < 0.43) return insertPart(program, PARTS, place, pick(random, PARTS.all).element);
+  if (dice < 0.49) return wrapParts(program, PARTS, [id, pick(random, ids)], pick(random, PARTS.all).element);
+  if (dice < 0.52) return unwrapPart(program, PARTS, id);
+  if (dice < 0.55) {
+    const piece = copyOf(readStructure(program, PARTS), [id])?.program;
+    return piece === undefined ? null : pasteParts(program, PARTS, place, piece);
+  }
+  if (dice < 0.65) return moveParts(program, PARTS, [id, pick(random, ids)], place);
   if (dice < 0.7) return copyParts(program, PARTS, [id], place);
   if (dice < 0.8) return deleteParts(program, PARTS, [id]);
   if (dice < 0.85) return toggleMark(program, PARTS, id, "Interrupt");

@@ -51,7 +51,7 @@ export function copyParts(program: Program, parts: Parts, ids: string[], place: 
 }
 
 /** The vertex that stands for a block on the screen: a mark shows as its action. */
-function shown(block: Block): string {
+export function shown(block: Block): string {
   return (isMark(block.shape) ? block.plugs[0]?.block : null)?.vertex.id ?? block.vertex.id;
 }
 
@@ -75,7 +75,7 @@ function insideOf(block: Block, id: string): boolean {
   return held.some((one) => one !== null && (one.vertex.id === id || insideOf(one, id)));
 }
 
-function accepts(structure: Structure, place: Place, blocks: Block[]): boolean {
+export function accepts(structure: Structure, place: Place, blocks: Block[]): boolean {
   switch (place.kind) {
     case "void":
       return true;
@@ -117,7 +117,7 @@ function moveElsewhere(structure: Structure, spots: Spot[], place: Place): strin
   return put(structure, place, blocks) && blocks.map(shown);
 }
 
-function put(structure: Structure, place: Place, blocks: Block[]): boolean {
+export function put(structure: Structure, place: Place, blocks: Block[]): boolean {
   const [block] = blocks;
   if (block === undefined) return false;
   switch (place.kind) {

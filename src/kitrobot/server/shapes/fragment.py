@@ -1,0 +1,28 @@
+"""LLL text that becomes a piece of a graph, on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import BaseModel, Field
+
+from kitrobot.server.shapes.mission import ProgramShape, Words
+from kitrobot.server.shapes.problem import ProblemShape
+
+LONGEST_FRAGMENT = 1_000_000
+"""Characters that may be pasted at once; the longest program that fits a robot is far shorter."""
+
+
+class FragmentRequestShape(BaseModel):
+    """A text for a program of that robot; `path` is the mission's file, "" for a new one."""
+
+    text: Annotated[Words, Field(max_length=LONGEST_FRAGMENT)]
+    robot: Words
+    path: Words
+
+
+class FragmentShape(BaseModel):
+    """What the text became: a chain from Start to Stop, or a condition on its own; None when it is no LLL."""
+
+    program: ProgramShape | None
+    problems: list[ProblemShape]
