@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import Place, Severity, Source, rule
+from kitrobot.diagnostics import Place, Rule, Severity, Source
 from kitrobot.workspace.places import Places
 
-RULE = rule("test-places", Severity.ERROR, "A test", "Only for tests.")
+RULE = Rule("test-places", Severity.ERROR, "A test", "Only for tests.")
 TEXT = """<kitrobot version="1">
   <!-- <vertex id="a" element="X"/> -->
   <program name="p &amp; q" robot='r'>
