@@ -11,6 +11,7 @@ import { text } from "../model/texts";
 import type { RobotObject } from "../model/types";
 import { useRun, watchedAgent } from "../run/run";
 import { Icon, Tile } from "../theme";
+import { mirrored } from "../words/language";
 import { t } from "../words/words";
 import { type Folded, type Row, rowsOf } from "./tree";
 
@@ -40,16 +41,17 @@ export function Palette() {
     const index = items.findIndex((row) => row.key === current);
     const row = items[index];
     if (row === undefined) return;
+    const [inwards, outwards] = mirrored() ? ["ArrowLeft", "ArrowRight"] : ["ArrowRight", "ArrowLeft"];
     const above = items.slice(0, index).findLast((one) => one.kind === "fold" && one.level < row.level);
     if (event.key === "ArrowDown") go(items[index + 1]);
     else if (event.key === "ArrowUp") go(items[index - 1]);
     else if (event.key === "Home") go(items[0]);
     else if (event.key === "End") go(items.at(-1));
-    else if (event.key === "ArrowRight" && row.kind === "fold") {
+    else if (event.key === inwards && row.kind === "fold") {
       if (row.open) go(items[index + 1]);
       else fold(row, true);
-    } else if (event.key === "ArrowLeft" && row.kind === "fold" && row.open) fold(row, false);
-    else if (event.key === "ArrowLeft") go(above);
+    } else if (event.key === outwards && row.kind === "fold" && row.open) fold(row, false);
+    else if (event.key === outwards) go(above);
     else if (event.key === "/") find.current?.focus();
     else if (event.key === "Enter" || event.key === " ") {
       if (row.kind === "fold") fold(row, !row.open);

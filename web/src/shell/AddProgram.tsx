@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "react";
 import { useStudio } from "../model/studio";
 import { text } from "../model/texts";
 import { Icon } from "../theme";
+import { mirrored } from "../words/language";
 import { t } from "../words/words";
 import { addProgramFor } from "./actions";
 import { Menu } from "./Menu";
@@ -53,7 +54,7 @@ export function AddProgram() {
         aria-expanded={place !== null}
         onClick={(event) => {
           const box = event.currentTarget.getBoundingClientRect();
-          setPlace(place === null ? { left: box.left, top: box.bottom + 4 } : null);
+          setPlace(place === null ? { left: mirrored() ? box.right : box.left, top: box.bottom + 4 } : null);
         }}
       >
         <Icon name="plus" size={18} />

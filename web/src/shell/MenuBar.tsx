@@ -2,6 +2,7 @@
 import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
 import { t } from "../words/words";
+import { mirrored } from "../words/language";
 import { Menu } from "./Menu";
 import type { MenuPart } from "./menu-model";
 
@@ -48,7 +49,8 @@ export function MenuBar({ menus }: { menus: MenuPart[] }) {
     setOpen(-1);
     focusTitle(at);
   };
-  const aside = (by: 1 | -1) => {
+  const aside = (toRight: 1 | -1) => {
+    const by = mirrored() ? -toRight : toRight;
     const next = (at + by + menus.length) % menus.length;
     setAt(next);
     if (open >= 0) setOpen(next);

@@ -1,6 +1,7 @@
 /** The line between two panels: dragged, moved with the arrow keys, put back with a double click. */
 import { type KeyboardEvent, type PointerEvent, useRef } from "react";
 
+import { mirrored } from "../words/language";
 import { type Edge, LEAST, MOST, useLayout, USUAL } from "./layout";
 
 interface SeparatorProps {
@@ -8,11 +9,12 @@ interface SeparatorProps {
   label: string;
   /** "x": a line that stands upright and moves sideways. */
   along: "x" | "y";
-  /** -1 where the panel lies right of or below the line. */
+  /** -1 where the panel lies after the line or below it. */
   sense?: 1 | -1;
 }
 
-export function Separator({ edge, label, along, sense = 1 }: SeparatorProps) {
+export function Separator({ edge, label, along, sense: given = 1 }: SeparatorProps) {
+  const sense = along === "x" && mirrored() ? -given : given;
   const size = useLayout((layout) => layout.sizes[edge]);
   const resize = useLayout((layout) => layout.resize);
   const grip = useRef<{ at: number; size: number } | null>(null);

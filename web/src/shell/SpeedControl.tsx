@@ -1,6 +1,7 @@
 /** How fast the run goes: a logarithmic slider whose last notch is "as fast as it goes". */
 import { useRun } from "../run/run";
 import { Icon } from "../theme";
+import { mirrored } from "../words/language";
 import { t } from "../words/words";
 import { nextSpeed } from "./actions";
 import { MAX_POSITION, positionOf, speedAt } from "./speed";
@@ -30,7 +31,9 @@ export function SpeedControl() {
         onChange={(event) => setSpeed(speedAt(Number(event.target.value)))}
         onKeyDown={(event) => {
           // One key press is one round speed: a notch of the slider is less than the eye or the run can tell.
-          const by = ({ ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 } as const)[event.key];
+          const faster = mirrored() ? "ArrowLeft" : "ArrowRight";
+          const slower = mirrored() ? "ArrowRight" : "ArrowLeft";
+          const by = ({ [faster]: 1, ArrowUp: 1, [slower]: -1, ArrowDown: -1 } as Record<string, 1 | -1>)[event.key];
           if (by === undefined) return;
           event.preventDefault();
           setSpeed(nextSpeed(speed, by));

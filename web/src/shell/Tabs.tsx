@@ -11,6 +11,7 @@ import { renameProgram } from "../model/commands/changePrograms";
 import { programInView, useStudio } from "../model/studio";
 import { isLive, type RunState, useActiveVertices, useRun, watchedAgent } from "../run/run";
 import { Icon } from "../theme";
+import { mirrored } from "../words/language";
 import { t } from "../words/words";
 import { reveal } from "./actions";
 import { AddProgram } from "./AddProgram";
@@ -149,7 +150,13 @@ export function Tabs() {
 
   const onKey = (event: KeyboardEvent) => {
     const at = programs.findIndex((program) => program.name === activeProgram);
-    const steps: Record<string, number> = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: programs.length - 1 };
+    const on = mirrored() ? -1 : 1;
+    const steps: Record<string, number> = {
+      ArrowLeft: at - on,
+      ArrowRight: at + on,
+      Home: 0,
+      End: programs.length - 1,
+    };
     if (event.key === "F2") {
       useRenaming.setState({ program: activeProgram });
       return;

@@ -5,3 +5,4 @@ import "@fontsource-variable/jetbrains-mono/wght.css";
 import "./tokens.css";
 import "./tokens-contrast.css";
 import "./base.css";
+import "./mirror.css";

@@ -160,6 +160,8 @@ export const UR = {
   "code.label": "پروگرام {name} نچلی سطح کی زبان میں",
   "code.listing-label": "{name} کا تین پتوں کا کوڈ",
   "code.empty": "# آغاز، پھر اختتام۔ آپ کا پروگرام یہاں نظر آئے گا۔",
+  "code.edit-text": "متن میں ترمیم",
+  "code.stale": "گراف آخری بے غلطی متن دکھا رہا ہے۔",
   "code.no-listing": "# جب پروگرام میں غلطی نہ ہو تو یہاں نظر آتا ہے۔",
 
   "problems.title": "مسائل",
@@ -180,7 +182,7 @@ export const UR = {
   "arena.zoom-in": "بڑا کریں",
   "arena.zoom-out": "چھوٹا کریں",
   "arena.fit": "سب دکھائیں",
-  "arena.of": "{total} میں سے {done}",
+  "arena.of": "{done} / {total}",
   "arena.delivered": "پہنچے",
   "arena.delivered-of": "{total} میں سے {done} پہنچ گئے۔",
   "arena.stock": "ذخیرہ: {stock}۔",
