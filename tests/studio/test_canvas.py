@@ -88,3 +88,75 @@ def test_pasted_rubbish_is_told_in_a_sentence_and_changes_nothing(open_studio: O
     expect(studio.at("said")).to_be_visible()
     assert studio.code() == before
     expect(studio.at("saved-state")).to_have_text("saved")
+
+
+def test_right_click_opens_a_menu_that_works_on_what_is_under_it(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    add_two_parts(studio)
+    vertex(studio, "Wait").click(button="right")
+    expect(studio.at("context-menu")).to_be_visible()
+    studio.at("menu-context-duplicate").click()
+    expect(studio.page.locator(".vertex", has_text="Wait")).to_have_count(2)
+    vertex(studio, "Wait").click(button="right")
+    studio.at("menu-context-delete").click()
+    expect(studio.page.locator(".vertex", has_text="Wait")).to_have_count(1)
+    studio.at("arc-start.next").click(button="right")
+    studio.at("menu-context-add").click()
+    expect(studio.at("add-find")).to_be_focused()
+
+
+def test_the_keyboard_opens_the_menu_of_the_selected_part(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    add_two_parts(studio)
+    vertex(studio, "Wait").click()
+    studio.page.keyboard.press("Shift+F10")
+    expect(studio.at("context-menu")).to_be_visible()
+    studio.page.keyboard.press("Escape")
+    expect(studio.at("context-menu")).to_have_count(0)
+    expect(studio.at("canvas")).to_be_focused()
+    studio.page.keyboard.press("ContextMenu")
+    expect(studio.at("context-menu")).to_be_visible()
+    studio.page.keyboard.type("D")
+    studio.page.keyboard.press("Enter")
+    expect(studio.page.locator(".vertex", has_text="Wait")).to_have_count(2)
+
+
+def test_a_finger_that_rests_opens_the_menu(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    box = studio.page.locator(".vertex").first.bounding_box()
+    assert box is not None
+    touch = studio.page.context.new_cdp_session(studio.page)
+    point = {"x": box["x"] + 90, "y": box["y"] + 20}
+    touch.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [point]})
+    expect(studio.at("context-menu")).to_be_visible()
+    touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    expect(studio.at("menu-context-wrap")).to_be_visible()
+    expect(studio.page.locator(".ghost")).to_have_count(0)
+    expect(studio.at("saved-state")).to_have_text("saved")
+
+
+def test_a_loop_dropped_on_the_selection_encloses_it_and_unwraps(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    add_two_parts(studio)
+    before = studio.code()
+    vertex(studio, "Wait").click()
+    studio.page.locator(".vertex", has_text="While").first.click(modifiers=["Shift"])
+    studio.drag(studio.at("part-Repetition"), vertex(studio, "Wait"))
+    studio.expect_code("10*(")
+    expect(studio.at("code")).to_contain_text(re.compile(r"10\*\(\s*WAIT\(10\);"))
+    studio.page.keyboard.press("Shift+W")
+    expect(studio.at("code")).not_to_contain_text("10*(")
+    assert studio.code() == before
+
+
+def test_w_asks_for_the_part_that_goes_around_the_selection(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    add_two_parts(studio)
+    vertex(studio, "Wait").click()
+    studio.page.keyboard.press("w")
+    studio.at("add-find").fill("if")
+    expect(studio.at("add-Wait")).to_have_count(0)
+    studio.page.keyboard.press("Enter")
+    expect(studio.at("code")).to_contain_text(re.compile(r"\]\( WAIT\(10\); \)"))
+    studio.page.keyboard.press("Control+z")
+    expect(studio.at("code")).not_to_contain_text(re.compile(r"\]\( WAIT\(10\); \)"))

@@ -1,12 +1,13 @@
 /** Type-to-add: press `/`, type three letters, Enter. Opens beside the selection, or on an empty slot for what fits it. */
 import { useEffect, useMemo, useRef, useState } from "react";
 
+import { wraps } from "../model/commands/wrapParts";
 import { fits, type Shape, title } from "../model/parts";
 import { text } from "../model/texts";
 import { Icon, Tile } from "../theme";
 import { t } from "../words/words";
 import { type Drawing, useDrawing } from "./drawing";
-import { addPart, addPartAt } from "./edits";
+import { addPart, addPartAt, wrapSelection } from "./edits";
 import { type Adding, useView } from "./view";
 import { anchorOf } from "./viewport";
 
@@ -30,11 +31,12 @@ export function rank(shape: Shape, query: string): number | null {
   return names.some((name) => name.includes(wanted)) ? 2 : null;
 }
 
-function candidates({ parts, program }: Drawing, { slot }: Adding, query: string): Shape[] {
+function candidates({ parts, program }: Drawing, { slot, wrap }: Adding, query: string): Shape[] {
   const owner = parts.shape(program.vertices.find((one) => one.id === slot?.vertex)?.element ?? "");
   const plug = owner.plugs.find((one) => one.name === slot?.slot);
   const ranked = parts.all.flatMap((shape) => {
     if (plug !== undefined && !fits(shape, plug)) return [];
+    if (wrap === true && !wraps(shape)) return [];
     const at = rank(shape, query);
     return at === null ? [] : [{ shape, at }];
   });
@@ -59,6 +61,7 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
     list.current?.children[at]?.scrollIntoView({ block: "nearest" });
   }, [at]);
 
+  const label = t(adding.wrap === true ? "wrap.title" : "add.title");
   const close = () => {
     useView.getState().setAdding(null);
     useView.getState().viewport?.focus();
@@ -66,7 +69,8 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
   const add = (shape: Shape | undefined) => {
     if (shape === undefined) return;
     close();
-    if (adding.slot === null) addPart(shape.element);
+    if (adding.wrap === true) wrapSelection(shape.element);
+    else if (adding.slot === null) addPart(shape.element);
     else addPartAt(adding.slot, shape.element);
   };
 
@@ -74,7 +78,7 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
     <div
       className="adding"
       role="dialog"
-      aria-label={t("add.title")}
+      aria-label={label}
       style={
         {
           width: WIDTH,
@@ -105,7 +109,7 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
           aria-controls="adding-list"
           aria-activedescendant={shapes[at] === undefined ? undefined : `adding-${String(at)}`}
           aria-label={t("add.find")}
-          placeholder={t("add.find")}
+          placeholder={adding.wrap === true ? label : t("add.find")}
           data-testid="add-find"
           value={query}
           onChange={(event) => {
@@ -117,7 +121,7 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
       {shapes.length === 0 ? (
         <p className="adding-none">{t("add.none")}</p>
       ) : (
-        <ul ref={list} id="adding-list" role="listbox" aria-label={t("add.title")}>
+        <ul ref={list} id="adding-list" role="listbox" aria-label={label}>
           {shapes.map((shape, index) => (
             <li
               key={shape.element}

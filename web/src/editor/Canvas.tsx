@@ -16,6 +16,8 @@ import { t } from "../words/words";
 import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
 import { useClipboard } from "./clipboard";
+import { useContextMenu } from "./context";
+import { ContextMenu } from "./ContextMenu";
 import { setResolver, useDrag } from "./drag";
 import { currentDrawing, type Drawing, useDrawing } from "./drawing";
 import { useEdgePan } from "./edgePan";
@@ -25,7 +27,7 @@ import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
 import { type GraphNode, NODE_TYPES } from "./Nodes";
 import { Said } from "./Said";
-import { insideOf, REACH, slotOnScreen, type Target, targetInLayout } from "./targets";
+import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "./targets";
 import { useView } from "./view";
 import { useViewport } from "./viewport";
 import { ZoomControl } from "./ZoomControl";
@@ -64,6 +66,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
   useEdgePan(root);
   useCanvasKeys(root);
   useClipboard();
+  useContextMenu(root);
   const accepts = useDrag(({ payload, target }) => {
     if (payload === null) return "";
     return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
@@ -112,6 +115,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       <ZoomControl />
       <AddPopup key={drawing.program.name} />
       <Said />
+      <ContextMenu />
       <Ghost />
       <ActiveVertices program={drawing.program.name} />
     </div>
@@ -129,9 +133,11 @@ function useDropTargets(root: React.RefObject<HTMLDivElement | null>): void {
       if (at.x < box.left || at.x > box.right || at.y < box.top || at.y > box.bottom) return null;
       const shape = drawing.parts.shape(payload.element);
       const moving = payload.kind === "vertices" ? insideOf(drawing, payload.ids) : new Set<string>();
+      const point = flow.screenToFlowPosition(at, { snapToGrid: false });
+      const around = payload.kind === "part" ? wrapTarget(drawing, point, shape, useStudio.getState().selection) : null;
+      if (around !== null) return around;
       const slot = slotOnScreen(drawing, root.current, at, shape, moving);
       if (slot !== null) return slot;
-      const point = flow.screenToFlowPosition(at, { snapToGrid: false });
       return targetInLayout(drawing, point, REACH / flow.getZoom(), shape, moving);
     });
     return () => {

@@ -125,7 +125,7 @@ const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }
     useView.getState().viewport?.focus();
   };
   return (
-    <g className={classes.join(" ")} data-colour={colour} onClick={select}>
+    <g className={classes.join(" ")} data-colour={colour} data-arc={id} onClick={select}>
       <path className="arc-reach" d={path} />
       <path className="arc-line" d={path} style={moving(path)} />
       {head ? <path className="arc-head" d={tip} style={moving(tip)} /> : null}

@@ -9,7 +9,7 @@ import { useEffect } from "react";
 
 import { api } from "../api/client";
 import { pasteParts } from "../model/commands/pasteParts";
-import { blocksOf, copyOf, readPiece } from "../model/fragment";
+import { blocksOf, type Copied, copyOf, readPiece } from "../model/fragment";
 import { placeFor } from "../model/placeFor";
 import { useStudio } from "../model/studio";
 import type { Program } from "../model/types";
@@ -27,10 +27,14 @@ function say(words: string): void {
   useView.setState({ said: words });
 }
 
+function copiedNow(): Copied | null {
+  const drawing = currentDrawing();
+  return drawing === null ? null : copyOf(drawing.structure, useStudio.getState().selection);
+}
+
 /** Copies the selection into a clipboard; says whether there was something. */
 function fill(clipboard: DataTransfer): boolean {
-  const drawing = currentDrawing();
-  const copied = drawing === null ? null : copyOf(drawing.structure, useStudio.getState().selection);
+  const copied = copiedNow();
   if (copied === null) return false;
   last = { lll: copied.lll, piece: copied.program };
   clipboard.setData("text/plain", copied.lll);
@@ -84,13 +88,22 @@ export async function pasteText(text: string): Promise<void> {
   }
 }
 
-/** From a menu: through the browser's own events where it can, so that no question is asked. */
-export function copySelection(): void {
-  document.execCommand("copy");
+/** From a menu: only the text can be written; this page remembers the piece beside it. */
+export async function copySelection(): Promise<boolean> {
+  const copied = copiedNow();
+  if (copied === null) return false;
+  try {
+    await navigator.clipboard.writeText(copied.lll);
+  } catch {
+    say(t("copy.by-key"));
+    return false;
+  }
+  last = { lll: copied.lll, piece: copied.program };
+  return true;
 }
 
-export function cutSelection(): void {
-  document.execCommand("cut");
+export async function cutSelection(): Promise<void> {
+  if (await copySelection()) deleteSelection();
 }
 
 export async function pasteFromMenu(): Promise<void> {

@@ -33,6 +33,7 @@ const HOLD_MS = 180;
 
 let resolver: Resolver = () => null;
 let ended_ms = 0;
+let cancelCurrent: () => void = () => undefined;
 
 /** Once it drags, a finger does not scroll. Browsers want to know of this before the finger goes down. */
 window.addEventListener(
@@ -58,6 +59,11 @@ export function retarget(): void {
 /** Whether a drag has just ended, so that the click that follows it means nothing. */
 export function justDragged(): boolean {
   return performance.now() - ended_ms < 80;
+}
+
+/** Ends a drag that is on, or about to be, without a change. */
+export function cancelDrag(): void {
+  cancelCurrent();
 }
 
 /** From a pointer that went down on something that can be dragged. */
@@ -99,6 +105,7 @@ export function beginDrag(event: ReactPointerEvent, payload: Payload): void {
     finish();
   };
   const finish = () => {
+    cancelCurrent = () => undefined;
     clearTimeout(hold);
     window.removeEventListener("pointermove", move);
     window.removeEventListener("pointerup", up);
@@ -109,6 +116,7 @@ export function beginDrag(event: ReactPointerEvent, payload: Payload): void {
     useDrag.setState({ payload: null, target: null, copy: false });
   };
 
+  cancelCurrent = finish;
   window.addEventListener("pointermove", move);
   window.addEventListener("pointerup", up);
   window.addEventListener("pointercancel", cancel);

@@ -2,10 +2,12 @@
 import type { Command } from "../model/command";
 import { deleteParts } from "../model/commands/deleteParts";
 import { insertPart } from "../model/commands/insertPart";
+import { stretchOf, unwrapPart, wrapParts, wraps } from "../model/commands/wrapParts";
 import { copyParts, moveParts } from "../model/commands/moveParts";
 import { placeFor } from "../model/placeFor";
 import { useStudio } from "../model/studio";
 import { findSpot, inChain, type Place } from "../model/tree";
+import { t } from "../words/words";
 import { currentDrawing, type Drawing } from "./drawing";
 import { useView } from "./view";
 
@@ -30,7 +32,11 @@ export function addPart(element: string): boolean {
 }
 
 export function addPartAt(place: Place, element: string): boolean {
-  return edit(({ program, parts }) => insertPart(program, parts, place, element));
+  return edit(({ program, parts }) => {
+    const { selection } = useStudio.getState();
+    if (place.kind === "vertex" && wraps(parts.shape(element))) return wrapParts(program, parts, selection, element);
+    return insertPart(program, parts, place, element);
+  });
 }
 
 export function movePartsTo(place: Place, ids: string[], copy: boolean): boolean {
@@ -52,4 +58,30 @@ export function duplicateSelection(): boolean {
     const place: Place = { kind: "arc", source: inChain(spot).block.vertex.id, out: "next" };
     return copyParts(program, parts, selection, place);
   });
+}
+
+/** Whether the selected vertices stand in one chain, so that something can go around them. */
+export function wrappable(): boolean {
+  const drawing = currentDrawing();
+  return drawing !== null && stretchOf(drawing.structure, useStudio.getState().selection) !== null;
+}
+
+/** Asks what should go around the selection. */
+export function openWrapping(): boolean {
+  const { selection } = useStudio.getState();
+  if (selection.length === 0) return false;
+  if (!wrappable()) useView.setState({ said: t("wrap.cannot") });
+  else useView.getState().setAdding({ vertex: selection.at(-1) ?? null, slot: null, wrap: true });
+  return true;
+}
+
+export function wrapSelection(element: string): boolean {
+  return edit(({ program, parts }) => wrapParts(program, parts, useStudio.getState().selection, element));
+}
+
+/** What the selected constructor holds takes its place. */
+export function unwrapSelection(): boolean {
+  const { selection } = useStudio.getState();
+  const [id] = selection;
+  return selection.length === 1 && id !== undefined && edit(({ program, parts }) => unwrapPart(program, parts, id));
 }

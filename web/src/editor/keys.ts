@@ -3,7 +3,8 @@ import { type RefObject, useEffect } from "react";
 
 import { useStudio } from "../model/studio";
 import { currentDrawing } from "./drawing";
-import { deleteSelection, duplicateSelection } from "./edits";
+import { openContextMenu } from "./context";
+import { deleteSelection, duplicateSelection, openWrapping, unwrapSelection } from "./edits";
 import { useView } from "./view";
 import { type Step, walk } from "./walk";
 
@@ -24,7 +25,7 @@ export function selectAll(): void {
 }
 
 /** Enter goes to the first thing that can be set on the selected vertex. */
-function editSelected(): boolean {
+export function editSelected(): boolean {
   const field = document.querySelector<HTMLElement>("[data-inspector-field]");
   field?.focus();
   return field !== null;
@@ -38,7 +39,7 @@ function escape(): boolean {
   return true;
 }
 
-function openAdding(): boolean {
+export function openAdding(): boolean {
   useView.getState().setAdding({ vertex: useStudio.getState().selection.at(-1) ?? null, slot: null });
   return true;
 }
@@ -58,6 +59,8 @@ function press(event: KeyboardEvent): boolean {
   }
   const direction = STEPS[key];
   if (direction !== undefined && !event.altKey) return step(direction);
+  if (key === "ContextMenu" || (key === "F10" && event.shiftKey)) return openContextMenu();
+  if (key === "w" && !event.altKey) return event.shiftKey ? unwrapSelection() : openWrapping();
   if (key === "/") return openAdding();
   if (key === "Delete" || key === "Backspace") return deleteSelection();
   if (key === "Escape") return escape();

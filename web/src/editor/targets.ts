@@ -5,6 +5,7 @@
  * stands. The nearest place that takes the thing wins, within `reach`; farther from all of them is the void.
  */
 import { distanceToLine, type LayoutFrame, type LayoutNode, type Point } from "../model/layout";
+import { stretchOf, wraps } from "../model/commands/wrapParts";
 import { fits, isMark, type Shape, standsInChain } from "../model/parts";
 import { findSpot, type Place, verticesOf, withMark } from "../model/tree";
 import type { Drawing } from "./drawing";
@@ -51,6 +52,13 @@ export function targetInLayout(
   }
   if (!standsInChain(shape)) return target({ kind: "void" });
   return arcTarget(drawing, point, reach, moving) ?? target({ kind: "void" });
+}
+
+/** On a selected vertex, a part that holds others goes around the selection. */
+export function wrapTarget(drawing: Drawing, point: Point, shape: Shape, selection: readonly string[]): Target | null {
+  if (!wraps(shape) || stretchOf(drawing.structure, selection) === null) return null;
+  const node = nodeAt(drawing, point, 0, ({ vertex }) => selection.includes(vertex));
+  return node === undefined ? null : target({ kind: "vertex", vertex: node.vertex });
 }
 
 function arcTarget({ layout }: Drawing, point: Point, reach: number, moving: Set<string>): Target | null {

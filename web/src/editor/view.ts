@@ -9,6 +9,8 @@ import type { Place } from "../model/tree";
 export interface Adding {
   vertex: string | null;
   slot: (Place & { kind: "slot" }) | null;
+  /** Whether the part goes around the selection. */
+  wrap?: boolean;
 }
 
 /** What the shell and the canvas's own tools can ask of the viewport. */
@@ -32,6 +34,8 @@ interface ViewState {
   viewport: Viewport | null;
   /** A sentence about what was tried and could not be done; "" for none. */
   said: string;
+  /** Where the menu of the canvas is open, in px of the window. */
+  menu: Point | null;
   selectArc: (arc: string | null) => void;
   setAdding: (adding: Adding | null) => void;
 }
@@ -41,6 +45,7 @@ export const useView = create<ViewState>((set) => ({
   adding: null,
   viewport: null,
   said: "",
+  menu: null,
   selectArc: (arc) => {
     set({ arc });
     if (arc !== null) useStudio.getState().select([]);
@@ -62,6 +67,6 @@ export function standsStill(): boolean {
 }
 
 useStudio.subscribe((state, before) => {
-  if (state.activeProgram !== before.activeProgram) useView.setState({ arc: null, adding: null });
+  if (state.activeProgram !== before.activeProgram) useView.setState({ arc: null, adding: null, menu: null });
   else if (state.selection !== before.selection && state.selection.length > 0) useView.setState({ arc: null });
 });

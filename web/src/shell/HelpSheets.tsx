@@ -25,6 +25,8 @@ const GRAPH_KEYS: [keys: string, meaning: Key][] = [
   ["Delete", "help.keys-delete"],
   ["Ctrl+D", "help.keys-duplicate"],
   ["Ctrl+X · Ctrl+C · Ctrl+V", "help.keys-clipboard"],
+  ["W · Shift+W", "help.keys-wrap"],
+  ["Shift+F10", "help.keys-context"],
   ["Ctrl+A", "help.keys-all"],
   ["+ · − · Ctrl+0", "help.keys-zoom"],
 ];

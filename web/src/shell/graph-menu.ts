@@ -33,7 +33,7 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       label: t("edit.cut"),
       keys: "Ctrl+X",
       disabled: selection.length === 0,
-      run: cutSelection,
+      run: () => void cutSelection(),
     },
     {
       kind: "item",
@@ -41,7 +41,7 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       label: t("edit.copy"),
       keys: "Ctrl+C",
       disabled: selection.length === 0,
-      run: copySelection,
+      run: () => void copySelection(),
     },
     {
       kind: "item",

@@ -48,6 +48,18 @@ export const EDITOR_EN = {
   "paste.nothing": "That cannot be pasted here.",
   "paste.by-key": "The browser keeps the clipboard to itself. Press Ctrl+V instead.",
 
+  "copy.by-key": "The browser keeps the clipboard to itself. Press Ctrl+C or Ctrl+X instead.",
+  "context.title": "What can be done here",
+  "context.edit": "Set its values",
+  "context.add-after": "Add a part after it…",
+  "context.add-here": "Add a part here…",
+  "context.wrap": "Wrap in…",
+  "context.unwrap": "Unwrap",
+  "wrap.title": "Wrap in which part?",
+  "wrap.cannot": "Select parts that follow each other to put something around them.",
+  "help.keys-wrap": "Wrap the selected parts, unwrap",
+  "help.keys-context": "Menu of the selected part",
+
   "add.title": "Add a part",
   "add.find": "Type to find a part",
   "add.none": "No part is called that.",

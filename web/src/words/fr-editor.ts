@@ -48,6 +48,18 @@ export const EDITOR_FR = {
   "paste.nothing": "Cela ne peut pas être collé ici.",
   "paste.by-key": "Le navigateur garde le presse-papiers pour lui. Appuyez plutôt sur Ctrl+V.",
 
+  "copy.by-key": "Le navigateur garde le presse-papiers pour lui. Appuyez plutôt sur Ctrl+C ou Ctrl+X.",
+  "context.title": "Ce que l'on peut faire ici",
+  "context.edit": "Régler ses valeurs",
+  "context.add-after": "Ajouter une pièce après…",
+  "context.add-here": "Ajouter une pièce ici…",
+  "context.wrap": "Entourer de…",
+  "context.unwrap": "Sortir le contenu",
+  "wrap.title": "Entourer de quelle pièce ?",
+  "wrap.cannot": "Choisissez des pièces qui se suivent pour les entourer.",
+  "help.keys-wrap": "Entourer les pièces choisies, sortir le contenu",
+  "help.keys-context": "Menu de la pièce choisie",
+
   "add.title": "Ajouter une pièce",
   "add.find": "Tapez pour trouver une pièce",
   "add.none": "Aucune pièce ne s'appelle ainsi.",
