@@ -6,7 +6,7 @@
  */
 import { t } from "../words/words";
 import { token } from "./token";
-import type { Fragment, Mission, MissionFile, Problem, Report } from "./types";
+import type { Fragment, Mission, MissionFile, Problem, Program, Report, Texts, World } from "./types";
 
 export interface Session {
   version: string;
@@ -15,12 +15,23 @@ export interface Session {
   workspace: string;
 }
 
+/** What the small picture of an example is drawn from. */
+export interface MissionPicture {
+  program: Program;
+  world: World | null;
+  agents: string[];
+}
+
 export interface MissionEntry {
   path: string;
   name: string;
   title: string;
   example: boolean;
   modified: number | string | null;
+  /** The title and what happens, by language; examples have them. */
+  label: Texts;
+  help: Texts;
+  picture: MissionPicture | null;
 }
 
 export interface Saved {

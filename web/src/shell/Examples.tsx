@@ -1,27 +1,31 @@
 /** Under the teaching text of an empty program: examples to open instead. */
+import { Card } from "../gallery/Card";
 import { t } from "../words/words";
-import { Icon } from "../theme";
-import { openPath } from "./document";
+import { openPath, show } from "./document";
 import { useMissions } from "./missions";
 
 const MOST = 4;
 
+/** The easiest ones, and the last: where it leads to. */
+function first<T>(all: readonly T[]): T[] {
+  return all.length <= MOST ? [...all] : [...all.slice(0, MOST - 1), ...all.slice(-1)];
+}
+
 export function Examples() {
-  const examples = (useMissions() ?? []).filter((entry) => entry.example).slice(0, MOST);
+  const examples = first((useMissions() ?? []).filter((entry) => entry.example));
   if (examples.length === 0) return null;
   return (
     <section className="examples" aria-label={t("open.examples")}>
-      <h2>{t("examples.or")}</h2>
-      <ul>
+      <div className="gallery-head">
+        <h2>{t("examples.or")}</h2>
+        <button type="button" className="gallery-all" data-testid="all-examples" onClick={() => show("open")}>
+          {t("examples.all")}
+        </button>
+      </div>
+      <ul className="gallery">
         {examples.map((entry) => (
           <li key={entry.path}>
-            <button type="button" className="example" onClick={() => openPath(entry.path)}>
-              <Icon name="bot" size={20} />
-              <span>
-                <strong>{entry.title || entry.name}</strong>
-                <small>{entry.name}</small>
-              </span>
-            </button>
+            <Card entry={entry} brief choose={() => openPath(entry.path)} />
           </li>
         ))}
       </ul>

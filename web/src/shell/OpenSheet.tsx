@@ -2,24 +2,25 @@
 import { useRef } from "react";
 
 import type { MissionEntry } from "../api/client";
+import { Card } from "../gallery/Card";
 import { Icon } from "../theme";
 import { t } from "../words/words";
 import { openFromComputer, openPath, show, useDocument } from "./document";
 import { useMissions } from "./missions";
 import { Sheet } from "./Sheet";
 
+function open(entry: MissionEntry): void {
+  show(null);
+  openPath(entry.path);
+}
+
 function Entry({ entry }: { entry: MissionEntry }) {
-  const choose = () => {
-    show(null);
-    openPath(entry.path);
-  };
-  const second = entry.example ? entry.name : entry.path;
   return (
     <li>
-      <button type="button" className="open-entry" data-path={entry.path} onClick={choose}>
-        <Icon name={entry.example ? "puzzle" : "file"} size={18} />
+      <button type="button" className="open-entry" data-path={entry.path} onClick={() => open(entry)}>
+        <Icon name="file" size={18} />
         <span className="open-title">{entry.title || entry.name}</span>
-        {second === entry.title ? null : <span className="open-path">{second}</span>}
+        <span className="open-path">{entry.path}</span>
       </button>
     </li>
   );
@@ -45,9 +46,11 @@ export function OpenSheet() {
             ))}
           </ul>
           {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
-          <ul>
+          <ul className="gallery">
             {examples.map((entry) => (
-              <Entry key={entry.path} entry={entry} />
+              <li key={entry.path}>
+                <Card entry={entry} choose={() => open(entry)} />
+              </li>
             ))}
           </ul>
         </div>

@@ -120,6 +120,9 @@ export const EN = {
   "open.cancel": "Cancel",
 
   "examples.or": "Or open an example",
+  "examples.all": "all examples",
+  "examples.parts": { one: "{count} part", other: "{count} parts" },
+  "examples.robots": { one: "{count} robot", other: "a team of {count} robots" },
 
   "save.title": "Save as",
   "save.name": "File name",

@@ -121,6 +121,9 @@ export const FR = {
   "open.cancel": "Annuler",
 
   "examples.or": "Ou ouvrez un exemple",
+  "examples.all": "tous les exemples",
+  "examples.parts": { one: "{count} pièce", other: "{count} pièces" },
+  "examples.robots": { one: "{count} robot", other: "une équipe de {count} robots" },
 
   "save.title": "Enregistrer sous",
   "save.name": "Nom du fichier",

@@ -121,6 +121,9 @@ export const UR = {
   "open.cancel": "رہنے دیں",
 
   "examples.or": "یا کوئی مثال کھولیں",
+  "examples.all": "تمام مثالیں",
+  "examples.parts": { one: "{count} حصہ", other: "{count} حصے" },
+  "examples.robots": { one: "{count} روبوٹ", other: "{count} روبوٹوں کی ٹیم" },
 
   "save.title": "نئے نام سے محفوظ کریں",
   "save.name": "فائل کا نام",

@@ -1,0 +1,45 @@
+"""A user finds an example by its picture and opens it, from an empty program and from Open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import EXAMPLES, Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+
+
+def test_a_new_program_offers_four_examples_with_pictures_drawn_from_them(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    cards = studio.page.locator(".examples .card")
+    expect(cards).to_have_count(4)
+    expect(cards.locator("svg.picture")).to_have_count(4)
+    expect(cards.last).to_contain_text("Transport as a team")
+    expect(cards.last.locator(".picture-road")).to_have_count(1)
+    expect(cards.last.locator(".picture-box")).to_have_count(12)
+    expect(cards.first.locator('.picture-node[data-colour="action"]')).to_have_count(2)
+    cards.first.click()
+    studio.expect_code("Captor.GreaterThan(8)")
+
+
+def test_open_shows_every_example_and_the_keyboard_opens_one_that_runs_to_its_end(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.page.keyboard.press("Control+o")
+    dialog = studio.at("open-dialog")
+    expect(dialog.locator(".card")).to_have_count(len(list(EXAMPLES.glob("*/*.krt"))))
+    card = studio.at("example-star")
+    expect(card).to_contain_text("three blinks at each point")
+    card.focus()
+    studio.page.keyboard.press("Enter")
+    expect(dialog).to_have_count(0)
+    studio.expect_code("Motor.AbsoluteTurn(40, 50)")
+    studio.full_speed()
+    studio.at("run-button").click()
+    studio.wait_until_done()
