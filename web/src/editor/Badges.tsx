@@ -58,6 +58,9 @@ export function Threads({ threads }: { threads: string }) {
   );
 }
 
+/** Told apart by shape, as in the list of problems; red is for STOP only. */
+const SIGNS = { error: "octagon-x", warning: "triangle-alert", hint: "lightbulb" } as const;
+
 export function Trouble({ id }: { id: string }) {
   const troubles = useTroubles(id);
   const [worst] = troubles;
@@ -65,11 +68,7 @@ export function Trouble({ id }: { id: string }) {
   const says = troubles.map(({ message, help }) => (help === "" ? message : `${message} ${help}`)).join("\n");
   return (
     <span className="trouble" data-severity={worst.severity} data-testid={`problem-${id}`} title={says}>
-      <Icon
-        name={worst.severity === "hint" ? "info" : "circle-alert"}
-        size={14}
-        label={t("graph.problem", { message: says })}
-      />
+      <Icon name={SIGNS[worst.severity]} size={14} label={t("graph.problem", { message: says })} />
     </span>
   );
 }

@@ -22,6 +22,7 @@ import { setResolver, useDrag } from "./drag";
 import { currentDrawing, type Drawing, useDrawing } from "./drawing";
 import { useEdgePan } from "./edgePan";
 import { EmptyTeaching } from "./EmptyTeaching";
+import { Find } from "./Find";
 import { Ghost } from "./Ghost";
 import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
@@ -37,9 +38,12 @@ export function Canvas({ emptyExtras }: { emptyExtras?: ReactNode }) {
   const drawing = useDrawing();
   if (drawing === null) return <div className="canvas" />;
   return (
-    <ReactFlowProvider key={drawing.program.name}>
-      <Graph drawing={drawing} emptyExtras={emptyExtras} />
-    </ReactFlowProvider>
+    <div className="canvas-room">
+      <ReactFlowProvider key={drawing.program.name}>
+        <Graph drawing={drawing} emptyExtras={emptyExtras} />
+      </ReactFlowProvider>
+      <Find />
+    </div>
   );
 }
 

@@ -34,12 +34,12 @@ export function contextEntries(): MenuEntry[] {
 function vertexEntries(paste: MenuEntry): MenuEntry[] {
   const { selection } = useStudio.getState();
   const drawing = currentDrawing();
-  const shapes = selection.map(
-    (id) => drawing?.parts.shape(drawing.program.vertices.find((one) => one.id === id)?.element ?? "").kind,
+  const shapes = selection.flatMap(
+    (id) => drawing?.parts.shape(drawing.program.vertices.find((one) => one.id === id)?.element ?? "") ?? [],
   );
-  const fixed = shapes.every((kind) => kind === "start" || kind === "stop");
+  const fixed = shapes.every(({ kind }) => kind === "start" || kind === "stop");
   const only = selection.length === 1 ? selection[0] : undefined;
-  const settable = document.querySelector("[data-inspector-field]") !== null;
+  const settable = shapes.length === 1 && shapes.some(({ fields, plugs }) => fields.length + plugs.length > 0);
   const unwraps = drawing !== null && only !== undefined && unwrapPart(drawing.program, drawing.parts, only) !== null;
   return [
     item("edit", t("context.edit"), "Enter", editSelected, !settable),

@@ -2,6 +2,7 @@
 import { type Layout, type LayoutNode, layoutStructure } from "../model/layout";
 import { type Parts, partsOf } from "../model/parts";
 import { readStructure, type Structure } from "../model/structure";
+import { findSpot, type Spot } from "../model/tree";
 import { programInView, type StudioState, useStudio } from "../model/studio";
 import type { Program } from "../model/types";
 import { languageInUse } from "../words/words";
@@ -33,6 +34,18 @@ export function drawingOf(state: StudioState): Drawing | null {
   const drawing = { program, parts, structure, layout, nodes, language };
   made.set(program, drawing);
   return drawing;
+}
+
+/** What shows a vertex: its own node, or the one of the vertex that holds it in a slot. */
+export function nodeOf({ layout, structure }: Drawing, id: string): LayoutNode | undefined {
+  const own = layout.nodes.find((node) => node.vertex === id);
+  if (own !== undefined) return own;
+  for (let spot: Spot | null = findSpot(structure, id) ?? null; spot !== null; spot = spot.owner) {
+    const { id: outer } = spot.block.vertex;
+    const node = layout.nodes.find((one) => one.vertex === outer || one.mark?.vertex.id === outer);
+    if (node !== undefined) return node;
+  }
+  return undefined;
 }
 
 export function useDrawing(): Drawing | null {

@@ -34,6 +34,8 @@ interface ViewState {
   viewport: Viewport | null;
   /** A sentence about what was tried and could not be done; "" for none. */
   said: string;
+  /** Whether the find panel is open. */
+  finding: boolean;
   /** Where the menu of the canvas is open, in px of the window. */
   menu: Point | null;
   selectArc: (arc: string | null) => void;
@@ -45,6 +47,7 @@ export const useView = create<ViewState>((set) => ({
   adding: null,
   viewport: null,
   said: "",
+  finding: false,
   menu: null,
   selectArc: (arc) => {
     set({ arc });

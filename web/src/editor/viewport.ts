@@ -4,7 +4,7 @@ import { type RefObject, useEffect, useState } from "react";
 
 import { useStudio } from "../model/studio";
 import type { Drawing } from "./drawing";
-import { currentDrawing } from "./drawing";
+import { currentDrawing, nodeOf } from "./drawing";
 import { spotOfArc } from "./Lines";
 import { standsStill, useView } from "./view";
 
@@ -70,7 +70,8 @@ export function useViewport(
           void flow.fitBounds({ x, y, width: w, height: h }, { padding: 0.06, ...animated });
         },
         reveal: (id) => {
-          const node = currentDrawing()?.layout.nodes.find((one) => one.vertex === id);
+          const now = currentDrawing();
+          const node = now === null ? undefined : nodeOf(now, id);
           if (node === undefined) return;
           const { width, height } = size();
           const { x, y, zoom } = flow.getViewport();
@@ -116,7 +117,8 @@ export function useViewport(
 export function anchorOf(vertex: string | null, arc: string | null): { x: number; y: number } | null {
   const { viewport } = useView.getState();
   if (viewport === null) return null;
-  const node = vertex === null ? undefined : currentDrawing()?.layout.nodes.find((one) => one.vertex === vertex);
+  const drawing = currentDrawing();
+  const node = vertex === null || drawing === null ? undefined : nodeOf(drawing, vertex);
   if (node !== undefined) return viewport.place({ x: node.x + node.w / 2, y: node.y + node.h + 8 });
   const spot = spotOfArc(arc ?? "start.next");
   return spot === null ? null : viewport.place({ x: spot.x, y: spot.y + 16 });

@@ -15,6 +15,8 @@ const KEYS: [keys: string, meaning: Key][] = [
   ["Ctrl+Y", "help.keys-redo"],
   ["F8 · Shift+F8", "help.keys-problem"],
   ["Alt", "help.keys-menu"],
+  ["F1", "help.keys-part"],
+  ["F4", "help.keys-outline"],
   ["?", "help.keys-this"],
 ];
 
@@ -27,6 +29,7 @@ const GRAPH_KEYS: [keys: string, meaning: Key][] = [
   ["Ctrl+X · Ctrl+C · Ctrl+V", "help.keys-clipboard"],
   ["W · Shift+W", "help.keys-wrap"],
   ["Shift+F10", "help.keys-context"],
+  ["Ctrl+F", "help.keys-find"],
   ["Ctrl+A", "help.keys-all"],
   ["+ · − · Ctrl+0", "help.keys-zoom"],
 ];

@@ -2,7 +2,7 @@
 import { copySelection, cutSelection, pasteFromMenu } from "../editor/clipboard";
 import { deleteSelection, duplicateSelection } from "../editor/edits";
 import { selectAll } from "../editor/keys";
-import type { Viewport } from "../editor/view";
+import { useView, type Viewport } from "../editor/view";
 import type { StudioState } from "../model/studio";
 import { t } from "../words/words";
 import type { MenuEntry } from "./menu-model";
@@ -72,6 +72,16 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       label: t("edit.select-all"),
       keys: "Ctrl+A",
       run: selectAll,
+    },
+    { kind: "line", id: "edit-2" },
+    {
+      kind: "item",
+      id: "edit-find",
+      label: t("edit.find"),
+      keys: "Ctrl+F",
+      run: () => {
+        useView.setState({ finding: true });
+      },
     },
   ];
 }

@@ -60,6 +60,14 @@ export const EDITOR_EN = {
   "help.keys-wrap": "Wrap the selected parts, unwrap",
   "help.keys-context": "Menu of the selected part",
 
+  "edit.find": "Find…",
+  "find.title": "Find in all programs",
+  "find.count": "{at} of {of}",
+  "find.none": "Nothing says “{query}”.",
+  "find.next": "Next",
+  "find.previous": "Previous",
+  "help.keys-find": "Find in all programs",
+
   "add.title": "Add a part",
   "add.find": "Type to find a part",
   "add.none": "No part is called that.",

@@ -60,6 +60,14 @@ export const EDITOR_FR = {
   "help.keys-wrap": "Entourer les pièces choisies, sortir le contenu",
   "help.keys-context": "Menu de la pièce choisie",
 
+  "edit.find": "Rechercher…",
+  "find.title": "Rechercher dans tous les programmes",
+  "find.count": "{at} sur {of}",
+  "find.none": "Rien ne contient « {query} ».",
+  "find.next": "Suivant",
+  "find.previous": "Précédent",
+  "help.keys-find": "Rechercher dans tous les programmes",
+
   "add.title": "Ajouter une pièce",
   "add.find": "Tapez pour trouver une pièce",
   "add.none": "Aucune pièce ne s'appelle ainsi.",

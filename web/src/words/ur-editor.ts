@@ -60,6 +60,14 @@ export const EDITOR_UR = {
   "help.keys-wrap": "منتخب پرزے لپیٹیں، کھولیں",
   "help.keys-context": "منتخب پرزے کا مینو",
 
+  "edit.find": "تلاش کریں…",
+  "find.title": "سب پروگراموں میں تلاش کریں",
+  "find.count": "{of} میں سے {at}",
+  "find.none": "“{query}” کہیں نہیں ملا۔",
+  "find.next": "اگلا",
+  "find.previous": "پچھلا",
+  "help.keys-find": "سب پروگراموں میں تلاش کریں",
+
   "add.title": "پرزہ شامل کریں",
   "add.find": "پرزہ ڈھونڈنے کے لیے لکھیں",
   "add.none": "اس نام کا کوئی پرزہ نہیں۔",
