@@ -1,8 +1,9 @@
 /** Puts the studio on the page. */
-import { StrictMode } from "react";
+import { Fragment, StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 
 import { token } from "./api/token";
+import { Reach } from "./reach/Reach";
 import { App } from "./shell/App";
 import { installTheme } from "./theme";
 import "./theme/styles";
@@ -14,7 +15,13 @@ const root = found;
 
 /** Words are read while drawing: another language draws the page anew, from the same document. */
 function Spoken() {
-  return <App key={useLanguage((state) => state.language)} />;
+  const language = useLanguage((state) => state.language);
+  return (
+    <Fragment key={language}>
+      <App />
+      <Reach />
+    </Fragment>
+  );
 }
 
 token();

@@ -6,6 +6,7 @@ import { useMemo } from "react";
 
 import { useView, type Viewport } from "../editor/view";
 import { useStudio } from "../model/studio";
+import { explain, toggleOutline, useReach } from "../reach/state";
 import { isLive, useRun } from "../run/run";
 import { type ThemeChoice, useTheme } from "../theme";
 import { useLanguage } from "../words/language";
@@ -43,7 +44,12 @@ const THEMES: ThemeChoice[] = ["light", "dark", "contrast", "system"];
 const SPOKEN = Object.keys(LANGUAGES) as Language[];
 const PANELS: Panel[] = ["palette", "inspector", "code", "arena"];
 
-function viewMenu(choice: ThemeChoice, folded: Record<Panel, boolean>, viewport: Viewport | null): MenuEntry[] {
+function viewMenu(
+  choice: ThemeChoice,
+  folded: Record<Panel, boolean>,
+  outline: boolean,
+  viewport: Viewport | null,
+): MenuEntry[] {
   return [
     ...viewEntries(viewport),
     { kind: "heading", id: "view-theme", label: t("view.theme") },
@@ -70,6 +76,14 @@ function viewMenu(choice: ThemeChoice, folded: Record<Panel, boolean>, viewport:
       checked: !folded[panel],
       run: () => useLayout.getState().toggle(panel),
     })),
+    {
+      kind: "check",
+      id: "view-outline",
+      label: t("outline.title"),
+      keys: "F4",
+      checked: outline,
+      run: toggleOutline,
+    },
   ];
 }
 
@@ -120,6 +134,7 @@ function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
 
 function helpMenu(): MenuEntry[] {
   return [
+    { kind: "item", id: "help-part", label: t("help.part"), keys: "F1", run: explain },
     { kind: "item", id: "help-shortcuts", label: t("help.shortcuts"), keys: "?", run: () => show("shortcuts") },
     { kind: "item", id: "help-about", label: t("help.about"), run: () => show("about") },
   ];
@@ -131,6 +146,7 @@ export function useMenus(): MenuPart[] {
   const speed = useRun((state) => state.speed);
   const choice = useTheme((theme) => theme.choice);
   const folded = useLayout((layout) => layout.folded);
+  const outline = useReach((reach) => reach.outline);
   const viewport = useView((view) => view.viewport);
   return useMemo(() => {
     const { activeProgram, report, catalogue, mission } = studio;
@@ -138,7 +154,7 @@ export function useMenus(): MenuPart[] {
     return [
       { id: "File", label: t("menu.file"), entries: fileMenu(activeProgram, translated) },
       { id: "Edit", label: t("menu.edit"), entries: editEntries(studio) },
-      { id: "View", label: t("menu.view"), entries: viewMenu(choice, folded, viewport) },
+      { id: "View", label: t("menu.view"), entries: viewMenu(choice, folded, outline, viewport) },
       {
         id: "Program",
         label: t("menu.program"),
@@ -147,5 +163,5 @@ export function useMenus(): MenuPart[] {
       { id: "Run", label: t("menu.run"), entries: runMenu(status, isLive(status), speed) },
       { id: "Help", label: t("menu.help"), entries: helpMenu() },
     ];
-  }, [studio, status, speed, choice, folded, viewport]);
+  }, [studio, status, speed, choice, folded, outline, viewport]);
 }

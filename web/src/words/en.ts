@@ -1,8 +1,10 @@
 import { EDITOR_EN } from "./en-editor";
+import { REACH_EN } from "./en-reach";
 
 /** English: the complete table, whose keys every other language has. */
 export const EN = {
   ...EDITOR_EN,
+  ...REACH_EN,
   "app.name": "KitRobot",
   "app.parts": "Parts",
   "app.canvas": "Program graph",

@@ -1,9 +1,11 @@
 /** French, in the words of a class: short, and « vous » to the reader. */
 import { EDITOR_FR } from "./fr-editor";
+import { REACH_FR } from "./fr-reach";
 import type { Table } from "./words";
 
 export const FR = {
   ...EDITOR_FR,
+  ...REACH_FR,
   "app.name": "KitRobot",
   "app.parts": "Pièces",
   "app.canvas": "Graphe du programme",

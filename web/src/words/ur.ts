@@ -1,9 +1,11 @@
 /** Urdu, in the words of a class; it runs from right to left, what is code or a number does not. */
 import { EDITOR_UR } from "./ur-editor";
+import { REACH_UR } from "./ur-reach";
 import type { Table } from "./words";
 
 export const UR = {
   ...EDITOR_UR,
+  ...REACH_UR,
   "app.name": "KitRobot",
   "app.parts": "پرزے",
   "app.canvas": "پروگرام کا خاکہ",
