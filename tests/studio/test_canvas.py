@@ -182,3 +182,19 @@ def test_find_looks_through_all_programs_and_enter_goes_there(open_studio: OpenS
     studio.page.keyboard.press("Escape")
     expect(studio.at("find")).to_have_count(0)
     expect(studio.at("canvas")).to_be_focused()
+
+
+def test_a_collapsed_body_says_how_much_it_holds_and_glows_for_it(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    outer = studio.page.locator(".vertex", has_text="While").first
+    name = (outer.get_attribute("data-testid") or "").removeprefix("vertex-")
+    studio.at(f"collapse-{name}").click()
+    expect(outer).to_contain_text(re.compile(r"\d+ parts"))
+    expect(studio.page.locator(".vertex")).to_have_count(1)
+    expect(studio.at("saved-state")).to_have_text("saved")
+    studio.at("run-button").click()
+    expect(studio.page.locator(".vertex.is-active", has_text="parts")).to_be_visible(timeout=10_000)
+    studio.at("stop-button").click()
+    outer.click()
+    studio.page.keyboard.press("c")
+    expect(studio.page.locator(".vertex", has_text="Wheel Advance").first).to_be_visible()

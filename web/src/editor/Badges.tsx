@@ -3,18 +3,26 @@ import type { LayoutNode } from "../model/layout";
 import { title } from "../model/parts";
 import { Icon } from "../theme";
 import { t } from "../words/words";
-import { useTroubles } from "./troubles";
+import { useTroubled, useTroubles } from "./troubles";
 
 export function Badges({ node, threads }: { node: LayoutNode; threads: string }) {
   return (
     <>
       {node.mark === null ? null : <Mark name={title(node.mark.shape)} colour={node.mark.shape.colour} />}
       <Threads threads={threads} />
-      <Trouble id={node.vertex} />
+      <Troubles node={node} />
       <Noted node={node} />
     </>
   );
 }
+
+/** Its own problem, or the first one of what is folded in it. */
+function Troubles({ node: { vertex, inside } }: { node: LayoutNode }) {
+  const id = useTroubled(vertex, inside?.vertices ?? NOTHING);
+  return <Trouble id={id} />;
+}
+
+const NOTHING: string[] = [];
 
 /** A small sign that somebody wrote a note here. */
 function Noted({ node }: { node: LayoutNode }) {

@@ -7,6 +7,7 @@ import { title } from "../model/parts";
 import { t } from "../words/words";
 import { justDragged, useDrag } from "./drag";
 import { currentDrawing, type Drawing } from "./drawing";
+import { FoldControls } from "./Folding";
 import { useView } from "./view";
 
 /** What is shown is chosen by tiles, so that panning renders only now and then. */
@@ -53,21 +54,24 @@ export function Lines({ drawing: { layout } }: { drawing: Drawing }) {
   );
   const seen = new Set<string>();
   return (
-    <ViewportPortal>
-      <svg className="frames" width="1" height="1" aria-hidden="true">
-        {frames.map((frame) => (
-          <Frame key={`${frame.kind} ${frame.id}`} frame={frame} />
-        ))}
-      </svg>
-      <svg className="arcs" width="1" height="1">
-        {arcs.map((arc) => {
-          // An arc that is drawn in two strokes (around the place of a new program) is one arc to hands and tests.
-          const again = seen.has(arc.id);
-          seen.add(arc.id);
-          return <Arc key={again ? `${arc.id} 2` : arc.id} arc={arc} again={again} />;
-        })}
-      </svg>
-    </ViewportPortal>
+    <>
+      <FoldControls frames={frames} />
+      <ViewportPortal>
+        <svg className="frames" width="1" height="1" aria-hidden="true">
+          {frames.map((frame) => (
+            <Frame key={`${frame.kind} ${frame.id}`} frame={frame} />
+          ))}
+        </svg>
+        <svg className="arcs" width="1" height="1">
+          {arcs.map((arc) => {
+            // An arc that is drawn in two strokes (around the place of a new program) is one arc to hands and tests.
+            const again = seen.has(arc.id);
+            seen.add(arc.id);
+            return <Arc key={again ? `${arc.id} 2` : arc.id} arc={arc} again={again} />;
+          })}
+        </svg>
+      </ViewportPortal>
+    </>
   );
 }
 

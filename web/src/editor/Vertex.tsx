@@ -11,6 +11,7 @@ import { Icon, Tile } from "../theme";
 import { t } from "../words/words";
 import { useThreadsAt } from "./active";
 import { beginDrag, justDragged, useDrag } from "./drag";
+import { FoldedWords } from "./Folding";
 import { Badges } from "./Badges";
 import { holdStill, useView } from "./view";
 
@@ -35,20 +36,21 @@ const SPARE = 48;
 export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
   const { vertex: id, face, block, kind, w, h, colour } = node;
   const selected = useStudio((state) => state.selection.includes(id));
-  const threads = useThreadsAt(id, node.mark?.vertex.id ?? null);
+  const threads = useThreadsAt(id, node.mark?.vertex.id ?? null, node.inside?.vertices);
   const aimed = useDrag((state) => state.target?.key === `vertex:${id}`);
   const lifted = useDrag(
     (state) => state.payload?.kind === "vertices" && !state.copy && state.payload.ids.includes(id),
   );
   if (block === null) return null;
   const hexagon = kind === "hexagon";
-  const spare = w - faceWidth(face, hexagon);
+  const spare = node.inside === null ? w - faceWidth(face, hexagon) : 0;
   const classes = ["vertex", kind];
   if (selected) classes.push("is-selected");
   if (threads !== "") classes.push("is-active");
   if (aimed) classes.push("is-aimed");
   if (lifted) classes.push("is-lifted");
   if (block.shape.kind === "unknown") classes.push("is-unknown");
+  if (node.inside !== null) classes.push("is-folded");
   if (node.parked) classes.push("is-parked");
   return (
     <div
@@ -82,13 +84,14 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
       {face.boxes.map((box) => (
         <BoxView key={box.slot} box={box} vertex={id} />
       ))}
+      <FoldedWords node={node} />
       <Badges node={node} threads={threads} />
     </div>
   );
 });
 
 /** What a screen reader says: name, values and conditions in words. */
-export function spoken({ block, face, mark }: LayoutNode): string {
+export function spoken({ block, face, mark, inside }: LayoutNode): string {
   if (block === null) return face.name;
   const values = face.boxes.map(({ label, value, unit }) =>
     [label, value, unit].filter((word) => word !== "").join(" "),
@@ -97,7 +100,8 @@ export function spoken({ block, face, mark }: LayoutNode): string {
     plug.block === null || face.boxes.some((box) => box.slot === plug.slot) ? [] : [wordsOf(plug.block)],
   );
   const marked = mark === null ? [] : [title(mark.shape)];
-  return [title(block.shape), ...conditions, ...values, ...marked].join(", ");
+  const hidden = inside === null ? [] : [t("graph.folded", { count: inside.count })];
+  return [title(block.shape), ...conditions, ...values, ...marked, ...hidden].join(", ");
 }
 
 /** The vertex's shape, `grow` px outside of it; tips of 14. */

@@ -21,9 +21,12 @@ export function ActiveVertices({ program }: { program: string }): null {
   return null;
 }
 
-/** Threads that stand on one of the given vertices, as "0 2"; "" when none does. */
-export function useThreadsAt(id: string, mark: string | null): string {
+/** Threads that stand on one of the given vertices (`inside` is what a folded one holds), as "0 2"; "" when none does. */
+export function useThreadsAt(id: string, mark: string | null, inside: readonly string[] = []): string {
   return useActive(({ slots }) => {
+    if (inside.length > 0) {
+      return [id, mark ?? id, ...inside].flatMap((one) => slots.get(one) ?? []).join(" ");
+    }
     const here = mark === null ? slots.get(id) : [...(slots.get(id) ?? []), ...(slots.get(mark) ?? [])];
     return here === undefined ? "" : here.join(" ");
   });

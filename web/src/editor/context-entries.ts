@@ -6,6 +6,7 @@ import { t } from "../words/words";
 import { copySelection, cutSelection, pasteFromMenu } from "./clipboard";
 import { currentDrawing } from "./drawing";
 import { deleteSelection, duplicateSelection, openWrapping, unwrapSelection, wrappable } from "./edits";
+import { toggleFoldOfSelection } from "./folded";
 import { editSelected, openAdding, selectAll } from "./keys";
 import { useView } from "./view";
 
@@ -41,6 +42,7 @@ function vertexEntries(paste: MenuEntry): MenuEntry[] {
   const only = selection.length === 1 ? selection[0] : undefined;
   const settable = shapes.length === 1 && shapes.some(({ fields, plugs }) => fields.length + plugs.length > 0);
   const unwraps = drawing !== null && only !== undefined && unwrapPart(drawing.program, drawing.parts, only) !== null;
+  const node = only === undefined ? undefined : drawing?.nodes.get(only);
   return [
     item("edit", t("context.edit"), "Enter", editSelected, !settable),
     item("add", t("context.add-after"), "/", openAdding),
@@ -52,6 +54,9 @@ function vertexEntries(paste: MenuEntry): MenuEntry[] {
     line("2"),
     item("wrap", t("context.wrap"), "W", openWrapping, !wrappable() || drawing?.parts.all.some(wraps) !== true),
     ...(unwraps ? [item("unwrap", t("context.unwrap"), "Shift+W", unwrapSelection)] : []),
+    ...(node?.inside != null || (node?.block?.bodies.length ?? 0) > 0
+      ? [item("fold", t(node?.inside == null ? "context.fold" : "context.unfold"), "C", toggleFoldOfSelection)]
+      : []),
     line("3"),
     item("delete", t("edit.delete"), "Del", deleteSelection, fixed),
   ];

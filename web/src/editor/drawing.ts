@@ -6,6 +6,7 @@ import { findSpot, type Spot } from "../model/tree";
 import { programInView, type StudioState, useStudio } from "../model/studio";
 import type { Program } from "../model/types";
 import { languageInUse } from "../words/words";
+import { foldedIn, useFolded } from "./folds";
 
 export interface Drawing {
   program: Program;
@@ -16,6 +17,7 @@ export interface Drawing {
   nodes: Map<string, LayoutNode>;
   /** Words are in the layout: another language is another drawing. */
   language: string;
+  folded: ReadonlySet<string>;
 }
 
 const made = new WeakMap<Program, Drawing>();
@@ -27,11 +29,12 @@ export function drawingOf(state: StudioState): Drawing | null {
   const parts = partsOf(state.catalogue, program.robot);
   const known = made.get(program);
   const language = languageInUse();
-  if (known?.parts === parts && known.language === language) return known;
+  const folded = foldedIn(program.name);
+  if (known?.parts === parts && known.language === language && known.folded === folded) return known;
   const structure = readStructure(program, parts);
-  const layout = layoutStructure(structure);
+  const layout = layoutStructure(structure, folded);
   const nodes = new Map(layout.nodes.map((node) => [node.id, node]));
-  const drawing = { program, parts, structure, layout, nodes, language };
+  const drawing = { program, parts, structure, layout, nodes, language, folded };
   made.set(program, drawing);
   return drawing;
 }
@@ -49,6 +52,8 @@ export function nodeOf({ layout, structure }: Drawing, id: string): LayoutNode |
 }
 
 export function useDrawing(): Drawing | null {
+  // A fold makes another drawing of the same program.
+  useFolded((state) => state.folded);
   return useStudio(drawingOf);
 }
 

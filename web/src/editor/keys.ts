@@ -5,6 +5,7 @@ import { useStudio } from "../model/studio";
 import { currentDrawing } from "./drawing";
 import { openContextMenu } from "./context";
 import { deleteSelection, duplicateSelection, openWrapping, unwrapSelection } from "./edits";
+import { toggleFoldOfSelection } from "./folded";
 import { useView } from "./view";
 import { type Step, walk } from "./walk";
 
@@ -61,6 +62,7 @@ function press(event: KeyboardEvent): boolean {
   if (direction !== undefined && !event.altKey) return step(direction);
   if (key === "ContextMenu" || (key === "F10" && event.shiftKey)) return openContextMenu();
   if (key === "w" && !event.altKey) return event.shiftKey ? unwrapSelection() : openWrapping();
+  if (key === "c" && !event.altKey && !event.shiftKey) return toggleFoldOfSelection();
   if (key === "/") return openAdding();
   if (key === "Delete" || key === "Backspace") return deleteSelection();
   if (key === "Escape") return escape();

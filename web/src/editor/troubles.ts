@@ -33,3 +33,13 @@ export function useTroubles(id: string): Problem[] {
     return byVertex(state.report).get(`${program.name}\n${id}`) ?? NONE;
   });
 }
+
+/** The vertex itself if it has a problem or nothing is folded in it, else the first one inside that has. */
+export function useTroubled(id: string, inside: readonly string[]): string {
+  return useStudio((state) => {
+    const program = programInView(state);
+    if (inside.length === 0 || state.report === null || program === undefined) return id;
+    const table = byVertex(state.report);
+    return [id, ...inside].find((one) => table.has(`${program.name}\n${one}`)) ?? id;
+  });
+}

@@ -73,7 +73,9 @@ export function useViewport(
           const now = currentDrawing();
           const node = now === null ? undefined : nodeOf(now, id);
           if (node === undefined) return;
-          const { width, height } = size();
+          const { width: all, height } = size();
+          // The find panel covers the right side.
+          const width = useView.getState().finding && all > 840 ? all - 412 : all;
           const { x, y, zoom } = flow.getViewport();
           const nudge = (from: number, long: number, room: number) => {
             if (from < MARGIN) return MARGIN - from;

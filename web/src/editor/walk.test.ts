@@ -10,7 +10,15 @@ import { walk } from "./walk";
 const structure = readStructure(CARRIER, PARTS);
 const layout = layoutStructure(structure);
 const nodes = new Map(layout.nodes.map((node) => [node.id, node]));
-const drawing: Drawing = { program: CARRIER, parts: PARTS, structure, layout, nodes, language: "en" };
+const drawing: Drawing = {
+  program: CARRIER,
+  parts: PARTS,
+  structure,
+  layout,
+  nodes,
+  language: "en",
+  folded: new Set<string>(),
+};
 
 describe("the arrow keys", () => {
   it("go up and down in the order of reading", () => {

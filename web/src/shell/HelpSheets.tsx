@@ -28,6 +28,7 @@ const GRAPH_KEYS: [keys: string, meaning: Key][] = [
   ["Ctrl+D", "help.keys-duplicate"],
   ["Ctrl+X · Ctrl+C · Ctrl+V", "help.keys-clipboard"],
   ["W · Shift+W", "help.keys-wrap"],
+  ["C", "help.keys-fold"],
   ["Shift+F10", "help.keys-context"],
   ["Ctrl+F", "help.keys-find"],
   ["Ctrl+A", "help.keys-all"],

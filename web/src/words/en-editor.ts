@@ -68,6 +68,13 @@ export const EDITOR_EN = {
   "find.previous": "Previous",
   "help.keys-find": "Find in all programs",
 
+  "graph.fold": "Collapse {name}",
+  "graph.unfold": "Expand {name}",
+  "context.fold": "Collapse",
+  "context.unfold": "Expand",
+  "help.keys-fold": "Collapse or expand the selected part",
+  "graph.folded": { one: "{count} part", other: "{count} parts" },
+
   "add.title": "Add a part",
   "add.find": "Type to find a part",
   "add.none": "No part is called that.",

@@ -68,6 +68,13 @@ export const EDITOR_FR = {
   "find.previous": "Précédent",
   "help.keys-find": "Rechercher dans tous les programmes",
 
+  "graph.fold": "Replier {name}",
+  "graph.unfold": "Déplier {name}",
+  "context.fold": "Replier",
+  "context.unfold": "Déplier",
+  "help.keys-fold": "Replier ou déplier la pièce choisie",
+  "graph.folded": { one: "{count} pièce", other: "{count} pièces" },
+
   "add.title": "Ajouter une pièce",
   "add.find": "Tapez pour trouver une pièce",
   "add.none": "Aucune pièce ne s'appelle ainsi.",

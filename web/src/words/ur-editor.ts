@@ -68,6 +68,13 @@ export const EDITOR_UR = {
   "find.previous": "پچھلا",
   "help.keys-find": "سب پروگراموں میں تلاش کریں",
 
+  "graph.fold": "{name} سمیٹیں",
+  "graph.unfold": "{name} پھیلائیں",
+  "context.fold": "سمیٹیں",
+  "context.unfold": "پھیلائیں",
+  "help.keys-fold": "منتخب پرزہ سمیٹیں یا پھیلائیں",
+  "graph.folded": { one: "{count} پرزہ", other: "{count} پرزے" },
+
   "add.title": "پرزہ شامل کریں",
   "add.find": "پرزہ ڈھونڈنے کے لیے لکھیں",
   "add.none": "اس نام کا کوئی پرزہ نہیں۔",

@@ -51,11 +51,11 @@ export class Draft {
   terminal(vertex: Vertex, kind: "start" | "stop", middle: number): void {
     const box = { x: -60, y: middle - HALF_ROW, w: 120, h: 2 * HALF_ROW };
     const face = { ...NO_FACE, name: vertex.element };
-    const common = { face, block: null, mark: null, parked: false, colour: "action" as const };
+    const common = { face, block: null, mark: null, parked: false, inside: null, colour: "action" as const };
     this.nodes.push({ id: vertex.id, vertex: vertex.id, ...box, kind, ...common });
   }
 
-  node({ shown, mark, face, width }: Measured, kind: NodeKind, x: number, middle: number): void {
+  node({ shown, mark, face, width, inside }: Measured, kind: NodeKind, x: number, middle: number): void {
     const { id } = shown.vertex;
     const h = kind === "chip" ? 28 : 2 * HALF_ROW;
     const box = { x: x - width / 2, y: middle - h / 2, w: width, h };
@@ -69,6 +69,7 @@ export class Draft {
       block: shown,
       mark,
       parked: this.parked,
+      inside,
     });
   }
 
@@ -87,6 +88,7 @@ export class Draft {
       block: shown,
       mark: null,
       parked: this.parked,
+      inside: null,
     });
   }
 

@@ -38,7 +38,11 @@ const PARKED_GAP = 64;
 
 export class Placer {
   private readonly draft = new Draft();
-  private readonly sizes = new Sizes();
+  private readonly sizes: Sizes;
+
+  constructor(folded: ReadonlySet<string>) {
+    this.sizes = new Sizes(folded);
+  }
 
   layout(structure: Structure): Layout {
     this.placeMain(structure);
@@ -63,7 +67,7 @@ export class Placer {
   private placeEmpty(stop: Vertex, from: Piece): void {
     const { w, h, middle } = PLACE;
     const face = NO_FACE;
-    const common = { colour: "action" as const, face, block: null, mark: null, parked: false };
+    const common = { colour: "action" as const, face, block: null, mark: null, parked: false, inside: null };
     this.draft.nodes.push({ ...common, id: "place", vertex: "", x: -w / 2, y: middle - h / 2, w, h, kind: "place" });
     from.points.push({ x: 0, y: middle - h / 2 });
     this.draft.emit([from]);

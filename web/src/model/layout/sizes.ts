@@ -6,6 +6,9 @@ import { chipOf, chipWidth, type Face, faceOf, faceWidth } from "../face";
 import { textWidth } from "../measure";
 import { isMark } from "../parts";
 import type { Block } from "../structure";
+import { verticesOf } from "../tree";
+import { t } from "../../words/words";
+import type { Inside } from "./types";
 
 export type Style = "simple" | "legend" | "loop" | "bars" | "columns" | "chip";
 
@@ -26,6 +29,8 @@ export interface Measured {
   shown: Block;
   mark: Block | null;
   face: Face;
+  /** What is hidden in it, or null when it is not folded. */
+  inside: Inside | null;
   /** Whether the vertex itself is a stretched diamond. */
   hexagon: boolean;
   /** Width of the vertex itself. */
@@ -50,6 +55,11 @@ function styleOf({ shape, bodies }: Block): Style {
 
 export class Sizes {
   private readonly table = new Map<Block, Measured>();
+  private readonly folded: ReadonlySet<string>;
+
+  constructor(folded: ReadonlySet<string>) {
+    this.folded = folded;
+  }
 
   of(block: Block): Measured {
     let measured = this.table.get(block);
@@ -65,14 +75,29 @@ export class Sizes {
   private measure(block: Block): Measured {
     const held = isMark(block.shape) ? block.plugs[0]?.block : null;
     const shown = held ?? block;
-    const style = styleOf(shown);
+    const inside = shown.bodies.length > 0 && this.folded.has(shown.vertex.id) ? insideOf(shown) : null;
+    const open = styleOf(shown);
+    const style = inside === null ? open : "simple";
     const face = faceOf(shown);
-    const hexagon = style === "columns" || (style !== "loop" && style !== "bars" && isChoice(shown));
-    const width = vertexWidth(shown, style, face, hexagon);
-    const measured = { style, shown, mark: held == null ? null : block, face, hexagon, width };
-    const halves = shown.bodies.map((body) => this.halfOf(body.chain));
+    const hexagon = open === "columns" || (open !== "loop" && open !== "bars" && isChoice(shown));
+    const width = vertexWidth(shown, style, face, hexagon) + (inside === null ? 0 : foldedWidth(inside));
+    const measured = { style, shown, mark: held == null ? null : block, face, hexagon, width, inside };
+    const halves = inside !== null ? [] : shown.bodies.map((body) => this.halfOf(body.chain));
     return { ...measured, ...extent(style, width, halves) };
   }
+}
+
+function insideOf(block: Block): Inside {
+  const held = block.bodies.flatMap((body) => body.chain);
+  return {
+    count: held.reduce((sum, one) => sum + 1 + insideOf(one).count, 0),
+    vertices: held.flatMap((one) => verticesOf(one).map((vertex) => vertex.id)),
+  };
+}
+
+/** Room for the words on a folded vertex. */
+function foldedWidth({ count }: Inside): number {
+  return ceilTo(16, textWidth(t("graph.folded", { count }), 14, true) + 24);
 }
 
 /** A condition that is looked at without a loop makes a diamond. */

@@ -8,6 +8,14 @@ export interface Point {
   y: number;
 }
 
+/** What a folded constructor holds. */
+export interface Inside {
+  /** How many parts stand in its bodies. */
+  count: number;
+  /** All their vertices. */
+  vertices: string[];
+}
+
 export type NodeKind = "start" | "stop" | "rect" | "hexagon" | "bar" | "barEnd" | "chip" | "place";
 
 export interface LayoutNode {
@@ -26,6 +34,8 @@ export interface LayoutNode {
   /** The mark around it (a badge), if any: arcs leave and enter by the mark's id. */
   mark: Block | null;
   parked: boolean;
+  /** What is hidden in it, or null when it is not folded. */
+  inside: Inside | null;
 }
 
 /** A tinted box around bodies, drawn under everything else; owners come before what they hold. */
