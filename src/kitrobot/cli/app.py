@@ -17,6 +17,7 @@ import typer
 
 from kitrobot.cli.check import check_files
 from kitrobot.cli.convert import convert_file
+from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
 from kitrobot.cli.run import run_mission
@@ -42,6 +43,7 @@ app.command("convert")(convert_file)
 app.command("exec")(execute_program)
 app.command("check")(check_files)
 app.command("format")(format_files)
+app.command("diff")(diff_files)
 
 
 def _say_version(wanted: bool) -> None:

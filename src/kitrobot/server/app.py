@@ -15,6 +15,7 @@ from starlette.exceptions import HTTPException
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server import pages
 from kitrobot.server.fragments import routes as fragment_routes
+from kitrobot.server.journal_routes import journal_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
 from kitrobot.server.security import Guard
@@ -22,6 +23,7 @@ from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     REQUEST_MODELS,
     RUN_MESSAGE_MODELS,
+    WATCH_MESSAGE_MODELS,
     ConflictShape,
     FailureShape,
     problem_shapes,
@@ -53,6 +55,7 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
     app.include_router(routes)
     app.include_router(fragment_routes)
     app.include_router(run_routes)
+    app.include_router(journal_routes)
     app.add_exception_handler(KitRobotError, _failed)
     app.add_exception_handler(OSError, _disk_failed)
     app.add_exception_handler(RequestValidationError, _not_understood)
@@ -84,7 +87,7 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
     if app.openapi_schema is None:
         schema = FastAPI.openapi(app)
         models = [(model, "validation") for model in REQUEST_MODELS]
-        models += [(model, "serialization") for model in RUN_MESSAGE_MODELS]
+        models += [(model, "serialization") for model in (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS)]
         _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
         schema["components"]["schemas"] |= extra["$defs"]
         app.openapi_schema = schema

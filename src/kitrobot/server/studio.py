@@ -15,7 +15,7 @@ from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
-from kitrobot.workspace import MissionFolder, OpenMission, read_mission_data, with_mission
+from kitrobot.workspace import Journals, MissionFolder, OpenMission, read_mission_data, with_mission
 
 Stamp = tuple[tuple[str, int, int], ...]
 MOST_KEPT = 16
@@ -27,6 +27,7 @@ class Studio:
 
     def __init__(self, workspace: Path, mission: Path | None) -> None:
         self.folder = MissionFolder(workspace)
+        self.journals = Journals(self.folder)
         self.first = self.folder.name_of(mission) if mission is not None else None
         self.runs = 0
         self.gallery = Gallery()

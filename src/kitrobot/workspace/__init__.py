@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from kitrobot.workspace.checking import FileReport, check_file
+    from kitrobot.workspace.comparison import CompareError, Difference, compare_files, differences, text_differences
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
-    from kitrobot.workspace.differences import Difference, differences, text_differences
     from kitrobot.workspace.examples import examples_folder, first_example
     from kitrobot.workspace.executables import Executable, load_executable
     from kitrobot.workspace.execution import Executed, execute
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 _ROOMS = {
     "checking": ("FileReport", "check_file"),
     "conversion": ("ConversionError", "Converted", "convert"),
-    "differences": ("Difference", "differences", "text_differences"),
+    "comparison": ("CompareError", "Difference", "compare_files", "differences", "text_differences"),
     "examples": ("examples_folder", "first_example"),
     "executables": ("Executable", "load_executable"),
     "execution": ("Executed", "execute"),
@@ -79,6 +79,7 @@ _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
 __all__ = [
     "Change",
     "Claimed",
+    "CompareError",
     "ConflictError",
     "ConversionError",
     "Converted",
@@ -109,6 +110,7 @@ __all__ = [
     "Span",
     "Timing",
     "check_file",
+    "compare_files",
     "convert",
     "differences",
     "examples_folder",

@@ -79,7 +79,8 @@ async function refusal(response: Response): Promise<ApiError> {
   return new ApiError(message, text(said.help), response.status, text(said.revision), said.problems ?? []);
 }
 
-async function ask<T>(address: string, { method = "GET", json, bytes, signal }: Asked = {}): Promise<T> {
+/** One request; the answer is what the caller says it is. */
+export async function ask<T>(address: string, { method = "GET", json, bytes, signal }: Asked = {}): Promise<T> {
   const headers: Record<string, string> = { "X-KitRobot-Token": token() };
   if (json !== undefined) headers["Content-Type"] = "application/json";
   if (bytes !== undefined) headers["Content-Type"] = "application/octet-stream";

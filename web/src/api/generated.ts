@@ -47,6 +47,22 @@ export interface Check {
   path: string;
 }
 
+/** The page opened a mission; `journal` is the one it had before, or chose, "" for any that was left on it. */
+export interface Claim {
+  tab: string;
+  path: string;
+  journal: string;
+}
+
+/** The journal that the page writes from now on; `records` is what was left, `damaged` if some is lost. */
+export interface Claimed {
+  journal: string;
+  path: string;
+  name: string;
+  records: string[];
+  damaged: boolean;
+}
+
 /** The file is not what the page last saw; `revision` is what it is now. */
 export interface Conflict {
   message: string;
@@ -66,6 +82,18 @@ export interface Constructor {
   role: "instruction" | "condition" | "branch";
   adds: Adds | null;
   code: string;
+}
+
+/** What is different in the mission from its file, a sentence each; `revision` is the file's. */
+export interface Difference {
+  revision: string;
+  changes: string[];
+}
+
+/** A mission to be held against its file. */
+export interface DifferenceAsk {
+  path: string;
+  mission: Mission;
 }
 
 /** Where stock goes from a storehouse onto a carrier, or back. */
@@ -95,6 +123,11 @@ export interface Failure {
   problems?: Problem[];
 }
 
+/** Unsaved work that nobody wants. */
+export interface Forget {
+  journal: string;
+}
+
 /** What the text became: a chain from Start to Stop, or a condition on its own; None when it is no LLL. */
 export interface Fragment {
   program: Program | null;
@@ -120,6 +153,42 @@ export interface Group {
   colour: "loop" | "choice" | "parallel" | "action" | "test" | "team";
   label: Record<string, string>;
   constructors: Constructor[];
+}
+
+/** The first message of `WS /api/watch`: the name of the page's tab. */
+export interface HelloMessage {
+  type: "hello";
+  tab: string;
+}
+
+/** A whole journal, to take the place of the one that the page writes; without records there is none any more. */
+export interface Journal {
+  tab: string;
+  path: string;
+  name: string;
+  records: string[];
+  unsaved: boolean;
+}
+
+/** Records to be written behind the others; `first` is the number of the first of them. */
+export interface JournalAppend {
+  tab: string;
+  first: number;
+  records: string[];
+  unsaved: boolean;
+}
+
+/** How large the journal is now. */
+export interface JournalSize {
+  bytes: number;
+}
+
+/** Unsaved work that nobody has open; `modified` is a moment in UTC (ISO 8601). */
+export interface Left {
+  journal: string;
+  path: string;
+  name: string;
+  modified: string;
 }
 
 /** A coloured line on the floor, sampled like a road. */
@@ -187,6 +256,14 @@ export interface MissionFile {
 /** A mission to be written out, unsaved. */
 export interface MissionText {
   mission: Mission;
+}
+
+/** What is on disk for the page's mission ("" when nothing is), and how many other pages have it open. */
+export interface NewsMessage {
+  type: "news";
+  path: string;
+  revision: string;
+  others: number;
 }
 
 /** A comment of the user. */

@@ -16,10 +16,13 @@ import { t } from "../words/words";
 import { Banner } from "./Banner";
 import { Brand } from "./Brand";
 import { keepChecking } from "./checking";
-import { begin, openFromComputer, useDocument } from "./document";
+import { DifferenceSheet } from "./DifferenceSheet";
+import { hearOfDisk, watchDisk } from "./disk";
+import { begin, complain, openFromComputer, useDocument } from "./document";
 import { EventStrip } from "./EventStrip";
 import { Examples } from "./Examples";
 import { AboutSheet, ShortcutsSheet } from "./HelpSheets";
+import { isKept, keepJournal } from "./journal";
 import { useKeys } from "./keys";
 import { useLayout } from "./layout";
 import { MenuBar } from "./MenuBar";
@@ -43,6 +46,14 @@ let begun = false;
 /** Opens the first mission once, and keeps the report fresh while the page is there. */
 function useDocumentFlow(): void {
   useEffect(() => {
+    const offJournal = keepJournal(complain, hearOfDisk);
+    const offDisk = watchDisk();
+    return () => {
+      offJournal();
+      offDisk();
+    };
+  }, []);
+  useEffect(() => {
     if (!begun) {
       begun = true;
       void begin();
@@ -52,7 +63,7 @@ function useDocumentFlow(): void {
   useEffect(showRunProblems, []);
   useEffect(() => {
     const ask = (event: BeforeUnloadEvent) => {
-      if (useStudio.getState().dirty) event.preventDefault();
+      if (useStudio.getState().dirty && !isKept()) event.preventDefault();
     };
     window.addEventListener("beforeunload", ask);
     return () => window.removeEventListener("beforeunload", ask);
@@ -157,6 +168,7 @@ export function App() {
       {overlay === "save-as" ? <SaveAsSheet /> : null}
       {overlay === "shortcuts" ? <ShortcutsSheet /> : null}
       {overlay === "about" ? <AboutSheet /> : null}
+      {overlay === "difference" ? <DifferenceSheet /> : null}
     </div>
   );
 }

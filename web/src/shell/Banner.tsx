@@ -7,7 +7,7 @@ import { type Banner as Message, dismissBanner, useDocument } from "./document";
 
 function Strip({ said, onClose }: { said: Message; onClose: () => void }) {
   return (
-    <div className={`banner banner-${said.kind}`} role="alert" data-testid="banner">
+    <div className={`banner banner-${said.kind}`} role={said.kind === "note" ? "status" : "alert"} data-testid="banner">
       <Icon name={said.kind === "error" ? "triangle-alert" : "info"} size={18} />
       <p>
         <strong>
@@ -20,7 +20,7 @@ function Strip({ said, onClose }: { said: Message; onClose: () => void }) {
           {action.label}
         </button>
       ))}
-      {said.kind === "error" ? (
+      {said.kind !== "question" ? (
         <button type="button" className="tool small" aria-label={t("banner.close")} onClick={onClose}>
           <Icon name="x" size={16} />
         </button>

@@ -3,12 +3,14 @@ import { useEffect } from "react";
 
 import { useStudio } from "../model/studio";
 import { t } from "../words/words";
+import { useDisk } from "./disk";
 import { shownName, useDocument } from "./document";
 
 export function Title() {
   const file = useStudio((studio) => studio.file);
   const dirty = useStudio((studio) => studio.dirty);
   const ready = useDocument((document) => document.ready);
+  const others = useDisk((disk) => (disk.path === file.path ? disk.others : 0));
   const name = shownName(file.name);
   useEffect(() => {
     document.title = ready ? `${dirty ? "• " : ""}${name} · ${t("app.name")}` : t("app.name");
@@ -26,6 +28,14 @@ export function Title() {
       <h1>{name}</h1>
       <span aria-hidden="true">·</span>
       <span data-testid="saved-state">{state}</span>
+      {others > 0 ? (
+        <>
+          <span aria-hidden="true">·</span>
+          <span role="status" title={t("disk.also-open-help")} data-testid="also-open">
+            {t("disk.also-open")}
+          </span>
+        </>
+      ) : null}
     </div>
   );
 }

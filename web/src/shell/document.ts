@@ -7,11 +7,15 @@
 import { create } from "zustand";
 
 import { api, ApiError, type Session } from "../api/client";
+import { type Claimed, journalApi, type Left } from "../api/journal";
 import type { MissionFile, Problem } from "../api/types";
+import { isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
 import { type Key, sentence, t } from "../words/words";
 import { download } from "./download";
+import { claim, journalBefore, keepsJournal, openWith } from "./journal";
+import { recover } from "./journal-records";
 
 export interface BannerAction {
   label: string;
@@ -19,13 +23,13 @@ export interface BannerAction {
 }
 
 export interface Banner {
-  kind: "error" | "question";
+  kind: "error" | "question" | "note";
   message: string;
   help: string;
   actions: BannerAction[];
 }
 
-export type Overlay = "open" | "save-as" | "shortcuts" | "about" | null;
+export type Overlay = "open" | "save-as" | "shortcuts" | "about" | "difference" | null;
 
 interface DocumentState {
   session: Session | null;
@@ -70,7 +74,8 @@ export function complain(cause: unknown, again?: () => void): void {
   set({ banner: { kind: "error", message, help, actions } });
 }
 
-function question(message: string, choices: [Key, () => void][]): void {
+/** Asks, without standing in the way; each answer takes the question away. */
+export function question(message: string, choices: [Key, () => void][], kind: Banner["kind"] = "question", help = "") {
   const actions = choices.map(([key, run]) => ({
     label: t(key),
     run: () => {
@@ -78,7 +83,7 @@ function question(message: string, choices: [Key, () => void][]): void {
       run();
     },
   }));
-  set({ banner: { kind: "question", message, help: "", actions } });
+  set({ banner: { kind, message, help, actions } });
 }
 
 /** A file's name without its folders. */
@@ -108,15 +113,70 @@ function unlessUnsaved(go: () => void): void {
   ]);
 }
 
-function take(file: MissionFile): void {
+/** Opens a mission, with the work that was left on it; `journal` is the one that is wanted, "" for any. */
+async function take(file: MissionFile, journal = ""): Promise<void> {
+  resume(file, await claim(file.path, journal));
+}
+
+/** Opens a mission with what its journal holds, as far as that is still of use. */
+function resume(file: MissionFile, claimed: Claimed | null): void {
+  const found = recover(claimed?.records ?? []);
+  const unsaved = found !== null && isUnsaved(found.history);
+  const back = found !== null && (unsaved || found.revision === file.revision) ? found : null;
+  openWith(back?.history ?? null);
   useRun.getState().reset();
-  useStudio.getState().openMission(file);
+  useStudio.getState().openMission(back === null ? file : { ...file, revision: back.revision }, back?.history);
   set({ ready: true, banner: null, overlay: null, fileProblems: file.problems });
+  if (!unsaved) return;
+  const help = t(claimed?.damaged === true ? "journal.back-damaged" : "journal.back-help");
+  question(t("journal.back", { name: fileName() }), [["journal.discard", discard]], "note", help);
+}
+
+/** Away with what is not saved: the file as it is on disk, or a new one. */
+function discard(): void {
+  const { path } = useStudio.getState().file;
+  void bring(() => (path === "" ? api.newMission() : api.mission(path)));
+}
+
+/** Opens work that was left behind; false when it is gone. */
+async function takeLeft(journal: string): Promise<boolean> {
+  const claimed = await claim("", journal);
+  if (claimed === null || claimed.records.length === 0) return false;
+  resume({ ...(await under(claimed.path)), path: claimed.path, name: claimed.name }, claimed);
+  return true;
+}
+
+/** What lies under unsaved work: its file, or nothing when that is gone. */
+async function under(path: string): Promise<MissionFile> {
+  if (path === "") return api.newMission();
+  try {
+    return await api.mission(path);
+  } catch {
+    return api.newMission();
+  }
+}
+
+/** Says that work on a new mission was left behind, which no file's name leads to. */
+function offerLeft(left: readonly Left[]): void {
+  const [first] = left.filter((one) => one.path === "");
+  if (first === undefined || useDocument.getState().banner !== null) return;
+  const choices: [Key, () => void][] = [
+    ["journal.open", () => unlessUnsaved(() => void takeLeft(first.journal).catch(complain))],
+    ["journal.discard", () => void journalApi.forget(first.journal).then(offerLeft, complain)],
+    ["journal.later", () => undefined],
+  ];
+  question(t("journal.left", { name: shownName(first.name) }), choices);
+}
+
+/** Opens the file on disk in place of what is open. */
+export function loadFromDisk(): void {
+  const { path } = useStudio.getState().file;
+  void bring(() => api.mission(path));
 }
 
 async function bring(get: () => Promise<MissionFile>): Promise<void> {
   try {
-    take(await get());
+    await take(await get());
   } catch (cause) {
     complain(cause);
   }
@@ -140,23 +200,37 @@ export async function begin(): Promise<void> {
   try {
     const session = await api.session();
     set({ session });
+    if (await beginWhereItEnded(session)) return;
     if (session.path === null) {
       const example = (await api.missions()).find((entry) => entry.example);
-      take(example === undefined ? await api.newMission() : await api.mission(example.path));
+      await take(example === undefined ? await api.newMission() : await api.mission(example.path));
     } else {
       await beginWith(session.path);
     }
+    if (keepsJournal()) offerLeft(await journalApi.left());
   } catch (cause) {
     complain(cause, () => void begin());
   }
 }
 
+/**
+ * The work of this tab before it was loaded again, else, when no mission was named, the newest that was left behind. False
+ * when there is none.
+ */
+async function beginWhereItEnded(session: Session): Promise<boolean> {
+  if (!keepsJournal()) return false;
+  const before = journalBefore();
+  if (before !== "" && (await takeLeft(before))) return true;
+  const [newest] = session.path === null ? await journalApi.left() : [];
+  return newest !== undefined && takeLeft(newest.journal);
+}
+
 /** A file that cannot be read leaves an empty mission, and the sentence about it above. */
 async function beginWith(path: string): Promise<void> {
   try {
-    take(await api.mission(path));
+    await take(await api.mission(path));
   } catch (cause) {
-    take(await api.newMission());
+    await take(await api.newMission());
     complain(cause);
   }
 }
@@ -192,11 +266,26 @@ export async function write(path: string, revision: string): Promise<boolean> {
 }
 
 function conflict(path: string, revision: string): void {
+  if (revision === "") {
+    question(t("disk.removed", { name: fileName() }), [
+      ["disk.write", () => void write(path, revision)],
+      ["banner.conflict-as", () => show("save-as")],
+      ["banner.cancel", () => undefined],
+    ]);
+    return;
+  }
   question(t("banner.conflict", { name: fileName() }), [
     ["banner.conflict-keep", () => void write(path, revision)],
-    ["banner.conflict-theirs", () => void bring(() => api.mission(path))],
+    ["banner.conflict-theirs", loadFromDisk],
+    ["disk.difference", () => showDifference(() => conflict(path, revision))],
     ["banner.conflict-as", () => show("save-as")],
   ]);
+}
+
+/** Shows what is different between the open mission and its file; the question stays meanwhile. */
+export function showDifference(again: () => void): void {
+  show("difference");
+  again();
 }
 
 /** A new name inside the workspace: null when saved, else the revision of the file that is already there. */

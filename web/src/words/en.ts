@@ -1,9 +1,11 @@
 import { EDITOR_EN } from "./en-editor";
+import { JOURNAL_EN } from "./en-journal";
 import { REACH_EN } from "./en-reach";
 
 /** English: the complete table, whose keys every other language has. */
 export const EN = {
   ...EDITOR_EN,
+  ...JOURNAL_EN,
   ...REACH_EN,
   "app.name": "KitRobot",
   "app.parts": "Parts",
@@ -165,6 +167,8 @@ export const EN = {
   "code.listing-label": "Three-address code of {name}",
   "code.empty": "# Start, then Stop. Your program appears here.",
   "code.no-listing": "# Appears when the program has no errors.",
+  "code.edit-text": "Edit text",
+  "code.stale": "The graph shows the last text without mistakes.",
 
   "problems.title": "Problems",
   "problems.count": { one: "{count} problem", other: "{count} problems" },

@@ -11,15 +11,24 @@ import difflib
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
+from pathlib import Path
 from typing import Any
 
+from kitrobot.diagnostics import KitRobotError, Source
 from kitrobot.graph import START, STOP, Note, Program, Vertex
-from kitrobot.mission import Agent, Goal, Mission
+from kitrobot.mission import NO_PROGRAM, Agent, Goal, Mission, read_mission
+from kitrobot.workspace.files import read_bytes
+from kitrobot.workspace.layout import lay_out_file
 from kitrobot.workspace.outline import PARKED, Outline
+from kitrobot.workspace.problems import ProblemsError
 
 _LONGEST_QUOTE = 60
 _ALIKE = 0.6
 """So much of two programs' vertices must be the same for one to be the other renamed."""
+
+
+class CompareError(KitRobotError):
+    """Two files that cannot be held against each other."""
 
 
 @dataclass(frozen=True)
@@ -140,7 +149,7 @@ def _program(before: Program, after: Program) -> Iterator[Difference]:
 def _vertices(old: Outline, new: Outline, name: str) -> Iterator[Difference]:
     for id, vertex in old.vertices.items():
         if id not in new.vertices:
-            yield Difference("removed", f"{_named(vertex)} removed{_where(old, id)}", name, id)
+            yield Difference("removed", f"{_named(vertex)} removed, it stood{_where(old, id)}", name, id)
     moved = _moved(old, new)
     for id, vertex in new.vertices.items():
         before = old.vertices.get(id)
@@ -272,6 +281,8 @@ def _where(outline: Outline, id: str) -> str:
         return f"{after}, parked"
     if not holder:
         return after or " after Start"
+    if not after and len(outline.chains[spot.chain]) > 1:
+        after = " first"
     return f"{after} in the {slot} of {_named(outline.vertices[holder])}"
 
 
@@ -294,3 +305,41 @@ def _short(value: Any) -> str:
     if isinstance(value, list):
         value = " ".join(map(str, value))
     return _quoted(str(value)) if value else "nothing"
+
+
+def compare_files(before: Path, after: Path) -> list[Difference]:
+    """What is different between two `.krt`, or two `.lll` by their true layout.
+
+    Raises:
+        CompareError: they are not two of a kind.
+        ProblemsError: what one of them says cannot be used.
+        FileError: one of them cannot be read.
+    """
+    kinds = {before.suffix.lower(), after.suffix.lower()}
+    if kinds == {".lll"}:
+        return text_differences(_laid_out(before), _laid_out(after))
+    if ".lll" in kinds:
+        raise CompareError("expected two missions or two LLL texts, found one of each", "convert one of them first")
+    return differences(read_whole(before), read_whole(after))
+
+
+def read_whole(path: Path) -> Mission:
+    """A mission all of which can be used.
+
+    Raises:
+        ProblemsError: some of it cannot.
+        FileError: it cannot be read.
+    """
+    data = read_bytes(path)
+    mission, diagnostics = read_mission(data, str(path))
+    if mission is None or any(item.is_error and item.code != NO_PROGRAM.code for item in diagnostics):
+        source = Source(str(path), data.decode("utf-8-sig", errors="replace"))
+        raise ProblemsError(f"`{path}` cannot be used", "mend it first", tuple(diagnostics), (source,))
+    return mission
+
+
+def _laid_out(path: Path) -> str:
+    layout = lay_out_file(path)
+    if layout.text is None:
+        raise ProblemsError(f"`{path}` cannot be used", "mend it first", layout.diagnostics, (layout.source,))
+    return layout.text

@@ -1,0 +1,40 @@
+"""`kitrobot diff`: what is different between two missions, or two LLL texts, in words."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from kitrobot.cli.speaking import complain, give
+from kitrobot.diagnostics import KitRobotError
+
+DIFFERENT, TROUBLE = 1, 2
+
+
+def diff_files(
+    before: Annotated[Path, typer.Argument(metavar="A", help="A mission or an LLL text.", show_default=False)],
+    after: Annotated[Path, typer.Argument(metavar="B", help="Another of the same kind.", show_default=False)],
+    as_json: Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")] = False,
+) -> None:
+    """Say what is different between two `.krt` missions, or two `.lll` texts, in words.
+
+    The layout of the files does not count. The exit status is that of `diff`: 0 when they are equal, 1 when they
+    differ, 2 when one of them cannot be read.
+    """
+    from kitrobot.workspace import compare_files
+
+    try:
+        found = compare_files(before, after)
+    except KitRobotError as error:
+        complain(error)
+        raise typer.Exit(TROUBLE) from None
+    if as_json:
+        give(json.dumps([asdict(one) for one in found], ensure_ascii=False, indent=2) + "\n")
+    else:
+        give("".join(f"{one.sentence}\n" for one in found))
+    if found:
+        raise typer.Exit(DIFFERENT)

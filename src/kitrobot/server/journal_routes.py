@@ -1,0 +1,133 @@
+"""Nothing is lost: the page's journal, and what it must know of its file and of other pages.
+
+`WS /api/watch` is open as long as the page is: it makes the page a tab, tells it what changes on disk, and when it
+closes, for whatever reason, what the page wrote is free for the next one. The other requests bring records in.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from typing import Annotated
+
+from fastapi import APIRouter, Depends, Request, WebSocket, WebSocketDisconnect
+
+from kitrobot.server.shapes import (
+    ClaimedShape,
+    ClaimShape,
+    DifferenceAskShape,
+    DifferenceShape,
+    FailureShape,
+    ForgetShape,
+    HelloMessage,
+    JournalAppendShape,
+    JournalShape,
+    JournalSizeShape,
+    LeftShape,
+    NewsMessage,
+    mission_from_shape,
+)
+from kitrobot.server.studio import Studio
+from kitrobot.workspace import Journal, differences
+
+LOOK_S = 1.0
+"""How often a tab's file is looked at."""
+
+journal_routes = APIRouter(
+    prefix="/api",
+    responses={"4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}},
+)
+
+
+def _studio(request: Request) -> Studio:
+    studio = request.app.state.studio
+    assert isinstance(studio, Studio)
+    return studio
+
+
+StudioOf = Annotated[Studio, Depends(_studio)]
+
+
+@journal_routes.post("/journal/claim")
+def claim(studio: StudioOf, wanted: ClaimShape) -> ClaimedShape:
+    """The journal for the mission that the page has opened, with what was left in it."""
+    if wanted.path:
+        studio.folder.path_of(wanted.path)
+    found = studio.journals.claim(wanted.tab, wanted.path, wanted.journal)
+    return ClaimedShape(
+        journal=found.journal, path=found.path, name=found.name, records=list(found.records), damaged=found.damaged
+    )
+
+
+@journal_routes.put("/journal")
+def replace(studio: StudioOf, wanted: JournalShape) -> JournalSizeShape:
+    """Puts a whole journal in the place of the page's."""
+    if wanted.path:
+        studio.folder.path_of(wanted.path)
+    journal = Journal(wanted.path, wanted.name, tuple(wanted.records), wanted.unsaved)
+    return JournalSizeShape(bytes=studio.journals.replace(wanted.tab, journal))
+
+
+@journal_routes.post("/journal")
+def append(studio: StudioOf, wanted: JournalAppendShape) -> JournalSizeShape:
+    """Writes records behind the others."""
+    return JournalSizeShape(bytes=studio.journals.append(wanted.tab, wanted.first, wanted.records, wanted.unsaved))
+
+
+@journal_routes.get("/journal/left")
+def left(studio: StudioOf) -> list[LeftShape]:
+    """Unsaved work that nobody has open, the newest first."""
+    return [
+        LeftShape(journal=one.journal, path=one.path, name=one.name, modified=one.modified)
+        for one in studio.journals.left()
+    ]
+
+
+@journal_routes.post("/journal/forget")
+def forget(studio: StudioOf, wanted: ForgetShape) -> list[LeftShape]:
+    """Throws unsaved work away that nobody has open; gives what is left."""
+    studio.journals.forget(wanted.journal)
+    return left(studio)
+
+
+@journal_routes.post("/mission/difference")
+def difference(studio: StudioOf, wanted: DifferenceAskShape) -> DifferenceShape:
+    """What is different in a mission from its file, in words."""
+    data, revision = studio.folder.read(wanted.path)
+    theirs = studio.read(data, wanted.path, wanted.path).mission
+    found = differences(theirs, mission_from_shape(wanted.mission))
+    return DifferenceShape(revision=revision, changes=[one.sentence for one in found])
+
+
+@journal_routes.websocket("/watch")
+async def watch(socket: WebSocket) -> None:
+    """Serves one page until it closes."""
+    studio = socket.app.state.studio
+    assert isinstance(studio, Studio)
+    await socket.accept()
+    tab = studio.journals.join()
+    closed = asyncio.ensure_future(_until_closed(socket))
+    try:
+        await socket.send_text(HelloMessage(tab=tab).model_dump_json())
+        told: object = None
+        while not closed.done():
+            news = await asyncio.to_thread(studio.journals.news, tab)
+            if news != told:
+                told = news
+                message = NewsMessage(path=news.path, revision=news.revision, others=news.others)
+                await socket.send_text(message.model_dump_json())
+            await asyncio.wait({closed}, timeout=LOOK_S)
+    except (WebSocketDisconnect, RuntimeError):
+        pass  # gone while we spoke
+    finally:
+        closed.cancel()
+        with contextlib.suppress(asyncio.CancelledError, Exception):
+            await closed
+        studio.journals.leave(tab)
+
+
+async def _until_closed(socket: WebSocket) -> None:
+    """Passes over whatever the page says: there is nothing to say."""
+    with contextlib.suppress(WebSocketDisconnect):
+        while (await socket.receive())["type"] != "websocket.disconnect":
+            pass

@@ -1,0 +1,108 @@
+"""The journal on the wire: records are texts that only the page understands."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from kitrobot.server.shapes.mission import MissionShape, Words
+
+MOST_RECORDS = 100_000
+
+Records = Annotated[list[Words], Field(max_length=MOST_RECORDS)]
+
+
+class ClaimShape(BaseModel):
+    """The page opened a mission; `journal` is the one it had before, or chose, "" for any that was left on it."""
+
+    tab: str
+    path: Words
+    journal: str
+
+
+class ClaimedShape(BaseModel):
+    """The journal that the page writes from now on; `records` is what was left, `damaged` if some is lost."""
+
+    journal: str
+    path: str
+    name: str
+    records: list[str]
+    damaged: bool
+
+
+class JournalShape(BaseModel):
+    """A whole journal, to take the place of the one that the page writes; without records there is none any more."""
+
+    tab: str
+    path: Words
+    name: Words
+    records: Records
+    unsaved: bool
+
+
+class JournalAppendShape(BaseModel):
+    """Records to be written behind the others; `first` is the number of the first of them."""
+
+    tab: str
+    first: int
+    records: Records
+    unsaved: bool
+
+
+class JournalSizeShape(BaseModel):
+    """How large the journal is now."""
+
+    bytes: int
+
+
+class LeftShape(BaseModel):
+    """Unsaved work that nobody has open; `modified` is a moment in UTC (ISO 8601)."""
+
+    journal: str
+    path: str
+    name: str
+    modified: str
+
+
+class ForgetShape(BaseModel):
+    """Unsaved work that nobody wants."""
+
+    journal: str
+
+
+class DifferenceAskShape(BaseModel):
+    """A mission to be held against its file."""
+
+    path: Words
+    mission: MissionShape
+
+
+class DifferenceShape(BaseModel):
+    """What is different in the mission from its file, a sentence each; `revision` is the file's."""
+
+    revision: str
+    changes: list[str]
+
+
+class _Message(BaseModel):
+    model_config = ConfigDict(json_schema_serialization_defaults_required=True)
+
+
+class HelloMessage(_Message):
+    """The first message of `WS /api/watch`: the name of the page's tab."""
+
+    type: Literal["hello"] = "hello"
+    tab: str
+
+
+class NewsMessage(_Message):
+    """What is on disk for the page's mission ("" when nothing is), and how many other pages have it open."""
+
+    type: Literal["news"] = "news"
+    path: str
+    revision: str
+    others: int
+
+
+WATCH_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (HelloMessage, NewsMessage)

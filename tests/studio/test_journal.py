@@ -1,0 +1,246 @@
+"""Nothing is ever lost: a killed server, a closed tab, a file that somebody else changed, a mission open twice."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, Page, expect
+
+from tests.studio.conftest import HEIGHT, WIDTH
+
+pytestmark = pytest.mark.browser
+
+MISSION = """<kitrobot version="1">
+  <program name="blink" robot="mini-robot">
+    <vertex id="start" element="Start"/>
+    <vertex id="v1" element="Wait"><set name="duration">{}</set></vertex>
+    <vertex id="stop" element="Stop"/>
+    <arc from="start" to="v1"/>
+    <arc from="v1" to="stop"/>
+  </program>
+  <team>
+    <agent name="robot-1" program="blink"/>
+  </team>
+</kitrobot>
+"""
+Start = Callable[..., "Server"]
+
+
+class Server:
+    """A studio's process and its address."""
+
+    def __init__(self, target: Path, state: Path) -> None:
+        command = [sys.executable, "-m", "kitrobot", "studio", str(target), "--no-browser", "--port", "0"]
+        self.process = subprocess.Popen(
+            command,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+            env={**os.environ, "KITROBOT_STATE": str(state)},
+        )
+        assert self.process.stdout is not None
+        found = re.search(r"http://\S+", self.process.stdout.readline())
+        assert found is not None
+        self.address = found.group(0)
+
+    def open(self, context: BrowserContext) -> Page:
+        """A new tab of the studio."""
+        page = context.new_page()
+        page.goto(self.address)
+        expect(page.get_by_test_id("canvas")).to_be_visible(timeout=20_000)
+        return page
+
+    def kill(self) -> None:
+        """Ends it as a power cut would."""
+        self.process.kill()
+        self.process.wait(10)
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+
+
+@pytest.fixture
+def mission(tmp_path: Path) -> Path:
+    path = tmp_path / "missions" / "blink.krt"
+    path.parent.mkdir()
+    path.write_text(MISSION.format(2))
+    return path
+
+
+@pytest.fixture
+def start(tmp_path: Path) -> Iterator[Start]:
+    servers: list[Server] = []
+
+    def run(target: Path) -> Server:
+        servers.append(Server(target, tmp_path / "state"))
+        return servers[-1]
+
+    yield run
+    for server in servers:
+        if server.process.returncode is None:
+            server.kill()
+
+
+@pytest.fixture
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT})
+    yield context
+    context.close()
+
+
+def wait_for(page: Page, value: int) -> None:
+    """Sets the duration of the one Wait."""
+    page.locator(".vertex", has_text="Wait").first.click()
+    page.get_by_test_id("inspector").locator('input:not([type="range"])').first.fill(str(value))
+    page.keyboard.press("Escape")
+    expect(page.get_by_test_id("code")).to_contain_text(f"WAIT({value})")
+
+
+def expect_wait(page: Page, value: int) -> None:
+    expect(page.get_by_test_id("code")).to_contain_text(f"WAIT({value})", timeout=10_000)
+
+
+def edit_and_keep(page: Page, value: int) -> None:
+    with page.expect_response(re.compile("/api/journal$"), timeout=10_000):
+        wait_for(page, value)
+
+
+def test_after_a_kill_the_work_is_there_with_its_undo(start: Start, mission: Path, context: BrowserContext) -> None:
+    server = start(mission)
+    page = server.open(context)
+    edit_and_keep(page, 7)
+    page.locator(".vertex", has_text="Wait").first.click()
+    with page.expect_response(re.compile("/api/journal$")):
+        page.keyboard.press("Delete")
+    expect(page.get_by_test_id("code")).not_to_contain_text("WAIT")
+    server.kill()
+    page.close(run_before_unload=False)
+    page = start(mission).open(context)
+    expect(page.get_by_test_id("banner")).to_contain_text("Your unsaved work on blink.krt is back")
+    expect(page.get_by_test_id("code")).not_to_contain_text("WAIT")
+    expect(page.get_by_test_id("saved-state")).to_have_text("not saved")
+    page.keyboard.press("Control+z")
+    expect_wait(page, 7)
+    page.keyboard.press("Control+z")
+    expect_wait(page, 2)
+    expect(page.get_by_test_id("saved-state")).to_have_text("saved")
+    page.keyboard.press("Control+y")
+    expect_wait(page, 7)
+    page.keyboard.press("Control+s")
+    expect(page.get_by_test_id("saved-state")).to_have_text("saved")
+    assert mission.read_text() == MISSION.format(7)
+
+
+def test_work_that_is_discarded_is_gone_for_good(start: Start, mission: Path, context: BrowserContext) -> None:
+    server = start(mission)
+    page = server.open(context)
+    edit_and_keep(page, 7)
+    page.close()
+    page = server.open(context)
+    expect_wait(page, 7)
+    page.get_by_test_id("banner").get_by_role("button", name="Discard it").click()
+    expect_wait(page, 2)
+    expect(page.get_by_test_id("saved-state")).to_have_text("saved")
+    page.close()
+    page = server.open(context)
+    expect_wait(page, 2)
+    expect(page.get_by_test_id("banner")).to_have_count(0)
+
+
+def test_a_page_that_is_loaded_again_goes_on(start: Start, mission: Path, context: BrowserContext) -> None:
+    page = start(mission).open(context)
+    edit_and_keep(page, 9)
+    page.reload()
+    expect_wait(page, 9)
+    page.keyboard.press("Control+z")
+    expect_wait(page, 2)
+
+
+def test_a_new_mission_that_was_never_saved_comes_back(start: Start, mission: Path, context: BrowserContext) -> None:
+    server = start(mission.parent)
+    page = server.open(context)
+    page.get_by_test_id("menu-File").click()
+    page.get_by_test_id("menu-file-new").click()
+    expect(page.get_by_test_id("first-place")).to_be_visible()
+    with page.expect_response(re.compile("/api/journal$"), timeout=10_000):
+        source, target = page.get_by_test_id("part-Wait"), page.get_by_test_id("first-place")
+        source.drag_to(target)
+    expect(page.get_by_test_id("code")).to_contain_text("WAIT")
+    server.kill()
+    page.close()
+    page = start(mission.parent).open(context)
+    expect(page.get_by_test_id("code")).to_contain_text("WAIT", timeout=10_000)
+    expect(page.get_by_test_id("title")).to_contain_text("not saved")
+
+
+def test_a_file_changed_on_disk_is_offered_when_nothing_is_unsaved(
+    start: Start, mission: Path, context: BrowserContext
+) -> None:
+    page = start(mission).open(context)
+    expect_wait(page, 2)
+    mission.write_text(MISSION.format(33))
+    banner = page.get_by_test_id("banner")
+    expect(banner).to_contain_text("changed on disk", timeout=10_000)
+    banner.get_by_role("button", name="Load it").click()
+    expect_wait(page, 33)
+    expect(banner).to_have_count(0)
+
+
+def test_a_save_over_a_changed_file_asks_and_shows_the_difference(
+    start: Start, mission: Path, context: BrowserContext
+) -> None:
+    page = start(mission).open(context)
+    wait_for(page, 5)
+    mission.write_text(MISSION.format(44))
+    page.keyboard.press("Control+s")
+    banner = page.get_by_test_id("banner")
+    expect(banner).to_contain_text("changed on disk")
+    banner.get_by_role("button", name="Show the difference").click()
+    expect(page.get_by_test_id("differences")).to_contain_text("the duration of Wait (v1): 44 → 5")
+    page.keyboard.press("Escape")
+    assert mission.read_text() == MISSION.format(44)
+    banner.get_by_role("button", name="Save mine over it").click()
+    expect(page.get_by_test_id("saved-state")).to_have_text("saved")
+    assert mission.read_text() == MISSION.format(5)
+    assert mission.with_name("blink.krt~").read_text() == MISSION.format(44)
+
+
+def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(
+    start: Start, mission: Path, context: BrowserContext
+) -> None:
+    server = start(mission)
+    first, second = server.open(context), server.open(context)
+    for page in (first, second):
+        expect(page.get_by_test_id("also-open")).to_be_visible(timeout=10_000)
+    edit_and_keep(first, 5)
+    edit_and_keep(second, 6)
+    first.keyboard.press("Control+s")
+    expect(first.get_by_test_id("saved-state")).to_have_text("saved")
+    second.keyboard.press("Control+s")
+    expect(second.get_by_test_id("banner")).to_contain_text("changed on disk")
+    assert mission.read_text() == MISSION.format(5)
+    expect_wait(second, 6)
+    second.close()
+    expect(first.get_by_test_id("also-open")).to_have_count(0, timeout=10_000)
+    assert first.get_by_test_id("banner").count() == 0
+
+
+def test_a_damaged_journal_opens_what_is_whole_of_it(start: Start, mission: Path, context: BrowserContext) -> None:
+    server = start(mission)
+    page = server.open(context)
+    edit_and_keep(page, 7)
+    page.close()
+    server.kill()
+    journal = next(mission.parent.rglob("*.journal"))
+    data = bytearray(journal.read_bytes())
+    data[-3] ^= 0xFF
+    journal.write_bytes(data)
+    page = start(mission).open(context)
+    expect_wait(page, 7)
+    expect(page.get_by_test_id("banner")).to_contain_text("The journal was damaged")
+    assert next(mission.parent.rglob("*.damaged")).read_bytes() == data

@@ -1,0 +1,58 @@
+/**
+ * What happens to the open mission outside this page: its file on disk, and other windows that have it open.
+ *
+ * A file that changed while nothing here is unsaved is offered; with unsaved changes the question comes with the next save.
+ */
+import { create } from "zustand";
+
+import type { News } from "../api/watch";
+import { useStudio } from "../model/studio";
+import { t } from "../words/words";
+import { fileName, loadFromDisk, question, showDifference, useDocument } from "./document";
+
+export const useDisk = create<News>(() => ({ path: "", revision: "", others: 0 }));
+
+/** A revision that is not worth a word: the person was asked, or it is what our own save has just replaced. */
+let settled = "";
+
+export function hearOfDisk(news: News): void {
+  useDisk.setState(news);
+  offer();
+}
+
+function offer(): void {
+  const { path, revision } = useDisk.getState();
+  const { file, dirty } = useStudio.getState();
+  const { saving, ready, banner } = useDocument.getState();
+  if (!ready || saving || dirty || path === "" || path !== file.path) return;
+  if (revision === "" || revision === file.revision || revision === settled || banner?.kind === "question") return;
+  const ask = () => {
+    question(t("disk.changed", { name: fileName() }), [
+      ["disk.load", loadFromDisk],
+      ["disk.difference", () => showDifference(ask)],
+      [
+        "disk.keep",
+        () => {
+          settled = revision;
+        },
+      ],
+    ]);
+  };
+  ask();
+}
+
+/** Watches what makes an offer due; the returned function ends that. */
+export function watchDisk(): () => void {
+  const offStudio = useStudio.subscribe((state, before) => {
+    // The disk's last word is from before our own save; the next one will be true again.
+    if (state.file !== before.file) settled = useDisk.getState().revision;
+    else if (state.dirty !== before.dirty) offer();
+  });
+  const offDocument = useDocument.subscribe((state, before) => {
+    if (state.banner === null && before.banner !== null) offer();
+  });
+  return () => {
+    offStudio();
+    offDocument();
+  };
+}

@@ -1,0 +1,22 @@
+/** English for unsaved work that comes back, files that change on disk, and missions open twice. */
+export const JOURNAL_EN = {
+  "journal.back": "Your unsaved work on {name} is back.",
+  "journal.back-help": "Undo works as before.",
+  "journal.back-damaged": "The journal was damaged: the last steps may be missing.",
+  "journal.discard": "Discard it",
+  "journal.left": "Unsaved work on {name} is kept.",
+  "journal.open": "Open it",
+  "journal.later": "Later",
+  "journal.failed": "Your changes are not kept safe at the moment.",
+  "disk.changed": "{name} was changed on disk.",
+  "disk.load": "Load it",
+  "disk.keep": "Keep this one",
+  "disk.difference": "Show the difference",
+  "disk.removed": "{name} is no longer on disk.",
+  "disk.write": "Write it again",
+  "disk.also-open": "also open in another window",
+  "disk.also-open-help": "Each window keeps its own changes. Whoever saves second is asked what to do.",
+  "difference.title": "Yours and the one on disk",
+  "difference.none": "They are the same.",
+  "difference.intro": "This is different in yours:",
+} as const;
