@@ -28,7 +28,7 @@ from kitrobot.server.shapes import (
     world_shape,
 )
 from kitrobot.server.studio import Studio
-from kitrobot.workspace import OpenMission, new_mission, revision_of
+from kitrobot.workspace import OpenMission, carried_mission, new_mission, revision_of
 
 _FAILURES: dict[int | str, dict[str, object]] = {
     "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
@@ -91,7 +91,8 @@ def mission_new(studio: StudioOf) -> MissionFileShape:
 def mission_read(
     studio: StudioOf, data: Annotated[bytes, Depends(_body)], name: Name = "mission.krt"
 ) -> MissionFileShape:
-    """A mission from the bytes of a file that is not in the folder."""
+    """A mission from the bytes of a file that is not in the folder: a `.krt`, or a picture that holds one."""
+    data, name = carried_mission(data, name)
     return _file(studio, studio.read(data, name, ""), "", "")
 
 

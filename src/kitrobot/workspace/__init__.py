@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from kitrobot.workspace.carried import CarriedError, carried_mission
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.comparison import CompareError, Difference, compare_files, differences, text_differences
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.running import Run, Timing
 
 _ROOMS = {
+    "carried": ("CarriedError", "carried_mission"),
     "checking": ("FileReport", "check_file"),
     "conversion": ("ConversionError", "Converted", "convert"),
     "comparison": ("CompareError", "Difference", "compare_files", "differences", "text_differences"),
@@ -77,6 +79,7 @@ _ROOMS = {
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
 
 __all__ = [
+    "CarriedError",
     "Change",
     "Claimed",
     "CompareError",
@@ -109,6 +112,7 @@ __all__ = [
     "Run",
     "Span",
     "Timing",
+    "carried_mission",
     "check_file",
     "compare_files",
     "convert",

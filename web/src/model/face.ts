@@ -99,7 +99,7 @@ export function chipWidth(chip: Chip): number {
   return Math.min(width, MOST_CHIP);
 }
 
-function boxWidth({ label, value, unit }: Box): number {
+export function boxWidth({ label, value, unit }: Box): number {
   const gap = 4;
   const parts = [textWidth(label, 14), textWidth(value, 14, true), textWidth(unit, 14, true)].filter(
     (width) => width > 0,

@@ -60,7 +60,7 @@ export function OpenSheet() {
           ref={chooser}
           className="only-spoken"
           type="file"
-          accept=".krt,.xml"
+          accept=".krt,.xml,.svg,.png"
           tabIndex={-1}
           aria-hidden="true"
           data-testid="open-file"

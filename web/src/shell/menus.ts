@@ -37,6 +37,20 @@ function fileMenu(program: string, translated: boolean): MenuEntry[] {
       disabled: !translated,
       run: downloadProgram,
     },
+    line("file-3"),
+    // Fetched when somebody wants a picture: most never do.
+    {
+      kind: "item",
+      id: "file-export-svg",
+      label: t("file.export-svg"),
+      run: () => void import("../out/pictures").then((out) => out.exportSvg()),
+    },
+    {
+      kind: "item",
+      id: "file-export-png",
+      label: t("file.export-png"),
+      run: () => void import("../out/pictures").then((out) => out.exportPng()),
+    },
   ];
 }
 

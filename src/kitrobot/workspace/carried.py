@@ -1,0 +1,104 @@
+"""A mission carried inside a picture: the studio's SVG and PNG of a graph hold the whole `.krt`, so they open like one.
+
+SVG: the text of `<metadata id="kitrobot-mission">`. PNG: an iTXt chunk, uncompressed, with the keyword
+`kitrobot-mission`. Pictures come from anywhere: what is taken out is bounded, checked as far as the picture's own form
+can be checked, and read as carefully as any `.krt` after that. Left to others: reading the mission.
+"""
+
+from __future__ import annotations
+
+import re
+import zlib
+from pathlib import PurePath
+from xml.sax import SAXException
+from xml.sax.handler import ContentHandler
+
+import defusedxml.sax
+from defusedxml import DefusedXmlException
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.primitives import MAX_BYTES
+
+KEYWORD = "kitrobot-mission"
+_PNG = b"\x89PNG\r\n\x1a\n"
+_SVG = re.compile(
+    rb"\A(?:\xef\xbb\xbf)?(?>\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>)*<svg[\s>/]", re.DOTALL
+)
+"""Atomic, so that a hostile file cannot make it try every way to split its comments."""
+_LOOKED_AT = 4096
+"""Bytes at the beginning in which an SVG shows that it is one."""
+
+
+class CarriedError(KitRobotError):
+    """A picture that holds no mission, or is damaged."""
+
+
+def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
+    """The `.krt` inside a picture, and its name as a mission; anything else comes back as it is.
+
+    Raises:
+        CarriedError: it is a picture, but there is no mission to be had from it.
+    """
+    if data.startswith(_PNG):
+        found = _in_png(data, name)
+    elif _SVG.match(data[:_LOOKED_AT]):
+        found = _in_svg(data, name)
+    else:
+        return data, name
+    if not found:
+        raise CarriedError(
+            f"`{name}` is a picture without a mission inside", "pictures that the studio exports hold their mission"
+        )
+    return found, PurePath(name).stem + ".krt"
+
+
+def _in_png(data: bytes, name: str) -> bytes:
+    damaged = CarriedError(f"`{name}` is damaged, so no mission can be taken out of it", "get the picture once more")
+    at = len(_PNG)
+    while True:
+        head = data[at : at + 8]
+        if len(head) < 8:
+            raise damaged
+        length, kind = int.from_bytes(head[:4]), head[4:]
+        body, check = data[at + 8 : at + 8 + length], data[at + 8 + length : at + 12 + length]
+        if len(body) != length or int.from_bytes(check) != zlib.crc32(kind + body) or len(check) != 4:
+            raise damaged
+        if kind == b"IEND":
+            return b""
+        # keyword, 0, compressed 0, method 0, language, 0, translated keyword, 0, text
+        start = KEYWORD.encode() + b"\0\0\0\0\0"
+        if kind == b"iTXt" and body.startswith(start):
+            return body[len(start) :]
+        at += 12 + length
+
+
+class _Metadata(ContentHandler):
+    """Keeps the text of the metadata that is ours."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.pieces: list[str] = []
+        self._inside = False
+
+    def startElement(self, name: str, attrs: object) -> None:
+        self._inside = name == "metadata" and dict(attrs).get("id") == KEYWORD  # type: ignore[call-overload]
+
+    def endElement(self, name: str) -> None:
+        self._inside = False
+
+    def characters(self, content: str) -> None:
+        if self._inside:
+            self.pieces.append(content)
+
+
+def _in_svg(data: bytes, name: str) -> bytes:
+    if len(data) > 4 * MAX_BYTES:
+        raise CarriedError(f"`{name}` is too large for a picture of the studio", "open the mission's own `.krt`")
+    handler = _Metadata()
+    try:
+        defusedxml.sax.parseString(data, handler, forbid_dtd=True)
+    except (SAXException, DefusedXmlException, ValueError):
+        raise CarriedError(
+            f"`{name}` is damaged, so no mission can be taken out of it", "get the picture once more"
+        ) from None
+    return "".join(handler.pieces).strip().encode()

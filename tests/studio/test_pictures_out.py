@@ -1,0 +1,68 @@
+"""A user keeps the graph as a picture, and opens the picture again: the mission is in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from kitrobot.workspace import carried_mission
+from tests.studio.conftest import EXAMPLES, Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+
+
+def export(studio: Studio, kind: str, folder: Path) -> Path:
+    with studio.page.expect_download() as waiting:
+        studio.at("menu-File").click()
+        studio.at(f"menu-file-export-{kind}").click()
+    path = folder / waiting.value.suggested_filename
+    waiting.value.save_as(path)
+    return path
+
+
+@pytest.mark.parametrize("kind", ["svg", "png"])
+def test_an_exported_picture_holds_the_whole_mission_and_opens_again(
+    open_studio: OpenStudio, tmp_path: Path, kind: str
+) -> None:
+    studio = open_studio("transport/transport.krt")
+    path = export(studio, kind, tmp_path)
+    assert path.name == f"carrier.{kind}"
+    data, _ = carried_mission(path.read_bytes(), path.name)
+    assert data.strip() == (EXAMPLES / "transport" / "transport.krt").read_bytes().strip()
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    expect(studio.at("first-place")).to_be_visible()
+    studio.page.keyboard.press("Control+o")
+    studio.at("open-file").set_input_files(path)
+    expect(studio.at("tab-store-manager-A")).to_be_visible()
+    studio.full_speed()
+    studio.at("run-button").click()
+    studio.wait_until_done()
+
+
+def test_the_svg_shows_every_vertex_in_words(open_studio: OpenStudio, tmp_path: Path) -> None:
+    studio = open_studio("blink/blink.krt")
+    text = export(studio, "svg", tmp_path).read_text(encoding="utf-8")
+    assert text.count(">LightOn</text>") == 1
+    assert text.count(">Wait</text>") == 3
+    assert ">Run is true</text>" in text
+    assert ">Parallelism</text>" in text
+    assert "var(" not in text
+
+
+def test_a_picture_without_a_mission_is_told_and_changes_nothing(open_studio: OpenStudio, tmp_path: Path) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.expect_code("Light.LightOn")
+    before = studio.code()
+    path = tmp_path / "cat.svg"
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg"/>', encoding="utf-8")
+    studio.page.keyboard.press("Control+o")
+    studio.at("open-file").set_input_files(path)
+    expect(studio.page.get_by_text("is a picture without a mission inside")).to_be_visible()
+    assert studio.code() == before
+    studio.faults[:] = [fault for fault in studio.faults if "400" not in fault and "422" not in fault]
