@@ -11,6 +11,8 @@ import { standsStill, useView } from "./view";
 const remembered = new Map<string, Camera>();
 const MARGIN = 48;
 const MOVE_MS = 140;
+/** A small selection does not fill the canvas. */
+const CLOSEST = 1.25;
 const START_AT = 40;
 const EMPTY_START_AT = 116;
 
@@ -35,6 +37,11 @@ function homeOf(width: number, drawing: Drawing): Camera {
   return { x: Math.round(Math.min(width / 2 + shift, Math.max(width / 2, width - 16 - parkedToo))), y, zoom: 1 };
 }
 
+/** How wide the canvas will be: its panel is on the page before it. */
+function roomNow(): number {
+  return document.getElementById("canvas-panel")?.clientWidth || lastWidth;
+}
+
 /** Gives the first camera, what to do when the viewport is there, and hands the viewport to whoever asks (view.ts). */
 export function useViewport(
   root: RefObject<HTMLDivElement | null>,
@@ -43,7 +50,7 @@ export function useViewport(
   const flow = useReactFlow();
   const store = useStoreApi();
   const { name } = drawing.program;
-  const [first] = useState<Camera>(() => remembered.get(name) ?? homeOf(lastWidth, drawing));
+  const [first] = useState<Camera>(() => remembered.get(name) ?? homeOf(roomNow(), drawing));
 
   useEffect(
     () => () => {
@@ -68,6 +75,19 @@ export function useViewport(
           if (now === null) return;
           const { x, y, w, h } = now.layout.bounds;
           void flow.fitBounds({ x, y, width: w, height: h }, { padding: 0.06, ...animated });
+        },
+        zoomToSelection: () => {
+          const now = currentDrawing();
+          const box = now === null ? null : boundsOf(now, useStudio.getState().selection);
+          if (box === null) {
+            useView.getState().viewport?.fit();
+            return;
+          }
+          const { width, height } = size();
+          const room = 2 * MARGIN;
+          const zoom = Math.min(CLOSEST, Math.max(0.1, Math.min((width - room) / box.w, (height - room) / box.h)));
+          const middle = { x: box.x + box.w / 2, y: box.y + box.h / 2 };
+          void flow.setViewport({ x: width / 2 - middle.x * zoom, y: height / 2 - middle.y * zoom, zoom }, animated);
         },
         reveal: (id) => {
           const now = currentDrawing();
@@ -113,6 +133,19 @@ export function useViewport(
     lastWidth = width;
   };
   return { first, onReady };
+}
+
+/** The box around vertices and the frames they own, or null for none. */
+function boundsOf(drawing: Drawing, ids: string[]): { x: number; y: number; w: number; h: number } | null {
+  const nodes = ids.flatMap((id) => nodeOf(drawing, id) ?? []);
+  const owners = new Set(nodes.map((node) => node.id));
+  const boxes = [...nodes, ...drawing.layout.frames.filter((frame) => owners.has(frame.id))];
+  if (boxes.length === 0) return null;
+  const x = Math.min(...boxes.map((box) => box.x));
+  const y = Math.min(...boxes.map((box) => box.y));
+  const right = Math.max(...boxes.map((box) => box.x + box.w));
+  const bottom = Math.max(...boxes.map((box) => box.y + box.h));
+  return { x, y, w: right - x, h: bottom - y };
 }
 
 /** Where a popup for the selection opens, in px from the canvas's corner. */

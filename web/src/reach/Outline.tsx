@@ -31,7 +31,8 @@ function Open({ drawing }: { drawing: Drawing }) {
   const tree = useRef<HTMLDivElement>(null);
   const inside = useRef(true);
   const bodyAt = rows.findIndex((row) => row.key === body && row.vertex === null);
-  const at = Math.max(bodyAt >= 0 ? bodyAt : rows.findIndex((row) => row.vertex === selected), 0);
+  const selectedAt = rows.findIndex((row) => row.vertex !== null && row.vertex === selected);
+  const at = Math.max(bodyAt >= 0 ? bodyAt : selectedAt, 0);
   const key = rows[at]?.key;
 
   // The focus stays in the tree when the row that had it is gone.

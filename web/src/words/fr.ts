@@ -1,10 +1,12 @@
 /** French, in the words of a class: short, and « vous » to the reader. */
 import { EDITOR_FR } from "./fr-editor";
+import { JOURNAL_FR } from "./fr-journal";
 import { REACH_FR } from "./fr-reach";
 import type { Table } from "./words";
 
 export const FR = {
   ...EDITOR_FR,
+  ...JOURNAL_FR,
   ...REACH_FR,
   "app.name": "KitRobot",
   "app.parts": "Pièces",

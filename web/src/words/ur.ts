@@ -1,10 +1,12 @@
 /** Urdu, in the words of a class; it runs from right to left, what is code or a number does not. */
 import { EDITOR_UR } from "./ur-editor";
+import { JOURNAL_UR } from "./ur-journal";
 import { REACH_UR } from "./ur-reach";
 import type { Table } from "./words";
 
 export const UR = {
   ...EDITOR_UR,
+  ...JOURNAL_UR,
   ...REACH_UR,
   "app.name": "KitRobot",
   "app.parts": "پرزے",
@@ -199,7 +201,7 @@ export const UR = {
   "arena.robot-section": "{name}، حصہ {sign} پر",
   "arena.loaded": "لدا ہوا",
   "arena.failed": "خراب",
-  "arena.pose": "{name} · x {x} mm · y {y} mm · رخ {angle}°",
+  "arena.pose": "{name} · x {x} mm · y {y} mm · {angle}°",
 
   "strip.label": "اب تک کیا ہوا",
   "strip.now": "{time} · قدم {tick}",

@@ -1,0 +1,214 @@
+"""Everyone can work here: in three languages, one of them mirrored, by keyboard alone, and axe finds nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+TRANSPORT = "transport/transport.krt"
+AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
+
+RULES = "{ 'label-content-name-mismatch': { enabled: true } }"
+FIND = f"""() => axe.run(document, {{ resultTypes: ['violations'], rules: {RULES} }}).then(found => ({{
+    passes: found.passes.length,
+    violations: found.violations.flatMap(one => one.nodes.map(node => `${{one.id}}: ${{node.target}}`)),
+}}))"""
+
+
+def choose(studio: Studio, *entries: str) -> None:
+    """Chooses entries of the View menu."""
+    for entry in entries:
+        studio.at("menu-View").click()
+        studio.at(f"menu-view-{entry}").click()
+
+
+def find_nothing(studio: Studio, screen: str) -> None:
+    """Runs axe over the page as it stands."""
+    page = studio.page
+    if page.evaluate("typeof axe") == "undefined":
+        page.evaluate(AXE.read_text(encoding="utf-8") + ";0")
+    found = page.evaluate(FIND)
+    assert found["passes"] > 10, screen
+    assert found["violations"] == [], screen
+
+
+@pytest.fixture(autouse=True)
+def needs_axe() -> None:
+    if not AXE.is_file():
+        pytest.skip("the page's tools are not installed")
+
+
+@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast",), ("light", "ur"), ("light", "fr")], ids=str)
+def test_axe_finds_nothing_before_and_during_a_run(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
+    studio = open_studio(TRANSPORT)
+    choose(studio, *look)
+    find_nothing(studio, "the transport mission")
+    studio.at("run-button").click()
+    expect(studio.page.locator(".vertex.is-active").first).to_be_visible(timeout=10_000)
+    studio.at("pause-button").click()
+    find_nothing(studio, "paused")
+
+
+@pytest.mark.parametrize("look", [("light",), ("contrast", "ur")], ids=str)
+def test_axe_finds_nothing_on_menus_sheets_and_the_empty_program(
+    open_studio: OpenStudio, look: tuple[str, ...]
+) -> None:
+    studio = open_studio(TRANSPORT)
+    choose(studio, *look)
+    keys = studio.page.keyboard
+    for menu in ("File", "Edit", "View", "Program", "Run", "Help"):
+        studio.at(f"menu-{menu}").click()
+        find_nothing(studio, menu)
+        keys.press("Escape")
+    for press, shown in (("?", "shortcuts-dialog"), ("Control+o", "open-dialog"), ("Control+Shift+s", "save-dialog")):
+        studio.at("canvas").focus()
+        keys.press(press)
+        expect(studio.at(shown)).to_be_visible()
+        find_nothing(studio, shown)
+        keys.press("Escape")
+    keys.press("F4")
+    expect(studio.at("outline")).to_be_visible()
+    find_nothing(studio, "outline")
+    keys.press("ArrowDown")
+    keys.press("F1")
+    expect(studio.at("part-help")).to_be_visible()
+    find_nothing(studio, "help")
+    keys.press("Escape")
+    studio.at("problems").click()
+    find_nothing(studio, "problems")
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    expect(studio.at("first-place")).to_be_visible()
+    find_nothing(studio, "empty program")
+
+
+CUT_OFF = """() => [...document.querySelectorAll(
+    '.menubar-title, .palette-name, .vertex-name, .chip-words, .run-button, .side-tab, .tab-name, h2, .team-stop'
+)].filter(one => one.offsetParent !== null && one.scrollWidth > one.clientWidth + 1
+    && getComputedStyle(one).display !== 'inline')
+  .map(one => `${one.className} ${one.textContent}`)"""
+
+WIDER = "() => document.documentElement.scrollWidth > document.documentElement.clientWidth"
+
+
+def left(studio: Studio, testid: str) -> float:
+    box = studio.at(testid).bounding_box()
+    assert box is not None
+    return box["x"]
+
+
+def test_urdu_mirrors_the_page_and_cuts_nothing_off(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    assert left(studio, "part-While") < left(studio, "canvas") < left(studio, "arena")
+    choose(studio, "ur")
+    html = studio.page.locator("html")
+    expect(html).to_have_attribute("dir", "rtl")
+    expect(html).to_have_attribute("lang", "ur")
+    expect(studio.at("run-button")).to_have_text("چلائیں")
+    for width, height in ((1600, 1000), (1366, 768)):
+        studio.page.set_viewport_size({"width": width, "height": height})
+        assert left(studio, "part-While") > left(studio, "canvas") > left(studio, "arena")
+        assert left(studio, "undo") > left(studio, "run-button") > left(studio, "team-stop")
+        assert studio.page.evaluate(WIDER) is False
+        assert studio.page.evaluate(CUT_OFF) == []
+    direction = "one => getComputedStyle(one).direction"
+    assert studio.page.locator('[data-testid="code"] .cm-content').evaluate(direction) == "ltr"
+    start, stop = studio.at("vertex-start").bounding_box(), studio.page.locator(".vertex").first.bounding_box()
+    assert start is not None
+    assert stop is not None
+    assert start["y"] < stop["y"], "the program still goes down"
+
+
+def test_a_menu_and_arrow_keys_follow_the_mirrored_page(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    choose(studio, "ur")
+    studio.at("menu-File").focus()
+    studio.page.keyboard.press("ArrowLeft")
+    expect(studio.at("menu-Edit")).to_be_focused()
+    studio.at("speed").focus()
+    studio.page.keyboard.press("ArrowLeft")
+    expect(studio.at("speed")).to_have_attribute("aria-valuetext", "2×")
+
+
+def test_language_and_theme_are_remembered(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    choose(studio, "fr", "contrast")
+    expect(studio.at("run-button")).to_have_text("Lancer")
+    studio.page.reload()
+    expect(studio.at("run-button")).to_have_text("Lancer")
+    expect(studio.page.locator("html")).to_have_attribute("data-theme", "contrast")
+
+
+def test_a_system_that_wants_more_contrast_gets_it(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.page.emulate_media(contrast="more")
+    expect(studio.page.locator("html")).to_have_attribute("data-theme", "contrast")
+
+
+def test_another_language_keeps_the_document_and_its_history(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.drop("Wait", "arc-start.next")
+    choose(studio, "fr")
+    expect(studio.at("undo")).to_be_enabled()
+    studio.at("undo").click()
+    expect(studio.at("undo")).to_be_disabled()
+
+
+def test_the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    keys = studio.page.keyboard
+    keys.press("F4")
+    rows = studio.at("outline").get_by_role("treeitem")
+    expect(rows.first).to_be_focused()
+    keys.press("ArrowDown")
+    expect(rows.nth(1)).to_be_focused()
+    expect(rows.nth(1)).to_have_attribute("aria-selected", "true")
+    keys.press("ArrowRight")
+    expect(rows.nth(2)).to_be_focused()
+    expect(rows.nth(2)).to_have_attribute("aria-level", "2")
+    keys.press("ArrowLeft")
+    keys.press("Delete")
+    expect(studio.at("announcer")).not_to_be_empty()
+    keys.press("Control+z")
+    expect(studio.at("announcer")).to_contain_text("Undone")
+    keys.press("Escape")
+    expect(studio.at("outline")).to_have_count(0)
+    expect(studio.at("canvas")).to_be_focused()
+
+
+def test_f1_explains_the_part_that_has_the_focus_with_its_range(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.at("part-Wheel.Advance").focus()
+    studio.page.keyboard.press("F1")
+    expect(studio.at("part-help")).to_contain_text("Starts driving forward")
+    expect(studio.at("part-help")).to_contain_text("from 0 to 100")
+    studio.page.keyboard.press("Escape")
+    expect(studio.at("part-help")).to_have_count(0)
+    expect(studio.at("part-Wheel.Advance")).to_be_focused()
+
+
+def test_the_empty_program_fits_a_small_window(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.page.set_viewport_size({"width": 1366, "height": 768})
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    card, canvas = studio.page.locator(".teaching").bounding_box(), studio.at("canvas").bounding_box()
+    assert card is not None
+    assert canvas is not None
+    assert card["x"] >= canvas["x"]
+    assert card["x"] + card["width"] <= canvas["x"] + canvas["width"]
+
+
+def test_whoever_wants_less_motion_gets_none(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.page.emulate_media(reduced_motion="reduce")
+    node = studio.page.locator(".react-flow__node").first
+    assert node.evaluate("one => getComputedStyle(one).transitionDuration") in ("0s", "")

@@ -1,0 +1,24 @@
+/** French for unsaved work that comes back, files that change on disk, and missions open twice. */
+import type { Table } from "./words";
+
+export const JOURNAL_FR = {
+  "journal.back": "Votre travail non enregistré sur {name} est de retour.",
+  "journal.back-help": "Annuler fonctionne comme avant.",
+  "journal.back-damaged": "Le journal était abîmé : les derniers pas manquent peut-être.",
+  "journal.discard": "L'abandonner",
+  "journal.left": "Du travail non enregistré sur {name} est gardé.",
+  "journal.open": "L'ouvrir",
+  "journal.later": "Plus tard",
+  "journal.failed": "Vos changements ne sont pas mis à l'abri en ce moment.",
+  "disk.changed": "{name} a changé sur le disque.",
+  "disk.load": "Le charger",
+  "disk.keep": "Garder celui-ci",
+  "disk.difference": "Montrer la différence",
+  "disk.removed": "{name} n'est plus sur le disque.",
+  "disk.write": "L'écrire de nouveau",
+  "disk.also-open": "ouvert aussi dans une autre fenêtre",
+  "disk.also-open-help": "Chaque fenêtre garde ses changements. Qui enregistre en second doit choisir quoi faire.",
+  "difference.title": "Le vôtre et celui du disque",
+  "difference.none": "Ils sont pareils.",
+  "difference.intro": "Ceci est différent dans le vôtre :",
+} satisfies Table;
