@@ -198,3 +198,39 @@ def test_a_collapsed_body_says_how_much_it_holds_and_glows_for_it(open_studio: O
     outer.click()
     studio.page.keyboard.press("c")
     expect(studio.page.locator(".vertex", has_text="Wheel Advance").first).to_be_visible()
+
+
+def test_shift_drag_on_the_void_selects_what_the_box_touches(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    canvas = studio.at("canvas").bounding_box()
+    assert canvas is not None
+    studio.page.keyboard.down("Shift")
+    studio.page.mouse.move(canvas["x"] + 6, canvas["y"] + 6)
+    studio.page.mouse.down()
+    studio.page.mouse.move(canvas["x"] + canvas["width"] - 8, canvas["y"] + 150, steps=6)
+    expect(studio.page.locator(".marquee")).to_be_visible()
+    studio.page.mouse.up()
+    studio.page.keyboard.up("Shift")
+    expect(studio.page.locator(".marquee")).to_have_count(0)
+    expect(studio.page.locator(".vertex.is-selected, .bars.is-selected").first).to_be_visible()
+    start = studio.at("vertex-start").bounding_box()
+    assert start is not None
+    assert abs(start["y"] - canvas["y"] - 18) < 8, "the canvas did not move along"
+
+
+def test_keys_zoom_to_the_selection_show_the_map_and_follow_the_run(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    deep = vertex(studio, "Collision released")
+    deep.click()
+    studio.page.keyboard.press("z")
+    expect(studio.page.locator(".zoom-percent")).to_have_text("125 %")
+    expect(deep).to_be_in_viewport(ratio=1)
+    studio.page.keyboard.press("m")
+    expect(studio.at("minimap")).to_be_visible()
+    studio.page.keyboard.press("m")
+    expect(studio.at("minimap")).to_have_count(0)
+    studio.page.keyboard.press("f")
+    expect(studio.at("follow-button")).to_have_attribute("aria-pressed", "true")
+    studio.at("run-button").click()
+    expect(studio.page.locator(".vertex.is-active").first).to_be_in_viewport(timeout=10_000)
+    studio.at("stop-button").click()

@@ -26,6 +26,8 @@ import { Find } from "./Find";
 import { Ghost } from "./Ghost";
 import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
+import { Marquee } from "./Marquee";
+import { Minimap } from "./Minimap";
 import { type GraphNode, NODE_TYPES } from "./Nodes";
 import { Said } from "./Said";
 import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "./targets";
@@ -118,6 +120,8 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       </ReactFlow>
       <ZoomControl />
       <AddPopup key={drawing.program.name} />
+      <Minimap drawing={drawing} />
+      <Marquee root={root} />
       <Said />
       <ContextMenu />
       <Ghost />

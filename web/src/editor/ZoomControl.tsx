@@ -3,11 +3,13 @@ import { useStore } from "@xyflow/react";
 
 import { Icon } from "../theme";
 import { t } from "../words/words";
-import { useView } from "./view";
+import { toggleFollowing, toggleMinimap, useView } from "./view";
 
 export function ZoomControl() {
   const zoom = useStore(({ transform }) => Math.round(transform[2] * 100));
   const viewport = useView((state) => state.viewport);
+  const minimap = useView((state) => state.minimap);
+  const following = useView((state) => state.following);
   return (
     <div className="zoom" role="group" aria-label={t("graph.zoom")}>
       <button type="button" aria-label={t("graph.zoom-out")} title={t("graph.zoom-out")} onClick={viewport?.zoomOut}>
@@ -22,6 +24,27 @@ export function ZoomControl() {
       <span className="zoom-line" />
       <button type="button" aria-label={t("graph.fit")} title={t("graph.fit")} onClick={viewport?.fit}>
         <Icon name="maximize" />
+      </button>
+      <span className="zoom-line" />
+      <button
+        type="button"
+        aria-label={t("graph.minimap")}
+        aria-pressed={minimap}
+        title={`${t("graph.minimap")} · M`}
+        data-testid="minimap-button"
+        onClick={toggleMinimap}
+      >
+        <Icon name="map" />
+      </button>
+      <button
+        type="button"
+        aria-label={t("graph.follow")}
+        aria-pressed={following}
+        title={`${t("graph.follow")} · F`}
+        data-testid="follow-button"
+        onClick={toggleFollowing}
+      >
+        <Icon name="crosshair" />
       </button>
     </div>
   );

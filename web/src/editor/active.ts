@@ -2,6 +2,7 @@
 import { useEffect } from "react";
 import { create } from "zustand";
 
+import { useView } from "./view";
 import { useActiveVertices } from "../run/run";
 
 const useActive = create<{ slots: Map<string, number[]> }>(() => ({ slots: new Map() }));
@@ -12,6 +13,7 @@ export function ActiveVertices({ program }: { program: string }): null {
   useEffect(() => {
     useActive.setState({ slots });
   }, [slots]);
+  useFollowing();
   useEffect(
     () => () => {
       useActive.setState({ slots: new Map() });
@@ -19,6 +21,17 @@ export function ActiveVertices({ program }: { program: string }): null {
     [],
   );
   return null;
+}
+
+/** Keeps the vertex of the first thread in view, while that is wanted. */
+function useFollowing(): void {
+  const following = useView((state) => state.following);
+  const slots = useActive((state) => state.slots);
+  useEffect(() => {
+    if (!following) return;
+    const [first] = [...slots].sort(([, a], [, b]) => Math.min(...a) - Math.min(...b));
+    if (first !== undefined) useView.getState().viewport?.reveal(first[0]);
+  }, [following, slots]);
 }
 
 /** Threads that stand on one of the given vertices (`inside` is what a folded one holds), as "0 2"; "" when none does. */

@@ -57,6 +57,7 @@ function vertexEntries(paste: MenuEntry): MenuEntry[] {
     ...(node?.inside != null || (node?.block?.bodies.length ?? 0) > 0
       ? [item("fold", t(node?.inside == null ? "context.fold" : "context.unfold"), "C", toggleFoldOfSelection)]
       : []),
+    item("zoom", t("graph.zoom-selection"), "Z", () => useView.getState().viewport?.zoomToSelection()),
     line("3"),
     item("delete", t("edit.delete"), "Del", deleteSelection, fixed),
   ];

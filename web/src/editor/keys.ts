@@ -6,7 +6,7 @@ import { currentDrawing } from "./drawing";
 import { openContextMenu } from "./context";
 import { deleteSelection, duplicateSelection, openWrapping, unwrapSelection } from "./edits";
 import { toggleFoldOfSelection } from "./folded";
-import { useView } from "./view";
+import { toggleFollowing, toggleMinimap, useView } from "./view";
 import { type Step, walk } from "./walk";
 
 const STEPS: Record<string, Step> = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right" };
@@ -67,7 +67,11 @@ function press(event: KeyboardEvent): boolean {
   if (key === "Delete" || key === "Backspace") return deleteSelection();
   if (key === "Escape") return escape();
   if (key === "Enter") return editSelected();
-  if (key === "+" || key === "=") useView.getState().viewport?.zoomIn();
+  const plain = !event.altKey && !event.shiftKey;
+  if (key === "z" && plain) useView.getState().viewport?.zoomToSelection();
+  else if (key === "m" && plain) toggleMinimap();
+  else if (key === "f" && plain) toggleFollowing();
+  else if (key === "+" || key === "=") useView.getState().viewport?.zoomIn();
   else if (key === "-") useView.getState().viewport?.zoomOut();
   else return false;
   return true;

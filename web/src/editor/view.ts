@@ -20,6 +20,8 @@ export interface Viewport {
   /** Zoom 1, Start on top. */
   home: () => void;
   fit: () => void;
+  /** The selection as large as it is readable; without one, everything. */
+  zoomToSelection: () => void;
   /** Scrolls so far that the vertex is in view. */
   reveal: (id: string) => void;
   /** A point of the graph on the canvas, in px from its corner. */
@@ -34,6 +36,9 @@ interface ViewState {
   viewport: Viewport | null;
   /** A sentence about what was tried and could not be done; "" for none. */
   said: string;
+  /** Whether the canvas moves along with the run. */
+  following: boolean;
+  minimap: boolean;
   /** Whether the find panel is open. */
   finding: boolean;
   /** Where the menu of the canvas is open, in px of the window. */
@@ -47,6 +52,8 @@ export const useView = create<ViewState>((set) => ({
   adding: null,
   viewport: null,
   said: "",
+  following: false,
+  minimap: false,
   finding: false,
   menu: null,
   selectArc: (arc) => {
@@ -57,6 +64,14 @@ export const useView = create<ViewState>((set) => ({
     set({ adding });
   },
 }));
+
+export function toggleFollowing(): void {
+  useView.setState({ following: !useView.getState().following });
+}
+
+export function toggleMinimap(): void {
+  useView.setState({ minimap: !useView.getState().minimap });
+}
 
 let still_until_ms = 0;
 

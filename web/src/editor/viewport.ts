@@ -15,6 +15,7 @@ const MOVE_MS = 140;
 const CLOSEST = 1.25;
 const START_AT = 40;
 const EMPTY_START_AT = 116;
+const LOW = 700;
 
 /** How wide the canvas was when it was last opened: the first guess for the next time. */
 let lastWidth = 904;
@@ -27,9 +28,14 @@ useStudio.subscribe((state, before) => {
   opened = state.file.path;
 });
 
+/** On a low window the cards of an empty program need the room above it. */
+function isLow(): boolean {
+  return (document.getElementById("canvas-panel")?.clientHeight ?? LOW) < LOW;
+}
+
 function homeOf(width: number, drawing: Drawing): Camera {
   const { layout, nodes } = drawing;
-  const y = nodes.has("place") ? EMPTY_START_AT : START_AT;
+  const y = nodes.has("place") && !isLow() ? EMPTY_START_AT : START_AT;
   // Start is in the middle, except where the left edge of a program that would fit was cut off by that.
   const left = width / 2 + layout.bounds.x;
   const parkedToo = layout.bounds.x + layout.bounds.w;

@@ -96,6 +96,7 @@ export function viewEntries(viewport: Viewport | null): MenuEntry[] {
   });
   return [
     item("view-fit", t("view.fit"), viewport?.fit),
+    item("view-selection", t("graph.zoom-selection"), viewport?.zoomToSelection),
     item("view-home", t("view.home"), viewport?.home),
     item("view-zoom-in", t("view.zoom-in"), viewport?.zoomIn),
     item("view-zoom-out", t("view.zoom-out"), viewport?.zoomOut),

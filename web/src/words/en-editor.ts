@@ -75,6 +75,10 @@ export const EDITOR_EN = {
   "help.keys-fold": "Collapse or expand the selected part",
   "graph.folded": { one: "{count} part", other: "{count} parts" },
 
+  "graph.zoom-selection": "Zoom to the selection",
+  "graph.minimap": "Small map of the program",
+  "graph.follow": "Follow the running part",
+
   "add.title": "Add a part",
   "add.find": "Type to find a part",
   "add.none": "No part is called that.",

@@ -75,6 +75,10 @@ export const EDITOR_FR = {
   "help.keys-fold": "Replier ou déplier la pièce choisie",
   "graph.folded": { one: "{count} pièce", other: "{count} pièces" },
 
+  "graph.zoom-selection": "Zoomer sur la sélection",
+  "graph.minimap": "Petite carte du programme",
+  "graph.follow": "Suivre la pièce en marche",
+
   "add.title": "Ajouter une pièce",
   "add.find": "Tapez pour trouver une pièce",
   "add.none": "Aucune pièce ne s'appelle ainsi.",

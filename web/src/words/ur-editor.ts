@@ -75,6 +75,10 @@ export const EDITOR_UR = {
   "help.keys-fold": "منتخب پرزہ سمیٹیں یا پھیلائیں",
   "graph.folded": { one: "{count} پرزہ", other: "{count} پرزے" },
 
+  "graph.zoom-selection": "منتخب حصے پر زوم کریں",
+  "graph.minimap": "پروگرام کا چھوٹا نقشہ",
+  "graph.follow": "چلتے پرزے کے ساتھ چلیں",
+
   "add.title": "پرزہ شامل کریں",
   "add.find": "پرزہ ڈھونڈنے کے لیے لکھیں",
   "add.none": "اس نام کا کوئی پرزہ نہیں۔",
