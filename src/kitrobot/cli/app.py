@@ -20,6 +20,7 @@ from kitrobot.cli.convert import convert_file
 from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
+from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.run import run_mission
 from kitrobot.cli.speaking import complain, tell, use_utf8
 from kitrobot.cli.studio import Studio, open_studio
@@ -44,6 +45,7 @@ app.command("exec")(execute_program)
 app.command("check")(check_files)
 app.command("format")(format_files)
 app.command("diff")(diff_files)
+app.command("merge")(merge_missions_of_files)
 
 
 def _say_version(wanted: bool) -> None:

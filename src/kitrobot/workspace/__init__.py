@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.journal import Journal, JournalError, read_journal, write_journal
     from kitrobot.workspace.journals import Claimed, Journals, Left, News, state_folder
     from kitrobot.workspace.layout import Layout, lay_out, lay_out_file
+    from kitrobot.workspace.merging import Merged, merge_files, merge_missions
     from kitrobot.workspace.opening import (
         NoProgramError,
         OpenMission,
@@ -61,6 +62,7 @@ _ROOMS = {
     "journal": ("Journal", "JournalError", "read_journal", "write_journal"),
     "journals": ("Claimed", "Journals", "Left", "News", "state_folder"),
     "layout": ("Layout", "lay_out", "lay_out_file"),
+    "merging": ("Merged", "merge_files", "merge_missions"),
     "opening": (
         "NoProgramError",
         "OpenMission",
@@ -99,6 +101,7 @@ __all__ = [
     "Journals",
     "Layout",
     "Left",
+    "Merged",
     "MissionEntry",
     "MissionFolder",
     "MissionNameError",
@@ -125,6 +128,8 @@ __all__ = [
     "lay_out_file",
     "load_executable",
     "look_alike",
+    "merge_files",
+    "merge_missions",
     "new_mission",
     "open_mission",
     "read_inputs",

@@ -1,0 +1,40 @@
+"""`kitrobot merge`: two people's edits of one mission, as git's merge driver calls it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from kitrobot.cli.speaking import complain, tell
+from kitrobot.diagnostics import KitRobotError
+
+CONFLICT, TROUBLE = 1, 2
+
+
+def merge_missions_of_files(
+    base: Annotated[Path, typer.Argument(metavar="BASE", help="What both began with.", show_default=False)],
+    ours: Annotated[Path, typer.Argument(metavar="OURS", help="Our mission.", show_default=False)],
+    theirs: Annotated[Path, typer.Argument(metavar="THEIRS", help="Their mission.", show_default=False)],
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="OUT", help="Where to write; OURS without it.")
+    ] = None,
+) -> None:
+    """Merge two edits of one `.krt` mission.
+
+    Edits of different parts both stand. Where both changed the same thing differently ours is kept, each such conflict
+    is a sentence on standard error, and the exit status is 1. The result always opens. When a file cannot be used
+    nothing is written and the status is 2.
+    """
+    from kitrobot.workspace import merge_files
+
+    try:
+        merged = merge_files(base, ours, theirs, output or ours)
+    except KitRobotError as error:
+        complain(error)
+        raise typer.Exit(TROUBLE) from None
+    for words in merged.conflicts:
+        tell(f"conflict: {words}")
+    if merged.conflicts:
+        raise typer.Exit(CONFLICT)
