@@ -169,9 +169,9 @@ export const EN = {
   "code.label": "Program {name} in the Low Level Language",
   "code.listing-label": "Three-address code of {name}",
   "code.empty": "# Start, then Stop. Your program appears here.",
-  "code.no-listing": "# Appears when the program has no errors.",
   "code.edit-text": "Edit text",
   "code.stale": "The graph shows the last text without mistakes.",
+  "code.no-listing": "# Appears when the program has no errors.",
 
   "problems.title": "Problems",
   "problems.count": { one: "{count} problem", other: "{count} problems" },

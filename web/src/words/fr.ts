@@ -170,6 +170,8 @@ export const FR = {
   "code.label": "Programme {name} en langage de bas niveau",
   "code.listing-label": "Code à trois adresses de {name}",
   "code.empty": "# Début, puis Fin. Votre programme paraît ici.",
+  "code.edit-text": "Modifier le texte",
+  "code.stale": "Le graphe montre le dernier texte sans faute.",
   "code.no-listing": "# Paraît quand le programme n'a pas d'erreur.",
 
   "problems.title": "Problèmes",
