@@ -51,10 +51,13 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
       holdStill();
       useStudio.getState().select([...new Set([...before, ...inside])]);
     };
-    const end = () => {
+    const forget = () => {
       window.removeEventListener("pointermove", move);
       window.removeEventListener("pointerup", end);
       window.removeEventListener("pointercancel", end);
+    };
+    const end = () => {
+      forget();
       setBox(null);
       useView.getState().viewport?.focus();
     };
@@ -78,7 +81,7 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
     canvas.addEventListener("mousedown", down, true);
     canvas.addEventListener("click", click, true);
     return () => {
-      end();
+      forget();
       canvas.removeEventListener("mousedown", down, true);
       canvas.removeEventListener("click", click, true);
     };
