@@ -4,14 +4,18 @@ from kitrobot.compiler.checker import check
 from kitrobot.compiler.compilation import Compiled, compile_lll, compile_program, compile_text
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.text_edit import Followed, VertexPlace, follow_text
 
 __all__ = [
     "Compiled",
+    "Followed",
     "Translation",
+    "VertexPlace",
     "check",
     "compile_lll",
     "compile_program",
     "compile_text",
+    "follow_text",
     "graph_to_lll",
     "lll_to_graph",
 ]

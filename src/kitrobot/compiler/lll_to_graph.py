@@ -19,15 +19,15 @@ from kitrobot.compiler.keeping import Branch, Old, Origin, note
 from kitrobot.compiler.unfilling import Bound, unfill, unfill_all
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
-from kitrobot.lll import Call, Instruction, Node, Number, Seq
+from kitrobot.lll import Call, Instruction, Node, Number, Seq, nodes
 from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind, shape
 
 
 def lll_to_graph(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, keep: Program | None = None) -> Program:
-    """The graph of an LLL program.
+    """The graph of an LLL program. Sets the vertices of its nodes.
 
     Args:
-        seq: the program; its places and vertices do not matter.
+        seq: the program; its places do not matter.
         robot: the robot it is for.
         catalogue: the constructors to draw with.
         name: the name of the graph.
@@ -40,6 +40,8 @@ def lll_to_graph(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, keep: 
     if keep is None:
         return _Drawing(Program(name, robot.name), robot, catalogue, old).whole(seq)
     if old.tree == seq:
+        for node, before in zip(nodes(seq), nodes(old.tree), strict=True):
+            node.vertex = before.vertex
         return replace(keep, name=name, robot=robot.name)
     drawn = Program(name, robot.name)
     for notes_anew in (False, True):
@@ -118,6 +120,8 @@ class _Drawing:
             choice = self.choose(seq.items[at], seq, at)
             vertex = self.vertex(choice)
             self.arc(source, vertex.id, port)
+            for node in seq.items[at : at + choice.width]:
+                node.vertex = vertex.id
             first, last = seq.items[at], seq.items[at + choice.width - 1]
             bare = self.notes(vertex, choice, first.above[title if at == 0 else 0 :], last)
             self.inside(vertex, first, choice, bare)
@@ -132,10 +136,10 @@ class _Drawing:
         behind = [one for one in vertex.notes if one.at == "after"]
         bare = True
         if choice.origin is not None and not self.notes_anew:
-            nodes = choice.origin.nodes
-            first = bool(self.old.tree.items) and self.old.tree.items[0] is nodes[0]
-            bare = nodes[0].above[len(self.title) if first else 0 :] != above
-            if nodes[-1].after == last.after:
+            before = choice.origin.nodes
+            first = bool(self.old.tree.items) and self.old.tree.items[0] is before[0]
+            bare = before[0].above[len(self.title) if first else 0 :] != above
+            if before[-1].after == last.after:
                 last = replace(last, after=None)
             else:
                 behind = []
@@ -232,6 +236,7 @@ class _Drawing:
     def filler(self, vertex: Vertex, slot: str, node: Any, bare: bool) -> None:
         choice = self.choose(node, Seq())
         filler = self.vertex(choice)
+        node.vertex = filler.id
         if bare:
             filler.notes = []
         self.arc(filler.id, vertex.id, NEXT, slot)

@@ -6,7 +6,7 @@
  */
 import { t } from "../words/words";
 import { token } from "./token";
-import type { Fragment, Mission, MissionFile, Problem, Program, Report, Texts, World } from "./types";
+import type { Fragment, Mission, MissionFile, Problem, Program, Report, Texts, World, SpanEntry } from "./types";
 
 export interface Session {
   version: string;
@@ -32,6 +32,13 @@ export interface MissionEntry {
   label: Texts;
   help: Texts;
   picture: MissionPicture | null;
+}
+
+/** What became of a typed text: its program, or null and why not; places count in the text that was sent. */
+export interface Followed {
+  program: Program | null;
+  spans: SpanEntry[];
+  problems: Problem[];
 }
 
 export interface Saved {
@@ -112,6 +119,8 @@ export const api = {
   missionText: (mission: Mission) => ask<{ text: string }>("mission/text", { method: "POST", json: { mission } }),
   fragment: (text: string, robot: string, path: string) =>
     ask<Fragment>("fragment", { method: "POST", json: { text, robot, path } }),
+  follow: (mission: Mission, path: string, program: string, text: string, signal: AbortSignal) =>
+    ask<Followed>("text", { method: "POST", json: { mission, path, program, text }, signal }),
   check: (mission: Mission, path: string, signal?: AbortSignal) =>
     ask<Report>("check", { method: "POST", json: { mission, path }, ...(signal === undefined ? {} : { signal }) }),
 };

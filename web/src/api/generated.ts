@@ -123,6 +123,16 @@ export interface Failure {
   problems?: Problem[];
 }
 
+/**
+ * The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes. `problems`
+ * have their places in the text that was sent.
+ */
+export interface Followed {
+  program: Program | null;
+  spans: SpanEntry[];
+  problems: Problem[];
+}
+
 /** Unsaved work that nobody wants. */
 export interface Forget {
   journal: string;
@@ -514,6 +524,14 @@ export interface Storehouse {
 
 /** The canonical text of a `.krt`. */
 export interface Text {
+  text: string;
+}
+
+/** The LLL of one program as a person has typed it; `mission` holds the program that it was before. */
+export interface TextEdit {
+  mission: Mission;
+  path: string;
+  program: string;
   text: string;
 }
 

@@ -1,18 +1,19 @@
 /**
  * The program in view as text: LLL beside the graph, and the three-address code it becomes.
  *
- * Selecting on either side shows the other; lines where threads of the watched agent stand are marked.
+ * The LLL can be written: the graph follows. Selecting on either side shows the other; lines where threads of the watched
+ * agent stand are marked.
  */
-import { useCallback, useEffect, useMemo, useState } from "react";
+import { useEffect, useState } from "react";
 
 import { useStudio } from "../model/studio";
-import { useActiveVertices } from "../run/run";
 import { Icon } from "../theme";
 import { t } from "../words/words";
 import "./code.css";
-import { listingExtensions, lllExtensions } from "./extensions";
-import { activeLines, vertexAt, vertexOfLine } from "./spans";
+import { listingExtensions } from "./extensions";
+import { Lll } from "./Lll";
 import { TextView } from "./TextView";
+import { useTyping } from "./typing";
 
 type Side = "lll" | "listing";
 const SIDES: Side[] = ["lll", "listing"];
@@ -45,47 +46,13 @@ function CopyButton({ text }: { text: string }) {
   );
 }
 
-function Lll({ text, program }: { text: string; program: string }) {
-  const report = useStudio((studio) => studio.report);
-  const selection = useStudio((studio) => studio.selection);
-  const active = useActiveVertices(program);
-  const spans = useMemo(() => report?.programs.find((one) => one.name === program)?.spans ?? [], [report, program]);
-  const shown = useMemo(
-    () => ({
-      active: activeLines(spans, active),
-      selected: spans.filter((span) => selection.includes(span.vertex)),
-    }),
-    [spans, active, selection],
-  );
-  const onPick = useCallback(
-    (offset: number, byMouse: boolean) => {
-      const line = text.slice(0, offset).split("\n").length;
-      const start = text.lastIndexOf("\n", offset - 1) + 1;
-      const indent = /^\s*/.exec(text.slice(start))?.[0].length ?? 0;
-      const inText = offset >= start + indent;
-      const found = byMouse || inText ? vertexAt(spans, offset) : vertexOfLine(spans, line, start + indent);
-      if (found !== null) useStudio.getState().select([found]);
-    },
-    [text, spans],
-  );
-  const empty = text.trim() === "";
-  return (
-    <TextView
-      text={empty ? t("code.empty") : text.trimEnd()}
-      label={t("code.label", { name: program })}
-      extensions={lllExtensions}
-      shown={shown}
-      onPick={onPick}
-    />
-  );
-}
-
 export function Code() {
   const [side, setSide] = useState<Side>("lll");
   const program = useStudio((studio) => studio.activeProgram);
   const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
   const lll = found?.lll ?? "";
   const listing = found?.listing ?? "";
+  const typed = useTyping((typing) => typing.drafts[program]?.text);
   const loaded = found !== undefined;
   return (
     <div className="code" data-testid="code">
@@ -114,11 +81,11 @@ export function Code() {
             </button>
           ))}
         </div>
-        <CopyButton text={side === "lll" ? lll : listing} />
+        <CopyButton text={side === "lll" ? (typed ?? lll) : listing} />
       </header>
       <div className="code-panel" id="code-panel" role="tabpanel" aria-labelledby={`code-tab-${side}`}>
         {!loaded ? null : side === "lll" ? (
-          <Lll text={lll} program={program} />
+          <Lll printed={lll.trimEnd()} spans={found.spans} program={program} key={program} />
         ) : (
           <TextView
             text={listing === "" ? t("code.no-listing") : listing.trimEnd()}

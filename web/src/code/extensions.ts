@@ -14,6 +14,8 @@ export interface Shown {
   active: ReadonlyMap<number, number[]>;
   /** Spans of the selected vertices, in offsets. */
   selected: readonly { start: number; end: number }[];
+  /** Spans of the vertex under the pointer in the graph. */
+  pointed?: readonly { start: number; end: number }[];
 }
 
 const NOTHING: Shown = { active: new Map(), selected: [] };
@@ -53,6 +55,11 @@ const lineField = StateField.define<DecorationSet>({
     const doc = transaction.newDoc;
     const classes = new Map<number, string>();
     for (const line of shown.active.keys()) if (line <= doc.lines) classes.set(line, "line-active");
+    for (const { start, end } of shown.pointed ?? []) {
+      if (end > doc.length) continue;
+      const line = doc.lineAt(start).number;
+      classes.set(line, `${classes.get(line) ?? ""} line-pointed`);
+    }
     for (const { start, end } of shown.selected) {
       if (end > doc.length) continue;
       const first = doc.lineAt(start).number;

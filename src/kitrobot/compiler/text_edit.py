@@ -1,0 +1,99 @@
+"""An edited text beside its graph: the graph that follows it, or what keeps it from following.
+
+The graph follows a text without mistakes. Mistakes that the graph has already (a call the robot does not know, say) do
+not count, or nothing else could be edited until they are mended. Every diagnostic has its place in the text as it was
+typed and names the vertex that the instruction around it was, so that it can be shown on both sides.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+from kitrobot.compiler.checker import check
+from kitrobot.compiler.compilation import in_reading_order
+from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.keeping import Old
+from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.diagnostics import Diagnostic, Place, Source
+from kitrobot.graph import Program
+from kitrobot.lll import Seq, nodes, parse
+from kitrobot.primitives import Catalogue, Robot
+
+
+@dataclass(frozen=True)
+class VertexPlace:
+    """The stretch of a text that a vertex is: character offsets, the end exclusive, and the line from 1."""
+
+    vertex: str
+    start: int
+    end: int
+    line: int
+
+
+@dataclass(frozen=True)
+class Followed:
+    """The graph of an edited text (None when there are mistakes in it), and what there is to say about the text.
+
+    `spans` are the outermost stretches of each vertex in the text, in reading order; none without a graph.
+    """
+
+    program: Program | None
+    spans: list[VertexPlace] = field(default_factory=list)
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+
+def follow_text(program: Program, text: str, catalogue: Catalogue) -> Followed:
+    """Draws a text anew beside the graph it came from; see `lll_to_graph`.
+
+    Raises KitRobotError when the catalogue lacks the robot, or the constructors to draw with.
+    """
+    robot = catalogue.robot(program.robot)
+    parsed = parse(text, f"{program.name}.lll")
+    found = check(parsed.program, robot, parsed.source, program.name)
+    diagnostics = [replace(item, program=program.name) for item in in_reading_order(parsed.diagnostics + found)]
+    if parsed.ok and not _news(found, program, robot, catalogue):
+        drawn = lll_to_graph(parsed.program, robot, catalogue, program.name, program)
+        return Followed(drawn, list(_spans(parsed.program, parsed.source)), diagnostics)
+    old = Old(program, parsed.program, robot, catalogue)
+    return Followed(None, [], [_at_vertex(item, parsed.program, parsed.source, old) for item in diagnostics])
+
+
+def _spans(tree: Seq, source: Source) -> Iterator[VertexPlace]:
+    ends: dict[str, int] = {}
+    for node in nodes(tree):
+        if node.vertex is not None and node.start >= ends.get(node.vertex, 0) and node.end > node.start:
+            ends[node.vertex] = node.end
+            yield VertexPlace(node.vertex, node.start, node.end, source.position(node.start)[0])
+
+
+def _news(found: list[Diagnostic], program: Program, robot: Robot, catalogue: Catalogue) -> bool:
+    """Whether there are errors that the graph does not have already."""
+    errors = _errors(found)
+    if not errors:
+        return False
+    before = graph_to_lll(program, catalogue).program
+    return bool(errors - _errors(check(before, robot, Source("", ""))))
+
+
+def _errors(found: list[Diagnostic]) -> Counter[tuple[str, str]]:
+    return Counter((item.code, item.message) for item in found if item.is_error)
+
+
+def _at_vertex(item: Diagnostic, tree: Seq, source: Source, old: Old) -> Diagnostic:
+    """The diagnostic with the vertex of the smallest instruction or condition around its place."""
+    if item.place is None or item.vertices:
+        return item
+    at = _offset(source, item.place)
+    around = [node for node in nodes(tree) if node.start <= at <= node.end and old.origin(node) is not None]
+    if not around:
+        return item
+    origin = old.origin(min(around, key=lambda node: node.end - node.start))
+    assert origin is not None
+    return replace(item, vertices=(origin.vertex.id,))
+
+
+def _offset(source: Source, place: Place) -> int:
+    before = source.text.split("\n")[: place.line - 1]
+    return sum(len(line) + 1 for line in before) + place.column - 1

@@ -1,0 +1,29 @@
+"""An edited text, on the wire."""
+
+from __future__ import annotations
+
+from pydantic import BaseModel
+
+from kitrobot.server.shapes.mission import MissionShape, ProgramShape
+from kitrobot.server.shapes.problem import ProblemShape
+from kitrobot.server.shapes.report import SpanEntryShape
+
+
+class TextEditShape(BaseModel):
+    """The LLL of one program as a person has typed it; `mission` holds the program that it was before."""
+
+    mission: MissionShape
+    path: str
+    program: str
+    text: str
+
+
+class FollowedShape(BaseModel):
+    """The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes.
+
+    `problems` have their places in the text that was sent.
+    """
+
+    program: ProgramShape | None
+    spans: list[SpanEntryShape]
+    problems: list[ProblemShape]

@@ -1,0 +1,54 @@
+"""The request behind typing: a program's text becomes its graph."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import APIRouter, Depends, Request
+
+from kitrobot.compiler import follow_text
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.mission import Mission
+from kitrobot.server.shapes import mission_from_shape, mission_shape, problem_shapes
+from kitrobot.server.shapes.report import SpanEntryShape
+from kitrobot.server.shapes.text import FollowedShape, TextEditShape
+from kitrobot.server.studio import Studio
+from kitrobot.workspace import NoProgramError
+
+LONGEST_TEXT = 1_000_000
+MOST_PROBLEMS = 100
+"""More do not help; they are told in reading order."""
+
+
+class TextError(KitRobotError):
+    """A text that cannot become a graph, whatever is in it."""
+
+
+text_routes = APIRouter(prefix="/api")
+
+
+def _studio(request: Request) -> Studio:
+    studio = request.app.state.studio
+    assert isinstance(studio, Studio)
+    return studio
+
+
+@text_routes.post("/text")
+def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditShape) -> FollowedShape:
+    """Draws a program anew from its text, so that every instruction that is still there keeps its vertex."""
+    if len(wanted.text) > LONGEST_TEXT:
+        raise TextError(
+            f"this text has {len(wanted.text)} characters, and a program has at most {LONGEST_TEXT}",
+            "take it apart into programs of several robots",
+        )
+    mission = mission_from_shape(wanted.mission)
+    program = next((one for one in mission.programs if one.name == wanted.program), None)
+    if program is None:
+        raise NoProgramError(f"the mission holds no program `{wanted.program}`", "load the page again")
+    catalogue, _ = studio.catalogue(studio.folder.folder_of(wanted.path))
+    followed = follow_text(program, wanted.text, catalogue)
+    shape = None
+    if followed.program is not None:
+        shape = mission_shape(Mission(programs=[followed.program])).programs[0]
+    spans = [SpanEntryShape(vertex=s.vertex, start=s.start, end=s.end, line=s.line) for s in followed.spans]
+    return FollowedShape(program=shape, spans=spans, problems=problem_shapes(followed.diagnostics[:MOST_PROBLEMS]))

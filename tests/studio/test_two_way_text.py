@@ -1,0 +1,207 @@
+"""A person writes LLL and the graph follows; a person draws and the text follows: in the real page, with real keys."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+TRANSPORT = "transport/transport.krt"
+VERTICES = ".react-flow__node"
+
+
+def editor(studio: Studio) -> Page:
+    """The page, its code editor ready to be written in, the caret at its very end."""
+    expect(studio.at("code-editor")).to_have_attribute("data-writable", "true", timeout=10_000)
+    studio.at("code").locator(".cm-content").focus()
+    studio.page.keyboard.press("Control+End")
+    return studio.page
+
+
+def opened(open_studio: OpenStudio, example: str = "blink/blink.krt") -> tuple[Studio, str]:
+    """The studio on an example, and its text once it is there."""
+    studio = open_studio(example)
+    studio.expect_code("*[Run.IsTrue()](")
+    return studio, studio.code()
+
+
+def empty(open_studio: OpenStudio) -> Studio:
+    """The studio on a new mission."""
+    studio = open_studio(None)
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    expect(studio.at("first-place")).to_be_visible()
+    return studio
+
+
+def replace_all(studio: Studio, text: str) -> None:
+    """Pastes over everything, as a person would."""
+    page = editor(studio)
+    page.keyboard.press("Control+a")
+    page.keyboard.insert_text(text)
+
+
+def expect_vertices(studio: Studio, name: str, count: int) -> None:
+    expect(studio.page.locator(".vertex", has_text=name)).to_have_count(count, timeout=5000)
+
+
+def take_first(studio: Studio, text: str) -> None:
+    """Presses Enter on the first option, once the list is old enough to take it for an answer (75 ms)."""
+    studio.page.evaluate("() => new Promise((ready) => setTimeout(ready, 100))")
+    studio.page.keyboard.press("Enter")
+    studio.expect_code(text)
+
+
+def leave(studio: Studio) -> None:
+    """Puts the focus elsewhere."""
+    studio.at("code-tab-lll").focus()
+
+
+def expect_text(studio: Studio, text: str) -> None:
+    expect(studio.at("code").locator(".cm-content")).to_have_text(re.compile(text), timeout=5000)
+
+
+def test_an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_back(open_studio: OpenStudio) -> None:
+    studio, before = opened(open_studio)
+    page = editor(studio)
+    page.keyboard.insert_text("\n  WAIT( 7 )")
+    expect_vertices(studio, "Wait", len(re.findall("WAIT", before)) + 1)
+    assert studio.code().endswith("  WAIT( 7 )"), "the text stays as it was typed"
+    page.keyboard.press("Control+z")
+    expect_vertices(studio, "Wait", len(re.findall("WAIT", before)))
+    assert studio.code() == before
+    page.keyboard.press("Control+y")
+    expect_vertices(studio, "Wait", len(re.findall("WAIT", before)) + 1)
+    leave(studio)
+    expect_text(studio, r"WAIT\(7\);$")
+
+
+def test_a_burst_of_typing_is_one_step_of_undo(open_studio: OpenStudio) -> None:
+    studio = empty(open_studio)
+    editor(studio).keyboard.type("Light.LightOn();Light.LightOff();", delay=20)
+    expect_vertices(studio, "Light", 2)
+    leave(studio)
+    studio.at("menu-Edit").click()
+    expect(studio.page.get_by_text("Edit text").first).to_be_visible()
+    studio.page.keyboard.press("Escape")
+    studio.page.keyboard.press("Control+z")
+    expect_vertices(studio, "Light", 0)
+
+
+def test_a_mistake_is_marked_on_both_sides_and_the_graph_stays(open_studio: OpenStudio) -> None:
+    studio, _ = opened(open_studio)
+    expect(studio.at("problems")).to_contain_text("0")
+    before = studio.page.locator(VERTICES).count()
+    page = editor(studio)
+    page.keyboard.insert_text("\nLight.Lighton(")
+    expect(studio.at("code-state")).to_contain_text("The graph shows the last text without mistakes.")
+    expect(studio.at("code").locator(".cm-lintRange-error").first).to_be_visible()
+    expect(studio.at("problems")).not_to_contain_text("0")
+    assert studio.page.locator(VERTICES).count() == before
+    leave(studio)
+    assert studio.code().endswith("Light.Lighton("), "what is unfinished stays when the editor is left"
+    editor(studio)
+    for _ in range(len("Lighton(")):
+        page.keyboard.press("Backspace")
+    page.keyboard.insert_text("LightOff();")
+    expect(studio.at("code-state")).to_be_empty()
+    expect(studio.at("code").locator(".cm-lintRange-error")).to_have_count(0)
+    expect(studio.at("problems")).to_contain_text("0")
+    expect(studio.page.locator(VERTICES)).to_have_count(before + 1)
+
+
+def test_a_mistake_inside_an_instruction_is_marked_on_its_vertex(open_studio: OpenStudio) -> None:
+    studio = empty(open_studio)
+    replace_all(studio, "Light.LightOn();")
+    expect_vertices(studio, "Light", 1)
+    page = editor(studio)
+    for _ in range(len("On();")):
+        page.keyboard.press("Backspace")
+    page.keyboard.insert_text("Up();")
+    expect(studio.at("code-state")).to_contain_text("LightUp")
+    expect(studio.page.locator('.trouble[data-severity="error"]')).to_have_count(1)
+
+
+def test_undo_of_unfinished_text_goes_back_to_the_last_text_without_mistakes(open_studio: OpenStudio) -> None:
+    studio, before = opened(open_studio)
+    page = editor(studio)
+    page.keyboard.insert_text(" [[[")
+    expect(studio.at("code-state")).to_contain_text("The graph shows")
+    page.keyboard.press("Control+z")
+    expect(studio.at("code-state")).to_be_empty()
+    assert studio.code() == before
+    expect(studio.at("saved-state")).to_have_text("saved")
+
+
+def test_an_edit_of_the_text_leaves_the_selected_vertex_selected(open_studio: OpenStudio) -> None:
+    studio, _ = opened(open_studio)
+    studio.page.locator(".vertex", has_text="Wait").first.click()
+    expect(studio.page.locator(".vertex.is-selected")).to_have_count(1)
+    page = editor(studio)
+    page.keyboard.press("Control+Home")
+    page.keyboard.insert_text("Light.LightOff();\n")
+    studio.expect_code("Light.LightOff();")
+    expect(studio.page.locator(".vertex.is-selected", has_text="Wait")).to_have_count(1)
+
+
+def test_an_edit_of_the_graph_changes_the_text_and_the_other_way_round(open_studio: OpenStudio) -> None:
+    studio, _ = opened(open_studio)
+    studio.drop("Wait", "arc-start.next")
+    studio.expect_code("WAIT(10);")
+    replace_all(studio, "Light.LightOn();")
+    expect_vertices(studio, "Wait", 0)
+    leave(studio)
+    studio.page.keyboard.press("Control+z")
+    studio.expect_code("WAIT(10);")
+
+
+def test_a_program_is_written_with_completion_and_keys_alone(open_studio: OpenStudio) -> None:
+    studio = empty(open_studio)
+    page = editor(studio)
+    options = page.locator(".cm-tooltip-autocomplete li")
+    page.keyboard.type("Whe")
+    expect(options.first).to_contain_text("Wheel")
+    take_first(studio, "Wheel.")
+    page.keyboard.type("Adv")
+    expect(options.first).to_contain_text("Advance")
+    take_first(studio, "Wheel.Advance(")
+    page.keyboard.type("33")
+    expect_vertices(studio, "Advance", 1)
+    studio.expect_code("Wheel.Advance(33);")
+
+
+def test_hover_shows_the_help_of_the_xml_and_outlines_the_vertex(open_studio: OpenStudio) -> None:
+    studio = empty(open_studio)
+    replace_all(studio, "Wheel.Advance(33);")
+    expect_vertices(studio, "Advance", 1)
+    box = studio.at("code").locator(".lll-action", has_text="Advance").first
+    box.hover()
+    expect(studio.page.locator(".code-help")).to_contain_text("0…100")
+    assert studio.page.evaluate("document.adoptedStyleSheets.some(one => one.cssRules.length === 1)")
+    studio.page.locator(".vertex", has_text="Advance").hover()
+    expect(studio.at("code").locator(".line-pointed")).to_contain_text("Wheel.Advance")
+
+
+RUBBISH = ["]]]) ;; °°° <html>\x07 \u202e 💥 ((", "1*(" * 10_000, "// \\\n%PDF-1.7 \0\0"]
+
+
+@pytest.mark.parametrize("text", RUBBISH, ids=["marks", "deep", "file"])
+def test_rubbish_gets_a_sentence_and_leaves_the_document_alone(open_studio: OpenStudio, text: str) -> None:
+    studio, before = opened(open_studio)
+    count = studio.page.locator(VERTICES).count()
+    replace_all(studio, text)
+    expect(studio.at("code-state")).to_contain_text("The graph shows the last text without mistakes.", timeout=10_000)
+    said = studio.at("code-state").text_content() or ""
+    assert len(said) > len("The graph shows the last text without mistakes.") + 10
+    assert studio.page.locator(VERTICES).count() == count
+    expect(studio.at("saved-state")).to_have_text("saved")
+    studio.page.keyboard.press("Control+z")
+    expect(studio.at("code-state")).to_be_empty(timeout=10_000)
+    assert studio.code() == before

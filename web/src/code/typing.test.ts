@@ -1,0 +1,180 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+
+import type { Followed } from "../api/client";
+import { ApiError } from "../api/client";
+import { replaceProgram } from "../model/command";
+import { useStudio } from "../model/studio";
+import { CARRIER, missionOf } from "../model/testing/missions";
+import type { Problem, Program } from "../model/types";
+import { showMistakes } from "./mistakes";
+import { changeBetween } from "./TextEditor";
+import { sharing } from "./program-change";
+import { connectTyping, isUnfinished, setFocused, typeText, useTyping } from "./typing";
+
+const NAME = CARRIER.name;
+const BEFORE = { text: "printed", spans: [] };
+const mistake: Problem = {
+  ...{ file: `${NAME}.lll`, line: 1, column: 1, end_line: 1, end_column: 2, help: "", arcs: [] },
+  ...{ severity: "error", code: "syntax", message: "no", program: NAME, vertices: [] },
+};
+
+function withNote(program: Program, text: string): Program {
+  const vertices = program.vertices.map((one, at) => (at === 0 ? { ...one, notes: [{ text, at: "" }] } : { ...one }));
+  return { ...program, vertices, arcs: program.arcs.map((arc) => ({ ...arc })) };
+}
+
+let answers: Map<string, Followed | Error>;
+let ends: (() => void)[];
+
+const now = () => useStudio.getState().mission.programs.find((one) => one.name === NAME);
+const draft = () => useTyping.getState().drafts[NAME];
+
+async function type(text: string, answer: Followed | Error): Promise<void> {
+  answers.set(text, answer);
+  typeText(NAME, text, BEFORE);
+  await vi.advanceTimersByTimeAsync(200);
+}
+
+const right = (program: Program): Followed => ({ program, spans: [], problems: [] });
+const wrong: Followed = { program: null, spans: [], problems: [mistake] };
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  answers = new Map();
+  useStudio.getState().openMission({
+    ...{ path: "a.krt", name: "a.krt", revision: "", problems: [], world: null },
+    mission: missionOf(CARRIER),
+    catalogue: { groups: [], robots: [], problems: [] },
+  });
+  useStudio.getState().setReport({ programs: [], problems: [] });
+  ends = [
+    connectTyping((_mission, _path, _program, text) => {
+      const answer = answers.get(text);
+      if (answer === undefined || answer instanceof Error) return Promise.reject(answer ?? new Error(text));
+      return Promise.resolve(answer);
+    }),
+    showMistakes(),
+  ];
+  setFocused(NAME, true);
+});
+
+afterEach(() => {
+  for (const end of ends) end();
+  setFocused(NAME, false);
+  vi.useRealTimers();
+});
+
+describe("typing", () => {
+  it("becomes one command a burst, which undo takes back with the text", async () => {
+    await type("one", right(withNote(CARRIER, "1")));
+    await type("two", right(withNote(CARRIER, "2")));
+    expect(now()?.vertices[0]?.notes).toEqual([{ text: "2", at: "" }]);
+    expect(useStudio.getState().undoLabel).toBe("Edit text");
+    useStudio.getState().undo();
+    expect(now()).toBe(CARRIER);
+    expect(useStudio.getState().canUndo).toBe(false);
+    expect(draft()?.text).toBe("printed");
+    useStudio.getState().redo();
+    expect(draft()?.text).toBe("two");
+  });
+
+  it("keeps what did not change the same object", async () => {
+    await type("one", right(withNote(CARRIER, "1")));
+    expect(now()?.vertices[1]).toBe(CARRIER.vertices[1]);
+    expect(now()?.arcs[0]).toBe(CARRIER.arcs[0]);
+  });
+
+  it("changes nothing when only the layout differs, and keeps the text as typed", async () => {
+    await type("  one", right(withNote(CARRIER, "")));
+    useStudio.getState().undo();
+    await type("   one", right({ ...CARRIER, vertices: CARRIER.vertices.map((one) => ({ ...one })) }));
+    expect(now()).toBe(CARRIER);
+    expect(draft()?.text).toBe("   one");
+  });
+
+  it("with a mistake leaves the graph alone and says so among the problems", async () => {
+    await type("one(", wrong);
+    expect(now()).toBe(CARRIER);
+    expect([draft()?.right, isUnfinished(NAME)]).toEqual([false, true]);
+    expect(useStudio.getState().report?.problems).toEqual([mistake]);
+    useStudio.getState().setReport({ programs: [], problems: [] });
+    expect(useStudio.getState().report?.problems).toEqual([mistake]);
+    await type("one", right(CARRIER));
+    expect(useStudio.getState().report?.problems).toEqual([]);
+    expect(isUnfinished(NAME)).toBe(false);
+  });
+
+  it("that the server cannot look at says why", async () => {
+    await type("long", new ApiError("too long.", "Shorten it."));
+    expect([draft()?.failure, draft()?.right]).toEqual(["too long. Shorten it.", false]);
+  });
+
+  it("ends when the editor is left, and stays while it has mistakes", async () => {
+    await type("one(", wrong);
+    setFocused(NAME, false);
+    expect(draft()?.text).toBe("one(");
+    setFocused(NAME, true);
+    await type("one", right(CARRIER));
+    setFocused(NAME, false);
+    expect(draft()).toBeUndefined();
+  });
+
+  it("ends when the answer comes after the editor was left", async () => {
+    answers.set("one", right(CARRIER));
+    typeText(NAME, "one", BEFORE);
+    setFocused(NAME, false);
+    expect(draft()?.text).toBe("one");
+    await vi.advanceTimersByTimeAsync(200);
+    expect(draft()).toBeUndefined();
+  });
+
+  it("ends when the graph is edited meanwhile, whatever the answer", async () => {
+    answers.set("one", right(withNote(CARRIER, "1")));
+    typeText(NAME, "one", BEFORE);
+    const other = withNote(CARRIER, "other");
+    useStudio.getState().execute(replaceProgram("Other", CARRIER, other));
+    await vi.advanceTimersByTimeAsync(200);
+    expect(draft()).toBeUndefined();
+    expect(now()).toBe(other);
+  });
+
+  it("of an overtaken text is never taken", async () => {
+    answers.set("one", right(withNote(CARRIER, "1")));
+    answers.set("two", wrong);
+    typeText(NAME, "one", BEFORE);
+    await vi.advanceTimersByTimeAsync(10);
+    typeText(NAME, "two", BEFORE);
+    await vi.advanceTimersByTimeAsync(200);
+    expect(now()).toBe(CARRIER);
+    expect(draft()?.right).toBe(false);
+  });
+});
+
+describe("two programs as one", () => {
+  it("are the first when nothing differs", () => {
+    expect(sharing(CARRIER, structuredClone(CARRIER))).toBe(CARRIER);
+  });
+
+  it("differ where a vertex, an arc or their order does", () => {
+    const copy = structuredClone(CARRIER);
+    copy.arcs.pop();
+    expect(sharing(CARRIER, copy).arcs).toHaveLength(CARRIER.arcs.length - 1);
+    const turned = { ...CARRIER, vertices: [...CARRIER.vertices].reverse() };
+    expect(sharing(CARRIER, turned).vertices[0]).toBe(CARRIER.vertices.at(-1));
+  });
+});
+
+describe("the change between two texts", () => {
+  it.each([
+    ["", ""],
+    ["abc", "abc"],
+    ["aaa", "aaaa"],
+    ["abcd", "ad"],
+    ["", "x"],
+    ["x", ""],
+    ["one two", "one three two"],
+  ])("%j to %j makes the one the other", (before, after) => {
+    const { from, to, insert } = changeBetween(before, after);
+    expect(before.slice(0, from) + insert + before.slice(to)).toBe(after);
+  });
+});
