@@ -102,6 +102,7 @@ def open_studio(browser: Browser, tmp_path: Path) -> Iterator[object]:
         page.goto(address.group(0))
         expect(page.get_by_test_id("run-button")).to_be_visible(timeout=20_000)
         expect(page.get_by_test_id("canvas")).to_be_visible()
+        expect(page.locator('[data-testid="code"] .cm-line').first).not_to_be_empty()
         studio = Studio(page, target, faults)
         pages.append(studio)
         return studio

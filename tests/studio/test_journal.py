@@ -143,7 +143,8 @@ def test_work_that_is_discarded_is_gone_for_good(start: Start, mission: Path, co
     page.close()
     page = server.open(context)
     expect_wait(page, 7)
-    page.get_by_test_id("banner").get_by_role("button", name="Discard it").click()
+    with page.expect_response(re.compile("/api/journal$")):
+        page.get_by_test_id("banner").get_by_role("button", name="Discard it").click()
     expect_wait(page, 2)
     expect(page.get_by_test_id("saved-state")).to_have_text("saved")
     page.close()

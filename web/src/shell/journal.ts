@@ -121,7 +121,8 @@ function heard(after: Mission, before: Mission): void {
     next = null;
     opening = false;
     waiting = [];
-    if (sent < 0) soon();
+    // At once: who discards work and leaves must not find it again.
+    if (sent < 0) void flush();
     return;
   }
   history = follow(history, change, after);
