@@ -113,6 +113,7 @@ export function MenuBar({ menus }: { menus: MenuPart[] }) {
               setAt(index);
               setOpen(index);
             }}
+            onFocus={() => setAt(index)}
             onKeyDown={(event) => onTitleKey(event, index)}
           >
             {menu.label}
