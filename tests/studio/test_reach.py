@@ -48,7 +48,7 @@ def find_nothing(studio: Studio, screen: str) -> None:
 @pytest.fixture(autouse=True)
 def needs_axe() -> None:
     if not AXE.is_file():
-        pytest.skip("the page's tools are not installed")
+        pytest.fail("the page's tools are not installed; run `make install`")
 
 
 @pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast",), ("light", "ur"), ("light", "fr")], ids=str)
