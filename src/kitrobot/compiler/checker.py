@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 from kitrobot.compiler import rules
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.diagnostics import Diagnostic, Rule, Source
+from kitrobot.diagnostics import Diagnostic, Rule, Source, in_reading_order
 from kitrobot.lll import (
     And,
     Break,
@@ -28,6 +28,7 @@ from kitrobot.lll import (
     Repeat,
     Seq,
     While,
+    bodies,
 )
 from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType, did_you_mean
 
@@ -39,7 +40,7 @@ def check(program: Seq, robot: Robot, source: Source, program_name: str = "") ->
     """
     checker = _Checker(robot, source, program_name)
     checker.seq(program, in_loop=False, in_parallel=False)
-    return sorted(checker.found, key=lambda item: (item.place.line, item.place.column) if item.place else (0, 0))
+    return in_reading_order(checker.found)
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:
@@ -261,19 +262,12 @@ def _calls(seq: Seq) -> list[Call]:
     """The calls that stand as instructions in a body, nested bodies included, in reading order."""
     found: list[Call] = []
     for node in seq.items:
-        match node:
-            case Call():
-                found.append(node)
-            case Interrupt():
-                if isinstance(node.call, Call):
-                    found.append(node.call)
-            case Repeat() | While() | Event():
-                found += _calls(node.body)
-            case Conditional():
-                found += _calls(node.then)
-                if node.orelse is not None:
-                    found += _calls(node.orelse)
-            case Parallel():
-                for branch in node.branches:
-                    found += _calls(branch)
+        if isinstance(node, Call):
+            found.append(node)
+        elif isinstance(node, Interrupt):
+            if isinstance(node.call, Call):
+                found.append(node.call)
+        else:
+            for body in bodies(node):
+                found += _calls(body)
     return found

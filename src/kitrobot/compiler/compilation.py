@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.checker import check
@@ -10,7 +9,7 @@ from kitrobot.compiler.graph_rules import UNKNOWN_ELEMENT
 from kitrobot.compiler.graph_to_lll import graph_to_lll
 from kitrobot.compiler.lowering import lower
 from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
-from kitrobot.diagnostics import Diagnostic, Source
+from kitrobot.diagnostics import Diagnostic, Source, in_reading_order
 from kitrobot.graph import Program
 from kitrobot.image import DebugMap, Image
 from kitrobot.lll import Seq, collection_paused, parse, print_program
@@ -57,11 +56,6 @@ def compile_text(text: str, robot: Robot, name: str = "program.lll") -> Compiled
         found = check(parsed.program, robot, parsed.source)
         compiled = Compiled(parsed.program, parsed.source, None, DebugMap(), found)
     return replace(compiled, diagnostics=in_reading_order(parsed.diagnostics + compiled.diagnostics))
-
-
-def in_reading_order(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """The same diagnostics by line and column; those without a place first."""
-    return sorted(diagnostics, key=lambda item: (item.place.line, item.place.column) if item.place else (0, 0))
 
 
 def compile_program(program: Program, catalogue: Catalogue) -> Compiled:

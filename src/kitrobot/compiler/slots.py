@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from kitrobot.image import ParallelRecord
-from kitrobot.lll import Conditional, Event, Interrupt, Parallel, Repeat, Seq, While
+from kitrobot.lll import Interrupt, Parallel, Repeat, Seq, bodies
 
 
 @dataclass
@@ -49,31 +49,18 @@ class SlotTree:
 def _parallels(seq: Seq) -> Iterator[Parallel]:
     """The parallels of a slot, in reading order, those that are never compiled left out; not what is nested in them."""
     for node in seq.items:
-        match node:
-            case Parallel():
-                if node.branches:
-                    yield node
-            case Repeat():
-                if node.count != 0:
-                    yield from _parallels(node.body)
-            case While() | Event():
-                yield from _parallels(node.body)
-            case Conditional():
-                yield from _parallels(node.then)
-                if node.orelse is not None:
-                    yield from _parallels(node.orelse)
+        if isinstance(node, Parallel):
+            if node.branches:
+                yield node
+        elif not (isinstance(node, Repeat) and node.count == 0):
+            for body in bodies(node):
+                yield from _parallels(body)
 
 
 def _is_marked(seq: Seq) -> bool:
     """Whether a branch holds a marked action of its own (those of nested parallels mark their own branches)."""
-    for node in seq.items:
-        match node:
-            case Interrupt():
-                return True
-            case Repeat() | While() | Event():
-                if _is_marked(node.body):
-                    return True
-            case Conditional():
-                if _is_marked(node.then) or (node.orelse is not None and _is_marked(node.orelse)):
-                    return True
-    return False
+    return any(
+        isinstance(node, Interrupt)
+        or (not isinstance(node, Parallel) and any(_is_marked(body) for body in bodies(node)))
+        for node in seq.items
+    )

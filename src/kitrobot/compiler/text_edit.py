@@ -12,11 +12,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.checker import check
-from kitrobot.compiler.compilation import in_reading_order
 from kitrobot.compiler.graph_to_lll import graph_to_lll
 from kitrobot.compiler.keeping import Old
 from kitrobot.compiler.lll_to_graph import lll_to_graph
-from kitrobot.diagnostics import Diagnostic, Place, Source
+from kitrobot.diagnostics import Diagnostic, Place, Source, in_reading_order
 from kitrobot.graph import Program
 from kitrobot.lll import Seq, nodes, parse
 from kitrobot.primitives import Catalogue, Robot

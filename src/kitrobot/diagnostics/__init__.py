@@ -8,6 +8,7 @@ from kitrobot.diagnostics.model import (
     Rule,
     Severity,
     Source,
+    in_reading_order,
     rule,
     rules,
 )
@@ -21,6 +22,7 @@ __all__ = [
     "Rule",
     "Severity",
     "Source",
+    "in_reading_order",
     "render",
     "render_one",
     "rule",

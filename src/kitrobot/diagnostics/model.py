@@ -98,6 +98,11 @@ class Diagnostic:
         return self.severity is Severity.ERROR
 
 
+def in_reading_order(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """The same diagnostics by line and column; those without a place first."""
+    return sorted(diagnostics, key=lambda item: (item.place.line, item.place.column) if item.place else (0, 0))
+
+
 @dataclass(frozen=True)
 class Rule:
     """A kind of diagnostic: calling it makes one."""

@@ -29,7 +29,7 @@ from kitrobot.lll.tree import (
     Wait,
     While,
 )
-from kitrobot.lll.walk import children, nodes
+from kitrobot.lll.walk import bodies, children, nodes
 
 __all__ = [
     "MAX_NESTING",
@@ -55,6 +55,7 @@ __all__ = [
     "Seq",
     "Wait",
     "While",
+    "bodies",
     "children",
     "collection_paused",
     "format_text",

@@ -31,6 +31,11 @@ def nodes(root: Node) -> list[Node]:
     return found
 
 
+def bodies(node: Node) -> list[Seq]:
+    """The bodies, or branches, of an instruction, in reading order."""
+    return [child for child in children(node) if isinstance(child, Seq)]
+
+
 def children(node: Node) -> list[Any]:
     """The nodes directly inside a node, in reading order."""
     match node:
