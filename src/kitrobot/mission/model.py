@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from kitrobot.graph import Program
-from kitrobot.primitives import Texts
+from kitrobot.primitives import Constructor, OwnVariable, Texts
 
 VERSION = 1
 """The newest version of the `.krt` format."""
@@ -53,7 +53,8 @@ class Team:
 class Mission:
     """A whole mission. `world_href` names a world's file, "" means the empty world; `unknown` is XML kept as it is.
 
-    `label` is its title and `help` says in a sentence what happens, each by language, "" for English.
+    `label` is its title and `help` says in a sentence what happens, each by language, "" for English. `constructors`
+    and `variables` are the parts that it brings along.
     """
 
     version: int = VERSION
@@ -63,6 +64,8 @@ class Mission:
     unknown: list[str] = field(default_factory=list)
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
+    constructors: list[Constructor] = field(default_factory=list)
+    variables: list[OwnVariable] = field(default_factory=list)
 
     def program(self, name: str) -> Program | None:
         """The program of that name, or None."""

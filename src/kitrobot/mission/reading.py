@@ -1,4 +1,4 @@
-"""Missions from XML: programs, team, world reference."""
+"""Missions from XML: own parts, programs, team, world reference."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from kitrobot.graph import PROGRAM, Program
 from kitrobot.mission import rules
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
-from kitrobot.primitives import TEXTS, Element, Reader, Tag, did_you_mean, shown
+from kitrobot.primitives import OWN, TEXTS, Constructor, Element, OwnVariable, Reader, Tag, did_you_mean, shown
 
 
 class _Href(NamedTuple):
@@ -56,6 +56,7 @@ _ROOTS = {
         attributes=("version",),
         children={
             **TEXTS,
+            **OWN,
             "program": PROGRAM,
             "team": _TEAM,
             "world": Tag(lambda element: _Href(element.required("href")), ("href",)),
@@ -84,6 +85,7 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
         mission.team.goals += team.goals
     mission.world_href = next((world.href for world in root.found(_Href)), "")
     mission.label, mission.help = root.texts.get("label", {}), root.texts.get("help", {})
+    mission.constructors, mission.variables = root.found(Constructor), root.found(OwnVariable)
     mission.unknown = [str(raw) for raw in root.found(_Unknown)]
     _check(mission, root)
     return migrate(mission), reader.diagnostics

@@ -14,13 +14,17 @@ from pathlib import Path
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import write_program
 from kitrobot.mission.model import Mission, Team
-from kitrobot.primitives import Texts, attributes, escape_text
+from kitrobot.primitives import Texts, attributes, escape_text, write_constructor, write_variable
 
 
 def write_mission(mission: Mission) -> bytes:
     """The `.krt` file: one vertex, arc or agent a line. The same mission gives the same bytes."""
     lines = [f"<kitrobot{attributes(('version', mission.version))}>"]
     lines += [*_texts("label", mission.label), *_texts("help", mission.help)]
+    for constructor in mission.constructors:
+        lines += write_constructor(constructor)
+    for variable in mission.variables:
+        lines += write_variable(variable)
     for program in mission.programs:
         lines += write_program(program)
     lines += _team(mission.team)

@@ -3,6 +3,15 @@
 from kitrobot.primitives.catalogue import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.own_xml import (
+    MOST_OWN,
+    OWN,
+    OWN_GROUP,
+    OwnVariable,
+    read_own,
+    write_constructor,
+    write_variable,
+)
 from kitrobot.primitives.robot import (
     LARGEST_VALUE,
     Category,
@@ -25,6 +34,9 @@ __all__ = [
     "LARGEST_VALUE",
     "MAX_BYTES",
     "MAX_DEPTH",
+    "MOST_OWN",
+    "OWN",
+    "OWN_GROUP",
     "SHIPPED",
     "TEXTS",
     "Catalogue",
@@ -35,6 +47,7 @@ __all__ = [
     "Group",
     "Kind",
     "Method",
+    "OwnVariable",
     "Parameter",
     "Reader",
     "Robot",
@@ -55,7 +68,10 @@ __all__ = [
     "nearest",
     "one_of",
     "read_constructors",
+    "read_own",
     "read_robot",
     "shape",
     "shown",
+    "write_constructor",
+    "write_variable",
 ]

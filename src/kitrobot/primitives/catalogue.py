@@ -14,7 +14,7 @@ import os
 import re
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -22,7 +22,8 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError, Place
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group
 from kitrobot.primitives.constructors_xml import read_constructors
-from kitrobot.primitives.robot import Robot
+from kitrobot.primitives.own_xml import OWN_GROUP, OWN_LABEL, OwnVariable
+from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.templates import Shape, inverse_shape
 from kitrobot.primitives.xml_decoding import MAX_BYTES
@@ -61,6 +62,29 @@ class Catalogue:
                 table.setdefault(shape, constructor)
         return table
 
+    def extended(self, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]) -> Catalogue:
+        """The same with what a mission brings along; it wins over what is there, as a later folder does.
+
+        A variable whose name, or one of whose methods, the robot has already is left out, and `problems` says so.
+        """
+        if not constructors and not variables:
+            return self
+        own = {constructor.name for constructor in constructors}
+        groups = [replace(group, constructors=_without(group.constructors, own)) for group in self.groups]
+        if constructors:
+            groups.append(Group(OWN_GROUP, "action", tuple(constructors), OWN_LABEL))
+        robots, problems = dict(self.robots), list(self.problems)
+        for variable in variables:
+            robot = robots.get(variable.robot)
+            if robot is None:
+                continue
+            added = _with_variable(robot, variable.variable)
+            if added is None:
+                problems.append(rules.OWN_VARIABLE(f"{robot.name} has a {variable.variable.name} already"))
+            else:
+                robots[robot.name] = added
+        return Catalogue(robots, groups, problems)
+
     def robot(self, name_or_path: str | Path) -> Robot:
         """The robot of that name, or of that `.robot.xml` file.
 
@@ -81,6 +105,18 @@ class Catalogue:
         if robot is None:
             raise KitRobotError(f"the robot of {path} cannot be used", "mend the file", tuple(problems))
         return robot
+
+
+def _without(constructors: tuple[Constructor, ...], names: set[str]) -> tuple[Constructor, ...]:
+    return tuple(constructor for constructor in constructors if constructor.name not in names)
+
+
+def _with_variable(robot: Robot, variable: RobotObject) -> Robot | None:
+    """The robot with one more variable; None when it has something of that name that this would hide."""
+    names = {other.name for other in robot.variables} | {other.name for other in robot.system}
+    if variable.name in names or any((variable.name, method.name) in robot.calls for method in variable.methods):
+        return None
+    return replace(robot, variables=(*robot.variables, variable))
 
 
 def config_folder() -> Path:

@@ -11,14 +11,14 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from itertools import accumulate
 from typing import NamedTuple
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import And, Condition, Hole, Instr, Not, Or, Seq, is_name, parse_template
+from kitrobot.lll import And, Not, Or, is_name
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
 from kitrobot.primitives.robot import LARGEST_VALUE
+from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
 from kitrobot.primitives.templates import holes
 from kitrobot.primitives.xml import TEXTS, Reader
 from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, one_of, shown
@@ -32,17 +32,12 @@ COLOURS = ("loop", "choice", "parallel", "action", "test", "team")
 MOST_BRANCHES = 16
 """How many bodies a repeated slot may ask a new vertex to come with."""
 
-LONGEST_CODE = 10_000
-"""Characters of `<code>`, at most."""
-
 NAME_IN_WORDS = "a name of letters, digits and _ (not WAIT or BREAK)"
 """What messages say of a name of the language."""
 
 _TAKEN_PORTS = ("in", "next", "return")
 _TAKEN_ELEMENTS = ("Start", "Stop")
 _ICON = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
-
-Template = Instr | Condition | Seq
 
 
 class _Code(NamedTuple):
@@ -100,21 +95,8 @@ def _slot(element: Element) -> Slot:
 
 
 def _code(element: Element) -> _Code:
-    if len(element.text) > LONGEST_CODE:
-        element.report(rules.TEMPLATE, f"expected at most {LONGEST_CODE} characters, found {len(element.text)}")
-        return _Code("", None)
-    template, problems = parse_template(element.text, element.reader.name)
-    offsets = element.reader.offsets_of_text(element)
-    starts = [0, *accumulate(len(line) + 1 for line in element.text.split("\n"))]
-    for problem in problems:
-        if problem.place is not None:
-            start = starts[problem.place.line - 1] + problem.place.column - 1
-            end = starts[problem.place.end_line - 1] + problem.place.end_column - 1
-            problem = replace(problem, place=element.reader.span(offsets[start], offsets[end]))
-        element.add(problem)
-    if isinstance(template, Hole):
-        element.report(rules.TEMPLATE, "expected LLL around the hole, found only a hole")
-    return _Code(" ".join(element.text.split()), template)
+    template = read_template(element)
+    return _Code(" ".join(element.text.split()) if len(element.text) <= LONGEST_CODE else "", template)
 
 
 def _check_holes(constructor: Element, element: Element, template: Template) -> None:
@@ -225,10 +207,12 @@ _SLOTS = {
     "text": Tag(_slot, ("name", "default"), _LABEL),
     "action": Tag(_slot, ("name",), _LABEL),
 }
-_CONSTRUCTOR = Tag(
+CONSTRUCTOR = Tag(
     _constructor,
     ("name", "icon", "colour"),
     {**TEXTS, **_SLOTS, "code": Tag(_code, text=True), "adds": Tag(_adds, ("constructor", "slot"))},
 )
-_GROUP = Tag(_group, ("name", "colour"), {**TEXTS, "constructor": _CONSTRUCTOR})
+"""One constructor; its group is the element around it."""
+
+_GROUP = Tag(_group, ("name", "colour"), {**TEXTS, "constructor": CONSTRUCTOR})
 _CONSTRUCTORS = Tag(None, ("version",), {"group": _GROUP}, open=lambda element: element.version(VERSION))

@@ -49,7 +49,9 @@ LONGEST_WAIT_UNIT_MS = 10_000
 USUAL_MAXIMUM = 100
 """The top of a range that gives none: the paper's numbers go from 0 to 100."""
 
-_ROBOT_NAME = re.compile(r"[^\W\d_][\w-]*")
+ROBOT_NAME = re.compile(r"[^\W\d_][\w-]*")
+"""What a robot may be called."""
+
 _HOLE = re.compile(r"\{([^}]*)\}")
 _WORD = re.compile(r"[A-Z]?[^A-Z]+|[A-Z]+(?![^A-Z])")
 _DEVICE = ("name", "device", "icon")
@@ -247,7 +249,7 @@ def _robot(element: Element) -> Robot:
                     rules.DUPLICATE, message, "name", "an actuator and a sensor may share a name, not a method"
                 )
     return Robot(
-        element.matching("name", _ROBOT_NAME.fullmatch, "a name of letters, digits, _ and -"),
+        element.matching("name", ROBOT_NAME.fullmatch, "a name of letters, digits, _ and -"),
         tuple(groups[Category.ACTUATOR]),
         tuple(groups[Category.SENSOR]),
         tuple(groups[Category.VARIABLE]),
@@ -263,6 +265,9 @@ _PARAMETER = Tag(_parameter, ("name", "min", "max", "default", "unit", "type"), 
 _METHOD_PARTS = {**TEXTS, "phrase": TEXT, "parameter": _PARAMETER}
 _PROCEDURE = Tag(_procedure, ("name", "completes", "stop", "icon"), _METHOD_PARTS)
 _OPERATION = Tag(_operation, ("name", "test", "to", "value", "icon"), _METHOD_PARTS)
+VARIABLE = Tag(_variable, ("name", "type", "min", "max", "initial", "shared", "icon"), TEXTS)
+"""One variable of a robot."""
+
 _ROBOT = Tag(
     _robot,
     ("name", "version", "tick", "wait-unit"),
@@ -270,7 +275,7 @@ _ROBOT = Tag(
         **TEXTS,
         "actuator": Tag(_actuator, _DEVICE, {**TEXTS, "procedure": _PROCEDURE}, free_attributes=True),
         "sensor": Tag(_sensor, _SENSOR, {**TEXTS, "operation": _OPERATION}, free_attributes=True),
-        "variable": Tag(_variable, ("name", "type", "min", "max", "initial", "shared", "icon"), TEXTS),
+        "variable": VARIABLE,
     },
     open=lambda element: element.version(VERSION),
 )

@@ -143,6 +143,19 @@ PHRASE = rule(
     "A phrase may hold `{object}` and `{NAME}` for each parameter.",
 )
 
+TOO_MANY_OWN = rule(
+    "own-too-many",
+    Severity.ERROR,
+    "A mission brings along more parts than can be used",
+    "Constructors and variables of a mission's own have a limit each. What is too much is kept in the file.",
+)
+OWN_VARIABLE = rule(
+    "own-variable",
+    Severity.ERROR,
+    "A variable of the mission has the name of something that the robot has already",
+    "A mission may add variables to a robot. Its programs call them by name, so the name must be free.",
+)
+
 UNREADABLE = rule(
     "catalogue-unreadable",
     Severity.ERROR,

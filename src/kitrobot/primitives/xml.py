@@ -251,6 +251,10 @@ class _Events(ContentHandler):
             self.root = element
         if value is not None:
             (element.parent or element).values.append((value, element))
+        elif element.faulty and element.tag.kept_whole:
+            parent = element.parent
+            if parent is not None and parent.tag.keep is not None:
+                parent.tag.keep(parent, self.reader.raw(element.line, element.column, *self.position()))
 
     def characters(self, content: str) -> None:
         if self.skipping is not None or not self.open:

@@ -42,7 +42,8 @@ class Tag:
 
     `open` is called at the start tag, with all attributes; `close` at the end tag, and its result (unless None) is
     added to the `values` of the element around. With `free_attributes` any attribute is allowed. `keep` is given each
-    unknown element word for word; without it they are left out.
+    unknown element word for word; without it they are left out. An element with `kept_whole` that has an error is given
+    to the `keep` of the element around it in the same way.
     """
 
     close: Callable[[Element], object] | None = None
@@ -52,6 +53,7 @@ class Tag:
     free_attributes: bool = False
     open: Callable[[Element], object] | None = None
     keep: Callable[[Element, str], None] | None = None
+    kept_whole: bool = False
 
 
 class Element:

@@ -20,6 +20,7 @@ from kitrobot.mission import NO_PROGRAM, Agent, Goal, Mission, read_mission
 from kitrobot.workspace.files import read_bytes
 from kitrobot.workspace.layout import lay_out_file
 from kitrobot.workspace.outline import PARKED, Outline
+from kitrobot.workspace.own_parts import own_part_differences
 from kitrobot.workspace.problems import ProblemsError
 
 _LONGEST_QUOTE = 60
@@ -53,9 +54,10 @@ def differences(before: Mission, after: Mission) -> list[Difference]:
     found += _goals(before.team.goals, after.team.goals)
     if before.world_href != after.world_href:
         found.append(Difference("world", f"the world: {before.world_href or 'empty'} → {after.world_href or 'empty'}"))
+    found += [Difference(kind, words) for kind, words in own_part_differences(before, after)]
     for field in fields(Mission):
         one, other = getattr(before, field.name), getattr(after, field.name)
-        if field.name not in ("programs", "team", "world_href") and one != other:
+        if field.name not in ("programs", "team", "world_href", "constructors", "variables") and one != other:
             found.append(Difference("mission", f"the {field.name} of the mission: {_short(one)} → {_short(other)}"))
     return found
 

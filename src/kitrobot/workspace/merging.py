@@ -16,6 +16,7 @@ from typing import Any, TypeVar
 
 from kitrobot.graph import IN, RETURN, START, STOP, Arc, Program, Vertex
 from kitrobot.mission import Agent, Goal, Mission, Team, save
+from kitrobot.primitives import Constructor, OwnVariable
 from kitrobot.workspace.comparison import read_whole, renamed_programs
 from kitrobot.workspace.files import read_bytes
 from kitrobot.workspace.outline import Outline
@@ -67,6 +68,12 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission) -> Merged:
     agents = _by_name(*_with_new_names(base, ours, theirs), _agent_name, "the agent", choose)
     _bring_back(programs, agents, (ours, theirs), conflicts)
     goals = _by_name(base.team.goals, ours.team.goals, theirs.team.goals, _goal_name, "the goal of", choose)
+    own: dict[str, Any] = {
+        "constructors": _by_name(
+            base.constructors, ours.constructors, theirs.constructors, _own_name, "the own part", choose
+        ),
+        "variables": _by_name(base.variables, ours.variables, theirs.variables, _own_name, "the variable", choose),
+    }
     rest = {
         field.name: choose(
             f"the {field.name.removesuffix('_href')} of the mission",
@@ -75,9 +82,9 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission) -> Merged:
             getattr(theirs, field.name),
         )
         for field in fields(Mission)
-        if field.name not in ("programs", "team")
+        if field.name not in ("programs", "team", *own)
     }
-    return Merged(Mission(programs=programs, team=Team(agents, goals), **rest), tuple(conflicts))
+    return Merged(Mission(programs=programs, team=Team(agents, goals), **own, **rest), tuple(conflicts))
 
 
 def _with_new_names(base: Mission, ours: Mission, theirs: Mission) -> tuple[list[Agent], list[Agent], list[Agent]]:
@@ -108,6 +115,10 @@ def _agent_name(agent: Agent) -> Hashable:
 
 def _goal_name(goal: Goal) -> Hashable:
     return goal.storehouse
+
+
+def _own_name(own: Constructor | OwnVariable) -> str:
+    return own.name if isinstance(own, Constructor) else f"{own.robot}.{own.variable.name}"
 
 
 def _by_name(

@@ -267,18 +267,20 @@ def _open(
     places: Places | None,
     within: Path | None = None,
 ) -> OpenMission:
-    known = catalogue if catalogue is not None else load_catalogue([folder])
+    common = catalogue if catalogue is not None else load_catalogue([folder])
+    known = common.extended(mission.constructors, mission.variables)
+    own = tuple(known.problems[len(common.problems) :])
     path = find_world(mission.world_href, [folder])
     if path is not None and within is not None and not _is_within(path, within):
         path = None
     if path is None:
         place = (places.world or Place(name)) if places is not None else None
         found = NO_WORLD(f"there is no world `{mission.world_href}`", place, help=f"put its file into `{folder.name}`")
-        return OpenMission(name, mission, known, None, (found,))
+        return OpenMission(name, mission, known, None, (*own, found))
     data = read_bytes(path)
     world, diagnostics = read_world(data, path.name)
     source = Source(path.name, data.decode("utf-8-sig", errors="replace"))
-    return OpenMission(name, mission, known, world, tuple(diagnostics), (source,))
+    return OpenMission(name, mission, known, world, (*own, *diagnostics), (source,))
 
 
 def _is_within(path: Path, folder: Path) -> bool:

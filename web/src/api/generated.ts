@@ -235,6 +235,8 @@ export interface Mission {
   unknown?: string[];
   label?: Record<string, string>;
   help?: Record<string, string>;
+  constructors?: Constructor[];
+  variables?: OwnVariable[];
 }
 
 /**
@@ -280,6 +282,12 @@ export interface NewsMessage {
 export interface Note {
   text: string;
   at: string;
+}
+
+/** A variable that the mission adds to every robot of a kind. */
+export interface OwnVariable {
+  robot: string;
+  variable: RobotObject;
 }
 
 /** A parameter of a method; `min` and `max` are included. */

@@ -139,11 +139,12 @@ def _group(group: Group) -> GroupShape:
         name=group.name,
         colour=_colour(group.colour),
         label=dict(group.label),
-        constructors=[_constructor(constructor) for constructor in group.constructors],
+        constructors=[constructor_shape(constructor) for constructor in group.constructors],
     )
 
 
-def _constructor(constructor: Constructor) -> ConstructorShape:
+def constructor_shape(constructor: Constructor) -> ConstructorShape:
+    """A constructor as it travels."""
     adds = constructor.adds
     return ConstructorShape(
         name=constructor.name,
@@ -186,11 +187,12 @@ def _robot(robot: Robot) -> RobotShape:
         help=dict(robot.help),
         tick_ms=robot.tick_ms,
         wait_unit_ms=robot.wait_unit_ms,
-        objects=[_object(part) for part in robot.objects],
+        objects=[object_shape(part) for part in robot.objects],
     )
 
 
-def _object(part: RobotObject) -> RobotObjectShape:
+def object_shape(part: RobotObject) -> RobotObjectShape:
+    """A part of a robot as it travels."""
     return RobotObjectShape(
         name=part.name,
         category=part.category.value,

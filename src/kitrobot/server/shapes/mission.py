@@ -8,6 +8,9 @@ from pydantic import AfterValidator, BaseModel, Field
 
 from kitrobot.graph import Arc, Note, Program, Vertex
 from kitrobot.mission import Agent, Goal, Mission, Team
+from kitrobot.primitives import MOST_OWN
+from kitrobot.server.shapes.catalogue import ConstructorShape, constructor_shape
+from kitrobot.server.shapes.own import OwnVariableShape, own_constructor, own_variable, own_variable_shape
 
 MOST_VERTICES = 100_000
 MOST_AGENTS = 10_000
@@ -89,6 +92,8 @@ class MissionShape(BaseModel):
     unknown: list[Words] = []
     label: dict[Words, Words] = {}
     help: dict[Words, Words] = {}
+    constructors: Annotated[list[ConstructorShape], Field(max_length=MOST_OWN)] = []
+    variables: Annotated[list[OwnVariableShape], Field(max_length=MOST_OWN)] = []
 
 
 def mission_shape(mission: Mission) -> MissionShape:
@@ -102,17 +107,27 @@ def mission_shape(mission: Mission) -> MissionShape:
         unknown=mission.unknown,
         label=dict(mission.label),
         help=dict(mission.help),
+        constructors=[constructor_shape(constructor) for constructor in mission.constructors],
+        variables=[own_variable_shape(variable) for variable in mission.variables],
     )
 
 
 def mission_from_shape(shape: MissionShape) -> Mission:
-    """The mission that travelled."""
+    """The mission that travelled.
+
+    Raises:
+        OwnPartError: a constructor or a variable that it brings along makes no sense.
+    """
     team = Team(
         agents=[Agent(name=agent.name, program=agent.program, start=agent.start) for agent in shape.agents],
         goals=[Goal(storehouse=goal.storehouse, stock=goal.stock) for goal in shape.goals],
     )
     programs = [_program(program) for program in shape.programs]
-    return Mission(shape.version, programs, team, shape.world, shape.unknown, shape.label, shape.help)
+    constructors = [own_constructor(constructor) for constructor in shape.constructors]
+    variables = [own_variable(variable) for variable in shape.variables]
+    return Mission(
+        shape.version, programs, team, shape.world, shape.unknown, shape.label, shape.help, constructors, variables
+    )
 
 
 def _program_shape(program: Program) -> ProgramShape:

@@ -1,0 +1,149 @@
+"""Parts that a mission brings along, both ways: a `<constructor>` and a `<variable robot="…">` in a `.krt`.
+
+They are what they are in constructors XML and robot XML, one element each, directly in the mission. Writing is
+canonical: attributes and what is inside in one order, left out when they say the usual, so the same part gives the same
+bytes. Reading what was written gives the same part. One that is wrong is reported and kept word for word by the element
+around it, so that saving loses nothing.
+
+Left to others: who holds them (mission), and what they mean (catalogue).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from kitrobot.diagnostics import Diagnostic
+from kitrobot.primitives import rules
+from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
+from kitrobot.primitives.constructors_xml import CONSTRUCTOR
+from kitrobot.primitives.robot import RobotObject, Texts, ValueType
+from kitrobot.primitives.robot_xml import ROBOT_NAME, VARIABLE
+from kitrobot.primitives.xml import Reader
+from kitrobot.primitives.xml_element import Element, Tag, shown
+from kitrobot.primitives.xml_writing import attributes, escape_text
+
+MOST_OWN = 500
+"""Constructors, and variables, that one mission may bring along."""
+
+
+OWN_GROUP = "Own"
+"""The heading of the palette under which the constructors of a mission are."""
+
+OWN_LABEL: Texts = {"": "My parts", "fr": "Mes pièces", "ur": "میرے پرزے"}
+
+
+@dataclass(frozen=True)
+class OwnVariable:
+    """A variable that a mission adds to every robot of a kind."""
+
+    robot: str
+    variable: RobotObject
+
+
+def _own_constructor(element: Element) -> Constructor | None:
+    assert CONSTRUCTOR.close is not None
+    made = CONSTRUCTOR.close(element)
+    if not isinstance(made, Constructor) or element.parent is None:
+        return None
+    others = [other.name for other in element.parent.found(Constructor)]
+    if _is_one_too_many(element, made.name in others, f"the constructor {shown(made.name)}", len(others)):
+        return None
+    return replace(made, group=OWN_GROUP)
+
+
+def _own_variable(element: Element) -> OwnVariable | None:
+    assert VARIABLE.close is not None
+    robot = element.matching("robot", ROBOT_NAME.fullmatch, "the name of a robot")
+    made = VARIABLE.close(element)
+    if element.faulty or not isinstance(made, RobotObject) or element.parent is None:
+        return None
+    others = [(other.robot, other.variable.name) for other in element.parent.found(OwnVariable)]
+    what = f"the variable {shown(made.name)} of {robot}"
+    if _is_one_too_many(element, (robot, made.name) in others, what, len(others)):
+        return None
+    return OwnVariable(robot, made)
+
+
+def _is_one_too_many(element: Element, is_twice: bool, what: str, before: int) -> bool:
+    if is_twice:
+        element.report(rules.DUPLICATE, f"{what} is there already", "name")
+    elif before >= MOST_OWN:
+        element.report(rules.TOO_MANY_OWN, f"expected at most {MOST_OWN} of <{element.name}> in a mission, found more")
+    else:
+        return False
+    return True
+
+
+OWN: dict[str, Tag] = {
+    "constructor": replace(CONSTRUCTOR, close=_own_constructor, kept_whole=True),
+    "variable": replace(VARIABLE, close=_own_variable, attributes=("robot", *VARIABLE.attributes), kept_whole=True),
+}
+"""Goes among the children of an element with `keep`, where `found(Constructor)` and `found(OwnVariable)` give them."""
+
+
+def read_own(lines: list[str], name: str) -> tuple[Constructor | OwnVariable | None, list[Diagnostic]]:
+    """What `write_constructor` or `write_variable` wrote; None when there is anything wrong with it."""
+    reader = Reader("\n".join(["<kitrobot>", *lines, "</kitrobot>"]).encode(), name)
+    root = reader.read({"kitrobot": Tag(children=OWN)})
+    found: list[Constructor | OwnVariable] = []
+    if root is not None:
+        found += [*root.found(Constructor), *root.found(OwnVariable)]
+    return (found[0] if len(found) == 1 and not reader.diagnostics else None), reader.diagnostics
+
+
+def write_constructor(constructor: Constructor, indent: str = "  ") -> list[str]:
+    """The lines of a `<constructor>`, without line breaks."""
+    head = attributes(
+        ("name", constructor.name), ("icon", constructor.icon or None), ("colour", constructor.colour or None)
+    )
+    inside = [*_texts("label", constructor.label), *_texts("help", constructor.help)]
+    inside += [_slot(slot) for slot in constructor.slots]
+    if constructor.adds is not None:
+        inside.append(f"<adds{attributes(('constructor', constructor.adds[0]), ('slot', constructor.adds[1]))}/>")
+    else:
+        inside.append(f"<code>{escape_text(constructor.code)}</code>")
+    return [f"{indent}<constructor{head}>", *(f"{indent}  {line}" for line in inside), f"{indent}</constructor>"]
+
+
+def write_variable(own: OwnVariable, indent: str = "  ") -> list[str]:
+    """The lines of a `<variable>`, without line breaks."""
+    variable = own.variable
+    is_boolean = variable.type is ValueType.BOOLEAN
+    head = attributes(
+        ("robot", own.robot),
+        ("name", variable.name),
+        ("type", "boolean" if is_boolean else None),
+        ("min", None if is_boolean else variable.minimum),
+        ("max", None if is_boolean else variable.maximum),
+        ("initial", ("true" if variable.initial else "false") if is_boolean else variable.initial),
+        ("shared", "yes" if variable.shared else None),
+        ("icon", variable.icon or None),
+    )
+    inside = [*_texts("label", variable.label), *_texts("help", variable.help)]
+    if not inside:
+        return [f"{indent}<variable{head}/>"]
+    return [f"{indent}<variable{head}>", *(f"{indent}  {line}" for line in inside), f"{indent}</variable>"]
+
+
+def _texts(name: str, texts: Texts) -> list[str]:
+    """One line a language, English first."""
+    lines = []
+    for language in sorted(texts):
+        words = " ".join(texts[language].split())
+        lines.append(f"<{name}{attributes(('xml:lang', language or None))}>{escape_text(words)}</{name}>")
+    return lines
+
+
+def _slot(slot: Slot) -> str:
+    head = attributes(
+        ("name", slot.name),
+        ("loop", "yes" if slot.loop else None),
+        ("repeat", "yes" if slot.repeat else None),
+        ("least", slot.least if slot.repeat and slot.least else None),
+        ("min", slot.minimum),
+        ("max", slot.maximum),
+        ("default", slot.default or None),
+        ("unit", slot.unit if slot.unit and slot.kind in (SlotKind.NUMBER, SlotKind.VALUE) else None),
+    )
+    inside = "".join(_texts("label", slot.label))
+    return f"<{slot.kind}{head}>{inside}</{slot.kind}>" if inside else f"<{slot.kind}{head}/>"
