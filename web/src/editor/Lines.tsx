@@ -8,6 +8,7 @@ import { t } from "../words/words";
 import { justDragged, useDrag } from "./drag";
 import { currentDrawing, type Drawing } from "./drawing";
 import { FoldControls } from "./Folding";
+import { Leaps } from "./Leaps";
 import { useView } from "./view";
 
 /** What is shown is chosen by tiles, so that panning renders only now and then. */
@@ -31,7 +32,7 @@ function useWindow(): Window {
   }, [tiles]);
 }
 
-function arcInside({ points }: LayoutArc, { x0, y0, x1, y1 }: Window): boolean {
+function arcInside({ points }: Pick<LayoutArc, "points">, { x0, y0, x1, y1 }: Window): boolean {
   let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
   for (const { x, y } of points) {
     left = Math.min(left, x);
@@ -52,6 +53,7 @@ export function Lines({ drawing: { layout } }: { drawing: Drawing }) {
       ),
     [layout, window],
   );
+  const leaps = useMemo(() => layout.leaps.filter((leap) => arcInside(leap, window)), [layout, window]);
   const seen = new Set<string>();
   return (
     <>
@@ -63,6 +65,7 @@ export function Lines({ drawing: { layout } }: { drawing: Drawing }) {
           ))}
         </svg>
         <svg className="arcs" width="1" height="1">
+          <Leaps leaps={leaps} />
           {arcs.map((arc) => {
             // An arc that is drawn in two strokes (around the place of a new program) is one arc to hands and tests.
             const again = seen.has(arc.id);
@@ -113,7 +116,7 @@ export function spotOfArc(id: string): Point | null {
 }
 
 const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }) {
-  const { id, points, colour, head, label, missing } = arc;
+  const { id, points, colour, head, label, missing, dead } = arc;
   const selected = useView((state) => state.arc === id);
   const aimed = useDrag((state) => state.target?.key === `arc:${id}`);
   const path = roundedPath(points, head);
@@ -123,6 +126,7 @@ const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }
   if (selected) classes.push("is-selected");
   if (aimed) classes.push("is-aimed");
   if (missing) classes.push("is-missing");
+  if (dead) classes.push("is-dead");
   const select = () => {
     if (justDragged()) return;
     useView.getState().selectArc(id);

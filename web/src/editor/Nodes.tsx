@@ -1,17 +1,19 @@
 /** The node kinds of the graph, as React Flow is given them. Each takes its place and size from the layout. */
 import type { Node, NodeProps, NodeTypes } from "@xyflow/react";
-import { memo } from "react";
+import { memo, useMemo } from "react";
 
 import { chipOf } from "../model/face";
 import type { LayoutNode } from "../model/layout";
+import type { Block } from "../model/structure";
 import { useStudio } from "../model/studio";
 import { Icon } from "../theme";
 import { t } from "../words/words";
-import { useThreadsAt } from "./active";
+import { useThreadsAmong, useThreadsAt } from "./active";
 import { Threads, Trouble } from "./Badges";
 import { beginDrag, justDragged, useDrag } from "./drag";
 import { ChipView, selectVertex, spoken, Vertex } from "./Vertex";
 import { useView } from "./view";
+import { waitedVertices } from "./waiting";
 
 export type GraphNode = Node<{ node: LayoutNode }, "vertex">;
 
@@ -99,11 +101,26 @@ function Bar({ node }: { node: LayoutNode }) {
           <Trouble id={id} />
         </span>
       ) : threads === "" ? null : (
-        <span className="bar-waits">
-          <Threads threads={threads} />
-        </span>
+        <Waits block={block} threads={threads} />
       )}
     </div>
+  );
+}
+
+/** "▶0 waits for ▶1 ▶2", on the second bar. */
+function Waits({ block, threads }: { block: Block | null; threads: string }) {
+  const vertices = useMemo(() => (block === null ? [] : waitedVertices(block)), [block]);
+  const others = useThreadsAmong(vertices);
+  return (
+    <span className="bar-waits" data-testid={`waits-${block?.vertex.id ?? ""}`}>
+      <Threads threads={threads} />
+      {others === "" ? null : (
+        <>
+          <span>{t("graph.waits-for")}</span>
+          <Threads threads={others} />
+        </>
+      )}
+    </span>
   );
 }
 

@@ -34,6 +34,16 @@ function useFollowing(): void {
   }, [following, slots]);
 }
 
+/** Threads that stand on any of these vertices, as "1 3". */
+export function useThreadsAmong(ids: readonly string[]): string {
+  return useActive(({ slots }) =>
+    ids
+      .flatMap((id) => slots.get(id) ?? [])
+      .sort((a, b) => a - b)
+      .join(" "),
+  );
+}
+
 /** Threads that stand on one of the given vertices (`inside` is what a folded one holds), as "0 2"; "" when none does. */
 export function useThreadsAt(id: string, mark: string | null, inside: readonly string[] = []): string {
   return useActive(({ slots }) => {

@@ -235,6 +235,15 @@ export function GraphDrawing({ layout, title, inside }: { layout: Layout; title:
       {layout.nodes.map((node) => (
         <NodeDrawing key={node.id} node={node} />
       ))}
+      {layout.leaps.map(({ source, points, colour, label }) => (
+        <g key={source}>
+          <path d={roundedPath(points, true)} fill="none" stroke={token(`${colour}-line`)} strokeWidth={2} />
+          <path d={headPath(points)} fill={token(`${colour}-line`)} />
+          <text x={label.x} y={label.y + 5} fontSize={14} textAnchor={label.anchor} fill={word(colour)}>
+            {label.text}
+          </text>
+        </g>
+      ))}
       {layout.arcs.map((arc, index) => {
         const colour = token(arc.colour === "flow" ? "flow" : `${arc.colour}-line`);
         return (
@@ -244,7 +253,7 @@ export function GraphDrawing({ layout, title, inside }: { layout: Layout; title:
               fill="none"
               stroke={colour}
               strokeWidth={2}
-              {...(arc.missing ? { strokeDasharray: "3 4" } : {})}
+              {...(arc.missing || arc.dead ? { strokeDasharray: arc.dead ? "2 5" : "3 4" } : {})}
             />
             {arc.head ? <path d={headPath(arc.points)} fill={colour} /> : null}
             {arc.label === null ? null : (

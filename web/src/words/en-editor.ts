@@ -4,6 +4,7 @@ export const EDITOR_EN = {
   "graph.start": "Start",
   "graph.stop": "Stop",
   "graph.done": "done",
+  "graph.leave": "out",
   "graph.condition": "condition",
   "graph.action": "action",
   "graph.now": "now {value}",
@@ -22,6 +23,7 @@ export const EDITOR_EN = {
   "graph.fit": "Show the whole program",
   "graph.problem": "Problem: {message}",
   "graph.thread": "thread {number} is here",
+  "graph.waits-for": "waits for",
   "graph.park-here": "Drop to keep it aside",
 
   "graph.close": "Close",

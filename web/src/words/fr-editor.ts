@@ -6,6 +6,7 @@ export const EDITOR_FR = {
   "graph.start": "Début",
   "graph.stop": "Fin",
   "graph.done": "fini",
+  "graph.leave": "sortie",
   "graph.condition": "condition",
   "graph.action": "action",
   "graph.now": "vaut {value}",
@@ -24,6 +25,7 @@ export const EDITOR_FR = {
   "graph.fit": "Montrer tout le programme",
   "graph.problem": "Problème : {message}",
   "graph.thread": "le fil {number} est ici",
+  "graph.waits-for": "attend",
   "graph.park-here": "Déposez pour mettre de côté",
   "graph.close": "Fermer",
 

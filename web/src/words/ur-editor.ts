@@ -6,6 +6,7 @@ export const EDITOR_UR = {
   "graph.start": "آغاز",
   "graph.stop": "اختتام",
   "graph.done": "پورا",
+  "graph.leave": "باہر",
   "graph.condition": "شرط",
   "graph.action": "عمل",
   "graph.now": "اب {value}",
@@ -24,6 +25,7 @@ export const EDITOR_UR = {
   "graph.fit": "پورا پروگرام دکھائیں",
   "graph.problem": "مسئلہ: {message}",
   "graph.thread": "دھاگا {number} یہاں ہے",
+  "graph.waits-for": "منتظر ہے",
   "graph.park-here": "الگ رکھنے کے لیے چھوڑیں",
   "graph.close": "بند کریں",
 

@@ -1,5 +1,6 @@
 /** A layout while it is being made: what has been placed so far, and how each thing is written down. */
 import type { Colour, Vertex } from "../types";
+import { Leaps } from "./leaps";
 import { HALF_ROW, type Measured } from "./sizes";
 import type { ArcColour, ArcLabel, Layout, LayoutArc, LayoutFrame, LayoutNode, NodeKind, Point } from "./types";
 
@@ -12,28 +13,31 @@ export interface Piece {
   fixed: boolean;
   points: Point[];
   label: ArcLabel | null;
+  /** Leaves a Break. */
+  dead: boolean;
 }
 
 export const NO_FACE = { object: "", name: "", boxes: [], chips: [] };
 
 export function startPiece(source: string, out: string, colour: ArcColour, from: Point): Piece {
-  return { source, out, colour, fixed: false, points: [from], label: null };
+  return { source, out, colour, fixed: false, points: [from], label: null, dead: false };
 }
 
 export class Draft {
   readonly nodes: LayoutNode[] = [];
   readonly frames: LayoutFrame[] = [];
   readonly arcs: LayoutArc[] = [];
+  readonly leaps = new Leaps();
   /** Whether what comes now hangs on nothing. */
   parked = false;
 
   finished(): Layout {
-    return { nodes: this.nodes, frames: this.frames, arcs: this.arcs, bounds: this.bounds() };
+    return { nodes: this.nodes, frames: this.frames, arcs: this.arcs, leaps: this.leaps.done, bounds: this.bounds() };
   }
 
   /** Writes arcs that follow each other; the last of them may end in a head. */
   emit(pieces: Piece[], head = true, missing = false): void {
-    pieces.forEach(({ source, out, colour, points, label }, index) => {
+    pieces.forEach(({ source, out, colour, points, label, dead }, index) => {
       const last = index === pieces.length - 1;
       this.arcs.push({
         id: `${source}.${out}`,
@@ -44,6 +48,7 @@ export class Draft {
         head: last && head,
         label,
         missing: last && missing,
+        dead,
       });
     });
   }
@@ -96,6 +101,11 @@ export class Draft {
     const frame = { id, kind, colour, x, y, w, h: 0 };
     this.frames.push(frame);
     return frame;
+  }
+
+  /** The right edge of all that is there. */
+  right(): number {
+    return [...this.nodes, ...this.frames].reduce((most, { x, w }) => Math.max(most, x + w), 0);
   }
 
   private bounds(): Layout["bounds"] {

@@ -4,7 +4,18 @@ import { Placer } from "./place";
 import type { Layout } from "./types";
 
 export { distance, distanceToLine, headPath, roundedPath } from "./path";
-export type { ArcColour, ArcLabel, Inside, Layout, LayoutArc, LayoutFrame, LayoutNode, NodeKind, Point } from "./types";
+export type {
+  ArcColour,
+  ArcLabel,
+  Inside,
+  Layout,
+  LayoutArc,
+  LayoutFrame,
+  LayoutLeap,
+  LayoutNode,
+  NodeKind,
+  Point,
+} from "./types";
 
 /** Lays a program out as a flowchart; of a folded constructor only its vertex is drawn. */
 export function layoutStructure(structure: Structure, folded: ReadonlySet<string> = new Set()): Layout {

@@ -1,9 +1,10 @@
 import { describe, expect, it } from "vitest";
 
 import { emptyProgram } from "../commands/changePrograms";
-import { readStructure } from "../structure";
-import { CARRIER, CARRIER_PARTS as PARTS, growProgram } from "../testing/missions";
-import type { Block, Structure } from "../structure";
+import { insertPart } from "../commands/insertPart";
+import { type Block, readStructure, type Structure } from "../structure";
+import { CARRIER, CARRIER_PARTS as PARTS, growProgram, missionOf } from "../testing/missions";
+import type { Place } from "../tree";
 import type { Program } from "../types";
 import {
   distanceToLine,
@@ -167,6 +168,86 @@ describe("other programs", () => {
   });
 });
 
+describe("a Break", () => {
+  /** Puts parts one into the other: "If Then Else.then" is a body. */
+  function built(...steps: [place: Place, element: string][]): Program {
+    return steps.reduce(
+      (program, [place, element]) => {
+        const command = insertPart(program, PARTS, place, element);
+        return command?.execute(missionOf(program)).programs[0] ?? program;
+      },
+      emptyProgram("p", "carrier"),
+    );
+  }
+  const at = (source: string, out: string): Place => ({ kind: "arc", source, out });
+  const only = (of: Layout) => {
+    expect(of.leaps).toHaveLength(1);
+    return of.leaps[0]?.points ?? [];
+  };
+
+  it("leads straight to the right edge of its loop, where the exit is", () => {
+    const drawn = layout(
+      built([at("start", "next"), "While"], [at("v1", "body"), "If Then"], [at("v2", "then"), "Break"]),
+    );
+    const frame = drawn.frames.find((one) => one.id === "v1");
+    const own = node(drawn, "v3");
+    expect(only(drawn)).toEqual([
+      { x: own.x + own.w, y: middle(own) },
+      { x: (frame?.x ?? 0) + (frame?.w ?? 0), y: middle(own) },
+    ]);
+    expect(drawn.leaps[0]).toMatchObject({ colour: "loop", label: { text: "out" } });
+  });
+
+  it("goes down beside its column and under the others, and comes out of the innermost loop", () => {
+    const drawn = layout(
+      built(
+        [at("start", "next"), "While"],
+        [at("v1", "body"), "If Then Else"],
+        [at("v2", "then"), "Break"],
+        [at("v2", "else"), "Lamp.LightOn"],
+        [at("v4", "next"), "Lamp.LightOff"],
+      ),
+    );
+    const points = only(drawn);
+    expect(points).toHaveLength(4);
+    const deepest = node(drawn, "v5");
+    expect(points[2]?.y).toBeGreaterThan(deepest.y + deepest.h);
+    const frame = drawn.frames.find((one) => one.id === "v1");
+    expect(points[3]?.x).toBe((frame?.x ?? 0) + (frame?.w ?? 0));
+    expect(points[3]?.y).toBeLessThan((frame?.y ?? 0) + (frame?.h ?? 0));
+  });
+
+  it("ends its branch where there is no loop in it, for it never leaves a parallel", () => {
+    const drawn = layout(
+      built(
+        [at("start", "next"), "While"],
+        [at("v1", "body"), "Parallelism"],
+        [at("v2", "branch.1"), "Break"],
+        [at("v2", "branch.2"), "Lamp.LightOn"],
+      ),
+    );
+    const bar = node(drawn, "v2:end");
+    expect(only(drawn).at(-1)?.y).toBe(bar.y + 10);
+    expect(only(drawn).at(-1)?.x).toBeLessThan(bar.x + bar.w);
+  });
+
+  it("ends the program where there is no loop at all", () => {
+    const drawn = layout(built([at("start", "next"), "Break"], [at("v1", "next"), "Wait"]));
+    const stop = node(drawn, "stop");
+    expect(only(drawn).at(-1)).toEqual({ x: stop.x + stop.w, y: middle(stop) });
+  });
+
+  it("leads nowhere on a parked chain", () => {
+    expect(layout(built([{ kind: "void" }, "Break"])).leaps).toEqual([]);
+  });
+
+  it("never goes on: its own arc is drawn as never taken, and those after it are not", () => {
+    const drawn = layout(built([at("start", "next"), "While"], [at("v1", "body"), "Break"]));
+    expect(arc(drawn, "v2.next").dead).toBe(true);
+    expect(arc(drawn, "v1.next").dead).toBe(false);
+  });
+});
+
 function growFrom(element: string): Program {
   const empty = emptyProgram("p", "carrier");
   const flows = PARTS.shape(element).flows.map((flow) => flow.name);
@@ -194,6 +275,15 @@ interface Box {
 
 const overlap = (a: Box, b: Box) => a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
 const inside = (a: Box, b: Box) => a.x >= b.x && a.y >= b.y - 22 && a.x + a.w <= b.x + b.w && a.y + a.h <= b.y + b.h;
+
+/** A line as boxes without a breadth. */
+function pieces(points: { x: number; y: number }[]): Box[] {
+  return points.slice(1).map((b, index) => {
+    const a = points[index] ?? b;
+    if (a.x !== b.x && a.y !== b.y) throw new Error("a line is slanted");
+    return { x: Math.min(a.x, b.x), y: Math.min(a.y, b.y), w: Math.abs(a.x - b.x), h: Math.abs(a.y - b.y) };
+  });
+}
 
 /** Every pair (block, block directly in one of its bodies). */
 function pairs(structure: Structure): [Block, Block][] {
@@ -233,6 +323,13 @@ describe("random programs", () => {
           expect(before?.x === point.x || before?.y === point.y, `${one.id} is slanted`).toBe(true);
         });
         if (one.head) expect(one.points.length).toBeGreaterThan(1);
+      }
+      for (const leap of drawn.leaps) {
+        for (const box of vertices) {
+          if (box.id === leap.source) continue;
+          for (const piece of pieces(leap.points))
+            expect(overlap(piece, box), `${leap.source} over ${box.id}`).toBe(false);
+        }
       }
     });
   }

@@ -7,13 +7,15 @@
  * the right edge of the loop's frame and only comes back to the middle where somebody needs it there.
  *
  * Rules (look.md): a loop is its own frame, its left edge the return and its right edge the exit; a legend box has its
- * vertex on the top edge; branches run between two bars; the columns of a choice meet again. Colours say who owns an arc.
+ * vertex on the top edge; branches run between two bars; the columns of a choice meet again; a Break's arc has a lane of its
+ * own (leaps.ts). Colours say who owns an arc.
  */
 import type { Block, Body, Structure } from "../structure";
 import { text } from "../texts";
 import { t } from "../../words/words";
 import type { Colour, Vertex } from "../types";
-import { ceilTo, HALF_BAR, HALF_ROW, type Measured, PITCH, Sizes, TO_BAR } from "./sizes";
+import { LEAP_ROW, leapsOut } from "./leaps";
+import { ceilTo, GAP, HALF_BAR, HALF_ROW, type Measured, PITCH, Sizes, TO_BAR } from "./sizes";
 import { Draft, NO_FACE, type Piece, startPiece } from "./draft";
 import type { ArcLabel, Layout, Point } from "./types";
 
@@ -60,6 +62,8 @@ export class Placer {
     }
     const placed = this.placeChain(main.chain, entry, 0, PITCH, HALF_ROW);
     if (stop !== null) this.draft.terminal(stop, "stop", placed.next);
+    if (stop !== null) this.draft.leaps.endBeside(0, this.draft.right() + GAP, { x: 60, y: placed.next });
+    this.draft.leaps.forget(0);
     this.end(placed, main.closed, [{ x: 0, y: placed.next - HALF_ROW }], 0);
   }
 
@@ -88,6 +92,7 @@ export class Placer {
       const middle = x + half + 16;
       const first = y + 40 + HALF_ROW;
       const placed = this.placeChain(chain, { pieces: [], lane: false }, middle, first, first);
+      this.draft.leaps.forget(0);
       const goesOn = chain.at(-1)?.shape.role === "instruction";
       if (goesOn) this.end(placed, false, [], middle);
       frame.h = placed.bottom + (goesOn ? 40 : 16) - frame.y;
@@ -139,6 +144,8 @@ export class Placer {
     this.draft.node(measured, kind, x, middle);
     const bottom = middle + HALF_ROW;
     const leaving = startPiece(arcId(measured), "next", "flow", { x, y: bottom });
+    leaving.dead = leapsOut(measured.shown.shape);
+    if (leaving.dead) this.draft.leaps.begin(measured, x, middle);
     return { tail: { pieces: [leaving], lane: false }, bottom, laneY: bottom, next: middle + PITCH };
   }
 
@@ -171,6 +178,7 @@ export class Placer {
     this.draft.node(measured, measured.hexagon ? "hexagon" : "rect", x, middle);
     const [body] = shown.bodies;
     const label: ArcLabel = { text: bodyLabel(shown, body), x: x + 8, y: middle + HALF_ROW + 10, anchor: "start" };
+    const leaps = this.draft.leaps.mark();
     const inner = this.placeBody(
       measured,
       body,
@@ -182,6 +190,7 @@ export class Placer {
     );
     const bottom = ceilTo(8, inner.bottom + (inner.tail.lane ? EXIT_BELOW : 8));
     frame.h = bottom - middle;
+    this.draft.leaps.endAt(leaps, x + half);
     const left = x - half;
     this.close(
       inner.tail,
@@ -207,8 +216,11 @@ export class Placer {
     const bar = middle - 16;
     const frame = this.draft.frame("parallel", shown.vertex.id, colour, x - half, bar, 2 * half);
     this.draft.bar(measured, "bar", x, bar);
+    const { leaps } = this.draft;
+    const marks: number[] = [];
     const inner = shown.bodies.map((body, index) => {
       const at = x + (columns[index] ?? 0);
+      marks.push(leaps.mark());
       return this.placeBody(measured, body, at, bar + TO_BAR, { x: at, y: bar + HALF_BAR }, 52);
     });
     const deepest = inner.reduce((most, placed) => Math.max(most, placed.bottom), bar + 40);
@@ -217,6 +229,9 @@ export class Placer {
     inner.forEach(({ tail }, index) => {
       this.close(tail, x + (columns[index] ?? 0), end - HALF_BAR, [], colour);
     });
+    for (let index = marks.length - 1; index >= 0; index--) {
+      leaps.endBelow(marks[index] ?? 0, Math.min(this.gap(measured, index, x), x + half - 8), end - HALF_BAR);
+    }
     this.draft.bar(measured, "barEnd", x, end);
     const leaving = startPiece(arcId(measured), "next", colour, { x, y: end + HALF_BAR });
     const bottom = end + HALF_BAR;
@@ -228,7 +243,10 @@ export class Placer {
     const { colour } = shown.shape;
     const frame = this.draft.frame("legend", shown.vertex.id, colour, x - half, middle, 2 * half);
     this.draft.node(measured, "hexagon", x, middle);
+    const { leaps } = this.draft;
+    const marks: number[] = [];
     const inner = shown.bodies.map((body, index) => {
+      marks.push(leaps.mark());
       const at = x + (columns[index] ?? 0);
       const side = Math.sign(index - (shown.bodies.length - 1) / 2);
       const label: ArcLabel = {
@@ -240,7 +258,13 @@ export class Placer {
       const from = side === 0 ? { x, y: middle + HALF_ROW } : { x: x + (side * width) / 2, y: middle };
       return this.placeBody(measured, body, at, middle + PITCH, from, side === 0 ? 42 : PITCH, label);
     });
-    const meet = ceilTo(8, inner.reduce((most, placed) => Math.max(most, placed.bottom), middle) + EXIT_BELOW);
+    const deepest = inner.reduce((most, placed) => Math.max(most, placed.bottom), middle);
+    const last = marks.at(-1) ?? 0;
+    const row = last > (marks[0] ?? 0) ? LEAP_ROW : 0;
+    marks.slice(0, -1).forEach((mark, index) => {
+      leaps.turn(mark, marks[index + 1] ?? last, this.gap(measured, index, x), deepest + LEAP_ROW);
+    });
+    const meet = ceilTo(8, deepest + row + EXIT_BELOW);
     inner.forEach(({ tail }, index) => {
       const column = x + (columns[index] ?? 0);
       this.close(tail, column, meet, column === x && !tail.lane ? [] : [{ x, y: meet }], colour, false);
@@ -250,6 +274,11 @@ export class Placer {
     const leaving = startPiece(arcId(measured), "next", "flow", { x, y: meet });
     const next = ceilTo(8, bottom + PITCH - HALF_ROW);
     return { tail: { pieces: [leaving], lane: false }, bottom, laneY: bottom, next };
+  }
+
+  /** The middle of the gap on the right of a column. */
+  private gap({ shown, columns }: Measured, index: number, x: number): number {
+    return x + (columns[index] ?? 0) + this.sizes.halfOf(shown.bodies[index]?.chain ?? []) + GAP / 2;
   }
 
   /** Places the chain of a body below `from`; an empty one is an arc that goes `empty` further down. */

@@ -8,6 +8,7 @@ import { isMark } from "../parts";
 import type { Block } from "../structure";
 import { verticesOf } from "../tree";
 import { t } from "../../words/words";
+import { leapsOut } from "./leaps";
 import type { Inside } from "./types";
 
 export type Style = "simple" | "legend" | "loop" | "bars" | "columns" | "chip";
@@ -22,6 +23,7 @@ export const HALF_BAR = 4;
 export const GAP = 24;
 export const LOOP_SIDE = 24;
 export const LEGEND_SIDE = 16;
+const LEAP_SIDE = 40;
 
 export interface Measured {
   style: Style;
@@ -83,7 +85,10 @@ export class Sizes {
     const width = vertexWidth(shown, style, face, hexagon) + (inside === null ? 0 : foldedWidth(inside));
     const measured = { style, shown, mark: held == null ? null : block, face, hexagon, width, inside };
     const halves = inside !== null ? [] : shown.bodies.map((body) => this.halfOf(body.chain));
-    return { ...measured, ...extent(style, width, halves) };
+    const size = extent(style, width, halves);
+    // The word at the lane of a Break stands beside it.
+    if (leapsOut(shown.shape)) size.half = ceilTo(8, width / 2 + LEAP_SIDE);
+    return { ...measured, ...size };
   }
 }
 

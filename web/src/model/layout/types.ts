@@ -70,11 +70,23 @@ export interface LayoutArc {
   label: ArcLabel | null;
   /** A place for an arc that is not there yet: the end of a parked chain, a body that does not return. */
   missing: boolean;
+  /** Nothing ever goes along it: it leaves a Break. */
+  dead: boolean;
+}
+
+/** Where a Break leads: drawn only, not an arc of the graph. */
+export interface LayoutLeap {
+  /** The Break's vertex. */
+  source: string;
+  points: Point[];
+  colour: Colour;
+  label: ArcLabel;
 }
 
 export interface Layout {
   nodes: LayoutNode[];
   frames: LayoutFrame[];
   arcs: LayoutArc[];
+  leaps: LayoutLeap[];
   bounds: { x: number; y: number; w: number; h: number };
 }
