@@ -24,8 +24,9 @@ from kitrobot.primitives.robot import (
     ValueType,
 )
 from kitrobot.primitives.robot_xml import read_robot
-from kitrobot.primitives.templates import Shape, shape
-from kitrobot.primitives.xml import MAX_DEPTH, TEXTS, Reader
+from kitrobot.primitives.template_xml import Template, read_template
+from kitrobot.primitives.templates import Shape, holes, shape
+from kitrobot.primitives.xml import MAX_DEPTH, TEXT, TEXTS, Reader
 from kitrobot.primitives.xml_decoding import MAX_BYTES
 from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, nearest, one_of, shown
 from kitrobot.primitives.xml_writing import attributes, escape_text, escape_value
@@ -38,6 +39,7 @@ __all__ = [
     "OWN",
     "OWN_GROUP",
     "SHIPPED",
+    "TEXT",
     "TEXTS",
     "Catalogue",
     "Category",
@@ -57,6 +59,7 @@ __all__ = [
     "Slot",
     "SlotKind",
     "Tag",
+    "Template",
     "Texts",
     "ValueType",
     "attributes",
@@ -64,12 +67,14 @@ __all__ = [
     "did_you_mean",
     "escape_text",
     "escape_value",
+    "holes",
     "load_catalogue",
     "nearest",
     "one_of",
     "read_constructors",
     "read_own",
     "read_robot",
+    "read_template",
     "shape",
     "shown",
     "write_constructor",

@@ -65,7 +65,7 @@ class Catalogue:
     def extended(self, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]) -> Catalogue:
         """The same with what a mission brings along; it wins over what is there, as a later folder does.
 
-        A variable whose name, or one of whose methods, the robot has already is left out, and `problems` says so.
+        A variable whose name the robot has already is left out, and `problems` says so.
         """
         if not constructors and not variables:
             return self
@@ -113,8 +113,7 @@ def _without(constructors: tuple[Constructor, ...], names: set[str]) -> tuple[Co
 
 def _with_variable(robot: Robot, variable: RobotObject) -> Robot | None:
     """The robot with one more variable; None when it has something of that name that this would hide."""
-    names = {other.name for other in robot.variables} | {other.name for other in robot.system}
-    if variable.name in names or any((variable.name, method.name) in robot.calls for method in variable.methods):
+    if any(part.name == variable.name for part in robot.objects):
         return None
     return replace(robot, variables=(*robot.variables, variable))
 

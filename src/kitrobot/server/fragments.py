@@ -18,6 +18,7 @@ from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, Robot
 from kitrobot.server.shapes import FailureShape, mission_shape, problem_shapes
 from kitrobot.server.shapes.fragment import FragmentRequestShape, FragmentShape
+from kitrobot.server.shapes.own import own_constructor, own_variable
 from kitrobot.server.studio import Studio
 
 FILE = "clipboard.lll"
@@ -37,7 +38,11 @@ def _studio(request: Request) -> Studio:
 @routes.post("/fragment")
 def fragment(studio: Annotated[Studio, Depends(_studio)], wanted: FragmentRequestShape) -> FragmentShape:
     """Reads a pasted text for a robot; a text that is no LLL gives its problems and no graph."""
-    catalogue, _ = studio.catalogue(studio.folder.folder_of(wanted.path))
+    own = Mission(
+        constructors=[own_constructor(one) for one in wanted.constructors],
+        variables=[own_variable(one) for one in wanted.variables],
+    )
+    catalogue = studio.parts_of(own, wanted.path)
     robot = catalogue.robot(wanted.robot)
     program, problems = read_fragment(wanted.text, robot, catalogue)
     shape = None if program is None else mission_shape(Mission(programs=[program])).programs[0]

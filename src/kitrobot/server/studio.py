@@ -56,6 +56,11 @@ class Studio:
         within = self.folder.root_of(path)
         return with_mission(mission, folder, name=path or "mission.krt", catalogue=catalogue, within=within)
 
+    def parts_of(self, mission: Mission, path: str) -> Catalogue:
+        """The robots and constructors for a mission that the page sent: of the files, and those it brings along."""
+        catalogue, _ = self.catalogue(self.folder.folder_of(path))
+        return catalogue.extended(mission.constructors, mission.variables)
+
     def read(self, data: bytes, name: str, path: str) -> OpenMission:
         """A mission's file, opened among the files of the folder that it is in."""
         folder = self.folder.folder_of(path)

@@ -45,8 +45,7 @@ def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditSha
     program = next((one for one in mission.programs if one.name == wanted.program), None)
     if program is None:
         raise NoProgramError(f"the mission holds no program `{wanted.program}`", "load the page again")
-    catalogue, _ = studio.catalogue(studio.folder.folder_of(wanted.path))
-    followed = follow_text(program, wanted.text, catalogue)
+    followed = follow_text(program, wanted.text, studio.parts_of(mission, wanted.path))
     shape = None
     if followed.program is not None:
         shape = mission_shape(Mission(programs=[followed.program])).programs[0]

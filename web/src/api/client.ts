@@ -117,8 +117,12 @@ export const api = {
   saveMission: (path: string, revision: string, mission: Mission) =>
     ask<Saved>("mission", { method: "PUT", json: { path, revision, mission } }),
   missionText: (mission: Mission) => ask<{ text: string }>("mission/text", { method: "POST", json: { mission } }),
-  fragment: (text: string, robot: string, path: string) =>
-    ask<Fragment>("fragment", { method: "POST", json: { text, robot, path } }),
+  /** `own` is what the mission brings along: the text may speak of it. */
+  fragment: (text: string, robot: string, path: string, own: Pick<Mission, "constructors" | "variables"> = {}) =>
+    ask<Fragment>("fragment", {
+      method: "POST",
+      json: { text, robot, path, constructors: own.constructors ?? [], variables: own.variables ?? [] },
+    }),
   follow: (mission: Mission, path: string, program: string, text: string, signal: AbortSignal) =>
     ask<Followed>("text", { method: "POST", json: { mission, path, program, text }, signal }),
   check: (mission: Mission, path: string, signal?: AbortSignal) =>

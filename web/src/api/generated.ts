@@ -144,11 +144,16 @@ export interface Fragment {
   problems: Problem[];
 }
 
-/** A text for a program of that robot; `path` is the mission's file, "" for a new one. */
+/**
+ * A text for a program of that robot; `path` is the mission's file, "" for a new one; the rest is what the mission
+ * brings along.
+ */
 export interface FragmentRequest {
   text: string;
   robot: string;
   path: string;
+  constructors?: Constructor[];
+  variables?: OwnVariable[];
 }
 
 /** What ends the mission as done: this storehouse holds this stock (a number, or `all`). */

@@ -75,8 +75,8 @@ export async function pasteText(text: string): Promise<void> {
     return;
   }
   try {
-    const { path } = useStudio.getState().file;
-    const { program, problems } = await api.fragment(text, drawing.program.robot, path);
+    const { file, mission } = useStudio.getState();
+    const { program, problems } = await api.fragment(text, drawing.program.robot, file.path, mission);
     const [problem] = problems;
     if (program === null) {
       say(t("paste.rubbish", { why: problem === undefined ? "" : sentence(problem.message) }).trim());

@@ -9,6 +9,7 @@ import { create } from "zustand";
 
 import type { Command } from "./command";
 import type { Change, History, Step } from "./history";
+import { catalogueOf } from "./own";
 import type { Catalogue, Mission, MissionFile, Program, Report, World } from "./types";
 
 interface Done {
@@ -31,6 +32,8 @@ interface File {
 export interface StudioState {
   file: File;
   mission: Mission;
+  /** What the files hold, and the same with what the mission brings along: the one that everybody uses. */
+  files: Catalogue;
   catalogue: Catalogue;
   world: World | null;
   activeProgram: string;
@@ -55,7 +58,8 @@ export interface StudioState {
   setReport: (report: Report | null) => void;
   /** `saving` is the mission that was written, in case it has changed meanwhile. */
   markSaved: (path: string, revision: string, name?: string, saving?: Mission) => void;
-  loadParts: (catalogue: Catalogue) => void;
+  /** The parts of the files, which may have changed on disk. */
+  loadParts: (files: Catalogue) => void;
 }
 
 const NO_MISSION: Mission = { version: 1, programs: [], agents: [], goals: [], world: "" };
@@ -96,16 +100,30 @@ export const useStudio = create<StudioState>((set, get) => {
     change: { kind, label, program, saved },
   });
 
+  /** The catalogue for a mission; the one that is there as long as what the mission brings along is the same. */
+  const partsFor = (mission: Mission): { catalogue?: Catalogue } => {
+    const { mission: before, files } = get();
+    const same = before.constructors === mission.constructors && before.variables === mission.variables;
+    return same ? {} : { catalogue: catalogueOf(files, mission) };
+  };
+
   const place = (mission: Mission, wanted: string, selection: string[]) => {
     const before = get();
     const at = before.mission.programs.findIndex((one) => one.name === before.activeProgram);
     const activeProgram = inView(mission, wanted, at);
-    return { mission, activeProgram, selection: stillThere(mission, activeProgram, selection), ...stacks() };
+    return {
+      mission,
+      ...partsFor(mission),
+      activeProgram,
+      selection: stillThere(mission, activeProgram, selection),
+      ...stacks(),
+    };
   };
 
   return {
     file: { path: "", name: "", revision: "" },
     mission: NO_MISSION,
+    files: NO_PARTS,
     catalogue: NO_PARTS,
     world: null,
     activeProgram: "",
@@ -126,7 +144,8 @@ export const useStudio = create<StudioState>((set, get) => {
       set({
         file: { path, name, revision },
         mission,
-        catalogue,
+        files: catalogue,
+        catalogue: catalogueOf(catalogue, mission),
         world,
         activeProgram: mission.programs[0]?.name ?? "",
         selection: [],
@@ -194,8 +213,8 @@ export const useStudio = create<StudioState>((set, get) => {
       set({ file: { path, revision, name: name ?? path.split("/").at(-1) ?? path }, ...stacks(), ...told("save") });
     },
 
-    loadParts: (catalogue) => {
-      set({ catalogue });
+    loadParts: (files) => {
+      set({ files, catalogue: catalogueOf(files, get().mission) });
     },
   };
 });

@@ -135,6 +135,12 @@ export interface Goal {
   stock: string;
 }
 
+/** A variable that the mission adds to every robot of a kind. */
+export interface OwnVariable {
+  robot: string;
+  variable: RobotObject;
+}
+
 export interface Mission {
   version: 1;
   programs: Program[];
@@ -144,6 +150,9 @@ export interface Mission {
   /** The title and what happens, by language. */
   label?: Texts;
   help?: Texts;
+  /** The parts that it brings along (own.ts). */
+  constructors?: Constructor[];
+  variables?: OwnVariable[];
 }
 
 export interface Problem {

@@ -6,7 +6,10 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field
 
+from kitrobot.primitives import MOST_OWN
+from kitrobot.server.shapes.catalogue import ConstructorShape
 from kitrobot.server.shapes.mission import ProgramShape, Words
+from kitrobot.server.shapes.own import OwnVariableShape
 from kitrobot.server.shapes.problem import ProblemShape
 
 LONGEST_FRAGMENT = 1_000_000
@@ -14,11 +17,15 @@ LONGEST_FRAGMENT = 1_000_000
 
 
 class FragmentRequestShape(BaseModel):
-    """A text for a program of that robot; `path` is the mission's file, "" for a new one."""
+    """A text for a program of that robot; `path` is the mission's file, "" for a new one; the rest is what the
+    mission brings along.
+    """
 
     text: Annotated[Words, Field(max_length=LONGEST_FRAGMENT)]
     robot: Words
     path: Words
+    constructors: Annotated[list[ConstructorShape], Field(max_length=MOST_OWN)] = []
+    variables: Annotated[list[OwnVariableShape], Field(max_length=MOST_OWN)] = []
 
 
 class FragmentShape(BaseModel):

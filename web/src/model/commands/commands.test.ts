@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 
 import type { Command } from "../command";
 import { copyOf } from "../fragment";
+import { noteText } from "../notes";
 import { readStructure, writeStructure } from "../structure";
 import { useStudio } from "../studio";
 import {
@@ -24,7 +25,7 @@ import { copyParts, moveParts } from "./moveParts";
 import { pasteParts } from "./pasteParts";
 import { replaceElement } from "./replaceElement";
 import { setField } from "./setField";
-import { noteText, setNote } from "./setNote";
+import { setNote } from "./setNote";
 import { toggleMark } from "./toggleMark";
 import { unwrapPart, wrapParts } from "./wrapParts";
 

@@ -1,6 +1,7 @@
 /** Writes the note above a vertex, the one that becomes comment lines above its instruction. */
 import { t } from "../../words/words";
 import { type Command, replaceProgram } from "../command";
+import { noteText } from "../notes";
 import type { Program } from "../types";
 
 /** The command, or null when the note says that already. An empty text takes the note away. */
@@ -16,12 +17,4 @@ export function setNote(program: Program, id: string, text: string): Command | n
     ...replaceProgram(t("command.note"), program, { ...program, vertices }),
     joins: `note ${program.name} ${id}`,
   };
-}
-
-/** The lines above an instruction as one text. */
-export function noteText(notes: { text: string; at: string }[]): string {
-  return notes
-    .filter((note) => note.at === "")
-    .map((note) => note.text)
-    .join("\n");
 }

@@ -53,14 +53,23 @@ export class Draft {
     });
   }
 
-  terminal(vertex: Vertex, kind: "start" | "stop", middle: number): void {
+  terminal(vertex: Vertex, kind: "start" | "stop", middle: number, note: string): void {
     const box = { x: -60, y: middle - HALF_ROW, w: 120, h: 2 * HALF_ROW };
     const face = { ...NO_FACE, name: vertex.element };
-    const common = { face, block: null, mark: null, parked: false, inside: null, colour: "action" as const };
+    const common = {
+      face,
+      block: null,
+      mark: null,
+      parked: false,
+      inside: null,
+      note,
+      noteWidth: 256,
+      colour: "action" as const,
+    };
     this.nodes.push({ id: vertex.id, vertex: vertex.id, ...box, kind, ...common });
   }
 
-  node({ shown, mark, face, width, inside }: Measured, kind: NodeKind, x: number, middle: number): void {
+  node({ shown, mark, face, width, inside, note }: Measured, kind: NodeKind, x: number, middle: number): void {
     const { id } = shown.vertex;
     const h = kind === "chip" ? 28 : 2 * HALF_ROW;
     const box = { x: x - width / 2, y: middle - h / 2, w: width, h };
@@ -75,10 +84,12 @@ export class Draft {
       mark,
       parked: this.parked,
       inside,
+      note,
+      noteWidth: Math.min(480, Math.max(256, width)),
     });
   }
 
-  bar({ shown, face, half }: Measured, kind: "bar" | "barEnd", x: number, y: number): void {
+  bar({ shown, face, half, width, note }: Measured, kind: "bar" | "barEnd", x: number, y: number): void {
     const { id } = shown.vertex;
     this.nodes.push({
       id: kind === "bar" ? id : `${id}:end`,
@@ -94,6 +105,9 @@ export class Draft {
       mark: null,
       parked: this.parked,
       inside: null,
+      note: kind === "bar" ? note : "",
+      // The name tag stands on the left of the middle.
+      noteWidth: Math.min(480, Math.max(120, 2 * (half - width - 16))),
     });
   }
 

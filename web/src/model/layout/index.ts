@@ -3,6 +3,7 @@ import type { Structure } from "../structure";
 import { Placer } from "./place";
 import type { Layout } from "./types";
 
+export { NOTE } from "./sizes";
 export { distance, distanceToLine, headPath, roundedPath } from "./path";
 export type {
   ArcColour,

@@ -11,11 +11,12 @@
  * own (leaps.ts). Colours say who owns an arc.
  */
 import type { Block, Body, Structure } from "../structure";
+import { noteText } from "../notes";
 import { text } from "../texts";
 import { t } from "../../words/words";
 import type { Colour, Vertex } from "../types";
 import { LEAP_ROW, leapsOut } from "./leaps";
-import { ceilTo, GAP, HALF_BAR, HALF_ROW, type Measured, PITCH, Sizes, TO_BAR } from "./sizes";
+import { ceilTo, GAP, HALF_BAR, HALF_ROW, type Measured, NOTE, PITCH, Sizes, TO_BAR } from "./sizes";
 import { Draft, NO_FACE, type Piece, startPiece } from "./draft";
 import type { ArcLabel, Layout, Point } from "./types";
 
@@ -53,7 +54,7 @@ export class Placer {
   }
 
   private placeMain({ start, stop, main, strays, parked }: Structure): void {
-    if (start !== null) this.draft.terminal(start, "start", 0);
+    if (start !== null) this.draft.terminal(start, "start", 0, "");
     const from = startPiece(start?.id ?? "", "next", "flow", { x: 0, y: HALF_ROW });
     const entry: Tail = { pieces: start === null ? [] : [from], lane: false };
     if (main.chain.length === 0 && main.closed && strays.length === 0 && parked.length === 0 && stop !== null) {
@@ -61,24 +62,37 @@ export class Placer {
       return;
     }
     const placed = this.placeChain(main.chain, entry, 0, PITCH, HALF_ROW);
-    if (stop !== null) this.draft.terminal(stop, "stop", placed.next);
-    if (stop !== null) this.draft.leaps.endBeside(0, this.draft.right() + GAP, { x: 60, y: placed.next });
+    const said = noteText(stop?.notes ?? []);
+    const raised = said === "" ? 0 : NOTE;
+    const end = placed.next + raised;
+    if (stop !== null) this.draft.terminal(stop, "stop", end, said);
+    if (stop !== null) this.draft.leaps.endBeside(0, this.draft.right() + GAP, { x: 60, y: end });
     this.draft.leaps.forget(0);
-    this.end(placed, main.closed, [{ x: 0, y: placed.next - HALF_ROW }], 0);
+    this.end(placed, main.closed, [{ x: 0, y: end - HALF_ROW - raised }], 0);
   }
 
   /** A new program: a place to drop the first part on, in the middle of its only arc. */
   private placeEmpty(stop: Vertex, from: Piece): void {
     const { w, h, middle } = PLACE;
     const face = NO_FACE;
-    const common = { colour: "action" as const, face, block: null, mark: null, parked: false, inside: null };
-    this.draft.nodes.push({ ...common, id: "place", vertex: "", x: -w / 2, y: middle - h / 2, w, h, kind: "place" });
+    const common = { colour: "action" as const, face, block: null, mark: null, parked: false, inside: null, note: "" };
+    this.draft.nodes.push({
+      ...common,
+      id: "place",
+      vertex: "",
+      x: -w / 2,
+      y: middle - h / 2,
+      w,
+      h,
+      kind: "place",
+      noteWidth: 0,
+    });
     from.points.push({ x: 0, y: middle - h / 2 });
     this.draft.emit([from]);
     const below = startPiece(from.source, "next", "flow", { x: 0, y: middle + h / 2 });
     below.points.push({ x: 0, y: PLACE.stop - HALF_ROW });
     this.draft.emit([below]);
-    this.draft.terminal(stop, "stop", PLACE.stop);
+    this.draft.terminal(stop, "stop", PLACE.stop, "");
   }
 
   private placeParked({ parked }: Structure): void {
@@ -105,8 +119,9 @@ export class Placer {
     let placed: Placed = { tail: entry, bottom, laneY: bottom + EXIT_BELOW, next: first };
     for (const block of chain) {
       const measured = this.sizes.of(block);
-      const middle = placed.next;
-      const top = measured.style === "bars" ? middle - 16 - HALF_BAR : middle - HALF_ROW;
+      const raised = measured.note === "" ? 0 : NOTE;
+      const middle = placed.next + raised;
+      const top = (measured.style === "bars" ? middle - 16 - HALF_BAR : middle - HALF_ROW) - raised;
       this.take(placed, { x, y: top });
       placed = this.placeBlock(measured, x, middle);
     }

@@ -4,6 +4,7 @@
  */
 import { chipOf, chipWidth, type Face, faceOf, faceWidth } from "../face";
 import { textWidth } from "../measure";
+import { noteText } from "../notes";
 import { isMark } from "../parts";
 import type { Block } from "../structure";
 import { verticesOf } from "../tree";
@@ -20,6 +21,8 @@ export const PITCH = 64;
 /** From the middle of a vertex to a bar. */
 export const TO_BAR = 48;
 export const HALF_BAR = 4;
+/** The height of a note above a vertex. */
+export const NOTE = 24;
 export const GAP = 24;
 export const LOOP_SIDE = 24;
 export const LEGEND_SIDE = 16;
@@ -33,6 +36,8 @@ export interface Measured {
   face: Face;
   /** What is hidden in it, or null when it is not folded. */
   inside: Inside | null;
+  /** What is written above it. */
+  note: string;
   /** Whether the vertex itself is a stretched diamond. */
   hexagon: boolean;
   /** Width of the vertex itself. */
@@ -83,13 +88,31 @@ export class Sizes {
     const face = faceOf(shown);
     const hexagon = open === "columns" || (open !== "loop" && open !== "bars" && isChoice(shown));
     const width = vertexWidth(shown, style, face, hexagon) + (inside === null ? 0 : foldedWidth(inside));
-    const measured = { style, shown, mark: held == null ? null : block, face, hexagon, width, inside };
+    const measured = {
+      style,
+      shown,
+      mark: held == null ? null : block,
+      face,
+      hexagon,
+      width,
+      inside,
+      note: noteOf(block, shown),
+    };
     const halves = inside !== null ? [] : shown.bodies.map((body) => this.halfOf(body.chain));
     const size = extent(style, width, halves);
     // The word at the lane of a Break stands beside it.
     if (leapsOut(shown.shape)) size.half = ceilTo(8, width / 2 + LEAP_SIDE);
     return { ...measured, ...size };
   }
+}
+
+/** The notes above a vertex, those of its mark included. */
+function noteOf(block: Block, shown: Block): string {
+  const both = block === shown ? [shown] : [block, shown];
+  return both
+    .map(({ vertex }) => noteText(vertex.notes))
+    .filter((note) => note !== "")
+    .join("\n");
 }
 
 function insideOf(block: Block): Inside {

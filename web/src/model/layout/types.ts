@@ -36,6 +36,9 @@ export interface LayoutNode {
   parked: boolean;
   /** What is hidden in it, or null when it is not folded. */
   inside: Inside | null;
+  /** What somebody wrote above it ("" for nothing): a strip NOTE high on its top edge, `noteWidth` wide. */
+  note: string;
+  noteWidth: number;
 }
 
 /** A tinted box around bodies, drawn under everything else; owners come before what they hold. */

@@ -1,0 +1,112 @@
+/**
+ * Adds, changes and removes the parts that a mission brings along. Where a part gets another name, what is made of it
+ * follows in every program.
+ */
+import { t } from "../../words/words";
+import type { Command } from "../command";
+import { ownConstructors, ownVariables } from "../own";
+import type { Constructor, Mission, OwnVariable, Program } from "../types";
+
+function between(label: string, before: Mission, after: Mission): Command {
+  return { label, execute: () => after, revert: () => before };
+}
+
+/** The mission with these lists, each left out when it is empty, as in a mission that never had one. */
+function withOwn(mission: Mission, constructors: readonly Constructor[], variables: readonly OwnVariable[]): Mission {
+  const { constructors: _, variables: __, ...rest } = mission;
+  return {
+    ...rest,
+    ...(constructors.length === 0 ? {} : { constructors: [...constructors] }),
+    ...(variables.length === 0 ? {} : { variables: [...variables] }),
+  };
+}
+
+function renamed(program: Program, rename: (element: string) => string): Program {
+  const vertices = program.vertices.map((vertex) => {
+    const element = rename(vertex.element);
+    return element === vertex.element ? vertex : { ...vertex, element };
+  });
+  return vertices.every((vertex, at) => vertex === program.vertices[at]) ? program : { ...program, vertices };
+}
+
+/** The programs in which a constructor stands, and how often. */
+export function usesOfConstructor(mission: Mission, name: string): { program: string; vertices: string[] }[] {
+  return uses(mission, (_, element) => element === name);
+}
+
+/** The programs in which a variable is used, and the vertices that do. */
+export function usesOfVariable(
+  mission: Mission,
+  robot: string,
+  variable: string,
+): { program: string; vertices: string[] }[] {
+  return uses(mission, (program, element) => program.robot === robot && element.startsWith(`${variable}.`));
+}
+
+function uses(mission: Mission, is: (program: Program, element: string) => boolean) {
+  return mission.programs.flatMap((program) => {
+    const vertices = program.vertices.filter((vertex) => is(program, vertex.element)).map((vertex) => vertex.id);
+    return vertices.length === 0 ? [] : [{ program: program.name, vertices }];
+  });
+}
+
+/** A new constructor at the end, or null when the mission has one of that name. */
+export function addConstructor(mission: Mission, made: Constructor): Command | null {
+  const own = ownConstructors(mission);
+  if (own.some((one) => one.name === made.name)) return null;
+  const after = withOwn(mission, [...own, made], ownVariables(mission));
+  return between(t("command.add", { name: made.name }), mission, after);
+}
+
+/** Another one in the place of a constructor; null when it is not there or the new name is taken. */
+export function changeConstructor(mission: Mission, name: string, made: Constructor): Command | null {
+  const own = ownConstructors(mission);
+  if (!own.some((one) => one.name === name)) return null;
+  if (made.name !== name && own.some((one) => one.name === made.name)) return null;
+  const list = own.map((one) => (one.name === name ? made : one));
+  const after = withOwn(mission, list, ownVariables(mission));
+  const rename = (element: string) => (element === name ? made.name : element);
+  const programs = mission.programs.map((program) => renamed(program, rename));
+  return between(t("command.change", { name }), mission, { ...after, programs });
+}
+
+/** Without that constructor; vertices made of it stay, as a part that nobody knows. Null when it is not there. */
+export function removeConstructor(mission: Mission, name: string): Command | null {
+  const own = ownConstructors(mission);
+  const list = own.filter((one) => one.name !== name);
+  if (list.length === own.length) return null;
+  return between(t("command.delete", { name }), mission, withOwn(mission, list, ownVariables(mission)));
+}
+
+function isSame(one: OwnVariable, robot: string, name: string): boolean {
+  return one.robot === robot && one.variable.name === name;
+}
+
+/** A new variable at the end, or null when that robot has one of that name from this mission. */
+export function addVariable(mission: Mission, made: OwnVariable): Command | null {
+  const own = ownVariables(mission);
+  const { name } = made.variable;
+  if (own.some((one) => isSame(one, made.robot, name))) return null;
+  return between(t("command.add", { name }), mission, withOwn(mission, ownConstructors(mission), [...own, made]));
+}
+
+/** Another one in the place of a variable, under its new name in every program; null when that name is taken. */
+export function changeVariable(mission: Mission, robot: string, name: string, made: OwnVariable): Command | null {
+  const own = ownVariables(mission);
+  const { name: to } = made.variable;
+  if (made.robot !== robot || !own.some((one) => isSame(one, robot, name))) return null;
+  if (to !== name && own.some((one) => isSame(one, robot, to))) return null;
+  const list = own.map((one) => (isSame(one, robot, name) ? made : one));
+  const after = withOwn(mission, ownConstructors(mission), list);
+  const rename = (element: string) => (element.startsWith(`${name}.`) ? to + element.slice(name.length) : element);
+  const programs = mission.programs.map((program) => (program.robot === robot ? renamed(program, rename) : program));
+  return between(t(to === name ? "command.change" : "command.rename", { name }), mission, { ...after, programs });
+}
+
+/** Without that variable; vertices that use it stay, as a part that nobody knows. Null when it is not there. */
+export function removeVariable(mission: Mission, robot: string, name: string): Command | null {
+  const own = ownVariables(mission);
+  const list = own.filter((one) => !isSame(one, robot, name));
+  if (list.length === own.length) return null;
+  return between(t("command.delete", { name }), mission, withOwn(mission, ownConstructors(mission), list));
+}
