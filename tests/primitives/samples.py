@@ -5,6 +5,7 @@ from collections.abc import Callable
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import PROGRAM, Program
 from kitrobot.primitives import Reader, Tag, read_constructors, read_robot
+from kitrobot.tutorial import read_tutorial
 
 CONSTRUCTORS = """<constructors version="1">
   <group name="Loops" colour="loop">
@@ -36,6 +37,17 @@ MISSION = """<kitrobot version="1">
   </program>
 </kitrobot>
 """
+TUTORIAL = """<tutorial version="1" start="x.krt">
+  <label>First steps ✓</label>
+  <step>
+    <label>Drive</label>
+    <help>Drag Advance onto the line &lt; here.</help>
+    <point part="Wheel.Advance"/>
+    <contains><code>*[{test}](Wheel.Advance({speed}))</code><hole name="speed" min="30"/></contains>
+    <event name="run-done"/>
+  </step>
+</tutorial>
+"""
 
 
 def read_programs(data: bytes, name: str) -> tuple[list[Program], list[Diagnostic]]:
@@ -51,6 +63,7 @@ KINDS: list[tuple[str, str, Read]] = [
     ("constructors", CONSTRUCTORS, read_constructors),
     ("robot", ROBOT, read_robot),
     ("kitrobot", MISSION, read_programs),
+    ("tutorial", TUTORIAL, read_tutorial),
 ]
 
 

@@ -1,0 +1,185 @@
+"""Tutorial XML → a `Tutorial`.
+
+A mistake in a step is a mistake of the tutorial: it would leave a person stuck, so a tutorial with an error is not
+used, and its diagnostics say where it is wrong. Left to others: whether `start` is there (workspace).
+"""
+
+from __future__ import annotations
+
+import re
+
+from kitrobot.diagnostics import Diagnostic
+from kitrobot.lll import Node, children, is_name
+from kitrobot.primitives import TEXT, TEXTS, Element, Reader, Tag, Template, did_you_mean, holes, one_of, read_template
+from kitrobot.tutorial import rules
+from kitrobot.tutorial.model import EVENTS, Pattern, Point, Range, Step, Tutorial
+
+VERSION = 1
+"""The newest version of the format that is read."""
+
+MOST_STEPS = 50
+MOST_PROGRAMS = 100
+DEEPEST_PATTERN = 20
+"""Levels of a pattern, at most: what is looked for is small, and looking for it recurs into it."""
+
+BUTTONS = ("run", "pause", "step", "stop", "speed", "undo", "redo", "add-program", "problems", "file-menu")
+PANELS = ("palette", "canvas", "inspector", "code", "arena")
+_POINTS = ("part", "vertex", "button", "panel", "program")
+_INNER = ("setting", "slot")
+
+_ICON = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+_START = re.compile(r"""[^\\/:*?"<>|\x00-\x1f]+\.krt""", re.IGNORECASE)
+
+_Hole = tuple[str, Range]
+_LARGEST = 65_535
+
+
+class _Alternatives(tuple[Pattern, ...]):
+    """Patterns of which one is enough."""
+
+    __slots__ = ()
+
+
+class _Event(str):
+    __slots__ = ()
+
+
+def read_tutorial(data: bytes, name: str) -> tuple[Tutorial | None, list[Diagnostic]]:
+    """Reads a tutorial; None when it has an error, which the diagnostics tell."""
+    reader = Reader(data, name)
+    root = reader.read({"tutorial": _TUTORIAL})
+    if root is None:
+        return None, reader.diagnostics
+    start = root.matching("start", _START.fullmatch, "the name of a .krt in the same folder")
+    icon = root.matching("icon", _ICON.fullmatch, "the name of a Lucide icon, such as arrow-up,", "graduation-cap")
+    steps = root.found(Step)
+    if "" not in root.texts.get("label", {}):
+        root.report(rules.START, "expected a <label> in English, found none", help="say what the tutorial is called")
+    if not 1 <= len(steps) <= MOST_STEPS:
+        root.report(rules.START, f"expected 1 to {MOST_STEPS} steps, found {len(steps)}")
+    if root.faulty:
+        return None, reader.diagnostics
+    label, help = root.texts.get("label", {}), root.texts.get("help", {})
+    return Tutorial(start, label, help, icon, tuple(steps)), reader.diagnostics
+
+
+def _code(element: Element) -> Template | None:
+    template = read_template(element)
+    if template is not None and _depth(template) > DEEPEST_PATTERN:
+        element.report(rules.PATTERN, f"expected at most {DEEPEST_PATTERN} levels, found more")
+        return None
+    return template
+
+
+def _depth(root: Node) -> int:
+    """Levels of a tree, its root included."""
+    deepest, waiting = 0, [(root, 1)]
+    while waiting:
+        node, depth = waiting.pop()
+        deepest = max(deepest, depth)
+        waiting += [(child, depth + 1) for child in children(node)]
+    return deepest
+
+
+def _hole(element: Element) -> _Hole:
+    name = element.matching("name", is_name, "the name of a hole")
+    least = element.integer("min", 0, _LARGEST, 0)
+    most = element.integer("max", 0, _LARGEST, _LARGEST)
+    if least > most:
+        element.report(rules.PATTERN, f"expected min at most max, found {least} and {most}", "min")
+    return name, (least, most)
+
+
+def _pattern(element: Element) -> Pattern | None:
+    codes = [value for value, inner in element.values if inner.name == "code"]
+    found = [(value, inner) for value, inner in element.values if inner.name == "hole"]
+    written = sum(inner.name == "code" for _, inner in element.values)
+    if written != 1:
+        if not element.faulty:
+            element.report(rules.PATTERN, f"expected one <code> in <{element.name}>, found {written}")
+        return None
+    code = codes[0]
+    assert isinstance(code, Node)
+    known = {hole.name for hole, _, _ in holes(code)}
+    ranges: dict[str, Range] = {}
+    for value, inner in found:
+        assert isinstance(value, tuple)
+        name, bounds = value
+        if name not in known:
+            inner.report(rules.PATTERN, f"the code has no hole {{{name}}}", "name", did_you_mean(name, known))
+        elif name in ranges:
+            inner.report(rules.PATTERN, f"the range of {{{name}}} is given already", "name")
+        ranges[name] = bounds
+    programs = element.integer("programs", 1, MOST_PROGRAMS, 1)
+    program = element.optional("program")
+    if program and programs > 1:
+        element.report(rules.PATTERN, "expected either program or programs, found both", "programs")
+    return Pattern(code, element.name == "matches", program, programs, ranges)  # type: ignore[arg-type]
+
+
+def _any(element: Element) -> _Alternatives | None:
+    patterns = element.found(Pattern)
+    if not patterns and not element.faulty:
+        element.report(rules.PATTERN, "expected <contains> or <matches> in <any>, found none")
+    return _Alternatives(patterns) if patterns else None
+
+
+def _event(element: Element) -> _Event:
+    return _Event(element.choice("name", EVENTS))
+
+
+def _point(element: Element) -> Point | None:
+    kinds = [kind for kind in _POINTS if kind in element.attributes]
+    inner = [kind for kind in _INNER if kind in element.attributes]
+    if len(kinds) != 1:
+        element.report(rules.POINT, f"expected {one_of(_POINTS)} on <point>, found {' and '.join(kinds) or 'none'}")
+        return None
+    [kind] = kinds
+    name = element.choice(kind, {"button": BUTTONS, "panel": PANELS}[kind]) if kind in ("button", "panel") else ""
+    if len(inner) > (kind == "vertex"):
+        element.report(rules.POINT, f"expected no {inner[-1]} here, found one", inner[-1])
+        return None
+    return Point(kind, name or element.required(kind), element.required(inner[0]) if inner else "")
+
+
+def _step(element: Element) -> Step:
+    if "" not in element.texts.get("label", {}):
+        element.report(rules.START, "expected a <label> in English in the step, found none")
+    wants: list[tuple[Pattern, ...]] = []
+    for value, _ in element.values:
+        if isinstance(value, Pattern):
+            wants.append((value,))
+        elif isinstance(value, _Alternatives):
+            wants.append(tuple(value))
+    texts = element.texts
+    return Step(
+        texts.get("label", {}),
+        texts.get("help", {}),
+        texts.get("hint", {}),
+        tuple(element.found(Point)),
+        tuple(wants),
+        tuple(map(str, element.found(_Event))),
+    )
+
+
+_PATTERN = Tag(
+    _pattern,
+    ("program", "programs"),
+    {"code": Tag(_code, text=True), "hole": Tag(_hole, ("name", "min", "max"))},
+)
+_PATTERNS = {"contains": _PATTERN, "matches": _PATTERN}
+_STEP = Tag(
+    _step,
+    (),
+    {
+        **TEXTS,
+        **_PATTERNS,
+        "hint": TEXT,
+        "any": Tag(_any, (), _PATTERNS),
+        "event": Tag(_event, ("name",)),
+        "point": Tag(_point, (*_POINTS, *_INNER)),
+    },
+)
+_TUTORIAL = Tag(
+    None, ("version", "start", "icon"), {**TEXTS, "step": _STEP}, open=lambda element: element.version(VERSION)
+)
