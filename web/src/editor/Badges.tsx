@@ -1,8 +1,10 @@
 /** What sits on a vertex's edge: its mark, the threads that stand on it, and what is wrong with it. */
 import type { LayoutNode } from "../model/layout";
+import { otherNotes } from "../model/notes";
 import { title } from "../model/parts";
 import { Icon } from "../theme";
 import { t } from "../words/words";
+import { NoteStrip } from "./Notes";
 import { useTroubled, useTroubles } from "./troubles";
 
 export function Badges({ node, threads }: { node: LayoutNode; threads: string }) {
@@ -12,6 +14,7 @@ export function Badges({ node, threads }: { node: LayoutNode; threads: string })
       <Threads threads={threads} />
       <Troubles node={node} />
       <Noted node={node} />
+      <NoteStrip node={node} />
     </>
   );
 }
@@ -24,9 +27,9 @@ function Troubles({ node: { vertex, inside } }: { node: LayoutNode }) {
 
 const NOTHING: string[] = [];
 
-/** A small sign that somebody wrote a note here. */
+/** A small sign that somebody wrote a note behind it or at the end of its body. */
 function Noted({ node }: { node: LayoutNode }) {
-  const said = node.block?.vertex.notes.map((note) => note.text).join("\n") ?? "";
+  const said = otherNotes(node.block?.vertex.notes ?? []);
   if (said === "") return null;
   return (
     <span className="noted" title={said}>

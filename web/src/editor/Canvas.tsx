@@ -29,6 +29,7 @@ import { Lines } from "./Lines";
 import { Marquee } from "./Marquee";
 import { Minimap } from "./Minimap";
 import { type GraphNode, NODE_TYPES } from "./Nodes";
+import { NoteEditor } from "./Notes";
 import { Said } from "./Said";
 import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "./targets";
 import { useView } from "./view";
@@ -120,6 +121,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       </ReactFlow>
       <ZoomControl />
       <AddPopup key={drawing.program.name} />
+      <NoteEditor />
       <Minimap drawing={drawing} />
       <Marquee root={root} />
       <Said />

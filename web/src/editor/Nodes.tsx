@@ -11,6 +11,7 @@ import { t } from "../words/words";
 import { useThreadsAmong, useThreadsAt } from "./active";
 import { Threads, Trouble } from "./Badges";
 import { beginDrag, justDragged, useDrag } from "./drag";
+import { NoteStrip } from "./Notes";
 import { ChipView, selectVertex, spoken, Vertex } from "./Vertex";
 import { useView } from "./view";
 import { waitedVertices } from "./waiting";
@@ -37,7 +38,8 @@ function NodeView({ data: { node } }: NodeProps<GraphNode>) {
 
 export const NODE_TYPES: NodeTypes = { vertex: memo(NodeView) };
 
-function Terminal({ node: { vertex: id, kind, w, h } }: { node: LayoutNode }) {
+function Terminal({ node }: { node: LayoutNode }) {
+  const { vertex: id, kind, w, h } = node;
   const selected = useStudio((state) => state.selection.includes(id));
   const threads = useThreadsAt(id, null);
   const name = t(kind === "start" ? "graph.start" : "graph.stop");
@@ -64,6 +66,7 @@ function Terminal({ node: { vertex: id, kind, w, h } }: { node: LayoutNode }) {
       <strong>{name}</strong>
       <Threads threads={threads} />
       <Trouble id={id} />
+      <NoteStrip node={node} />
     </div>
   );
 }
@@ -94,6 +97,7 @@ function Bar({ node }: { node: LayoutNode }) {
       }}
     >
       <span className="bar" />
+      <NoteStrip node={node} />
       {first ? (
         <span className="bar-tag">
           <Icon name={block?.shape.icon ?? ""} size={16} />
@@ -125,11 +129,13 @@ function Waits({ block, threads }: { block: Block | null; threads: string }) {
 }
 
 /** A parked test or value. */
-function Loose({ node: { vertex: id, block, w, h } }: { node: LayoutNode }) {
+function Loose({ node }: { node: LayoutNode }) {
+  const { vertex: id, block, w, h } = node;
   if (block === null) return null;
   return (
     <div className="loose" data-testid={`vertex-${id}`} style={{ width: w, height: h }}>
       <ChipView chip={chipOf(block)} vertex={id} />
+      <NoteStrip node={node} />
       <Trouble id={id} />
     </div>
   );

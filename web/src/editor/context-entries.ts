@@ -8,6 +8,7 @@ import { currentDrawing } from "./drawing";
 import { deleteSelection, duplicateSelection, openWrapping, unwrapSelection, wrappable } from "./edits";
 import { toggleFoldOfSelection } from "./folded";
 import { editSelected, openAdding, selectAll } from "./keys";
+import { isNoted, openNote, removeNote } from "./Notes";
 import { useView } from "./view";
 
 function item(id: string, label: string, keys: string, run: () => unknown, disabled = false): MenuEntry {
@@ -32,6 +33,12 @@ export function contextEntries(): MenuEntry[] {
   ];
 }
 
+function noteEntries(id: string | undefined, start: boolean): MenuEntry[] {
+  if (id === undefined || start) return [];
+  const write = item("note", t("context.note"), "N", openNote);
+  return isNoted(id) ? [write, item("unnote", t("context.unnote"), "", removeNote)] : [write];
+}
+
 function vertexEntries(paste: MenuEntry): MenuEntry[] {
   const { selection } = useStudio.getState();
   const drawing = currentDrawing();
@@ -52,6 +59,10 @@ function vertexEntries(paste: MenuEntry): MenuEntry[] {
     paste,
     item("duplicate", t("edit.duplicate"), "Ctrl+D", duplicateSelection, fixed),
     line("2"),
+    ...noteEntries(
+      only,
+      shapes.some(({ kind }) => kind === "start"),
+    ),
     item("wrap", t("context.wrap"), "W", openWrapping, !wrappable() || drawing?.parts.all.some(wraps) !== true),
     ...(unwraps ? [item("unwrap", t("context.unwrap"), "Shift+W", unwrapSelection)] : []),
     ...(node?.inside != null || (node?.block?.bodies.length ?? 0) > 0

@@ -6,6 +6,7 @@ import { currentDrawing } from "./drawing";
 import { openContextMenu } from "./context";
 import { deleteSelection, duplicateSelection, openWrapping, unwrapSelection } from "./edits";
 import { toggleFoldOfSelection } from "./folded";
+import { openNote } from "./Notes";
 import { toggleFollowing, toggleMinimap, useView } from "./view";
 import { type Step, walk } from "./walk";
 
@@ -63,6 +64,7 @@ function press(event: KeyboardEvent): boolean {
   if (key === "ContextMenu" || (key === "F10" && event.shiftKey)) return openContextMenu();
   if (key === "w" && !event.altKey) return event.shiftKey ? unwrapSelection() : openWrapping();
   if (key === "c" && !event.altKey && !event.shiftKey) return toggleFoldOfSelection();
+  if (key === "n" && !event.altKey && !event.shiftKey) return openNote();
   if (key === "/") return openAdding();
   if (key === "Delete" || key === "Backspace") return deleteSelection();
   if (key === "Escape") return escape();

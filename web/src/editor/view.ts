@@ -36,6 +36,8 @@ interface ViewState {
   viewport: Viewport | null;
   /** A sentence about what was tried and could not be done; "" for none. */
   said: string;
+  /** The vertex whose note is being written. */
+  noting: string | null;
   /** Whether the canvas moves along with the run. */
   following: boolean;
   minimap: boolean;
@@ -52,6 +54,7 @@ export const useView = create<ViewState>((set) => ({
   adding: null,
   viewport: null,
   said: "",
+  noting: null,
   following: false,
   minimap: false,
   finding: false,
@@ -85,6 +88,7 @@ export function standsStill(): boolean {
 }
 
 useStudio.subscribe((state, before) => {
-  if (state.activeProgram !== before.activeProgram) useView.setState({ arc: null, adding: null, menu: null });
+  if (state.activeProgram !== before.activeProgram)
+    useView.setState({ arc: null, adding: null, menu: null, noting: null });
   else if (state.selection !== before.selection && state.selection.length > 0) useView.setState({ arc: null });
 });

@@ -5,7 +5,8 @@ import type { ReactNode } from "react";
 
 import { deleteSelection, duplicateSelection } from "../editor/edits";
 import { type Drawing, useDrawing } from "../editor/drawing";
-import { noteText, setNote } from "../model/commands/setNote";
+import { setNote } from "../model/commands/setNote";
+import { noteText } from "../model/notes";
 import { title } from "../model/parts";
 import { useStudio } from "../model/studio";
 import { text } from "../model/texts";
@@ -128,6 +129,7 @@ function NoteField({ vertex }: { vertex: Vertex }): ReactNode {
       <span>{t("inspector.note")}</span>
       <textarea
         rows={1}
+        dir="auto"
         placeholder={t("inspector.note-hint")}
         value={noteText(vertex.notes)}
         onChange={(event) => {

@@ -1,14 +1,15 @@
 /**
  * The graph of a program as one SVG that stands alone: the layout of the canvas, colours written out, text as text.
  *
- * Colours are those of the theme in use. Letters are squeezed or stretched to the width that the layout counted with, so
+ * Colours are those of `ink.ts`. Letters are squeezed or stretched to the width that the layout counted with, so
  * that nothing leaves its box where Inter is not installed.
  */
 import { type Box, boxWidth, type Chip, chipWidth, chipOf, type Face } from "../model/face";
-import { headPath, type Layout, type LayoutNode, roundedPath } from "../model/layout";
+import { headPath, type Layout, type LayoutNode, NOTE, roundedPath } from "../model/layout";
 import { textWidth } from "../model/measure";
-import { Icon, token } from "../theme";
+import { Icon } from "../theme";
 import { t } from "../words/words";
+import { token } from "./ink";
 
 const FONT = "'Inter Variable', Inter, system-ui, sans-serif";
 const MARGIN = 32;
@@ -195,6 +196,23 @@ function Tag({ face, icon, colour, x, y }: { face: Face; icon: string; colour: s
   );
 }
 
+/** The first line of the note above a vertex. */
+function NoteDrawing({ node: { x, y, w, h, kind, note, noteWidth } }: { node: LayoutNode }) {
+  if (note === "") return null;
+  const left = x + (w - noteWidth) / 2;
+  const bottom = kind === "bar" ? y + h / 2 - 4 : y;
+  let [words = ""] = note.split("\n");
+  while (words.length > 1 && textWidth(words, 13) > noteWidth - 20) words = `${words.slice(0, -2)}…`;
+  return (
+    <>
+      <rect x={left} y={bottom - NOTE} width={noteWidth} height={NOTE} fill={token("panel")} stroke={token("line2")} />
+      <Text x={left + 10} y={bottom - NOTE / 2} size={13} colour="muted">
+        {words}
+      </Text>
+    </>
+  );
+}
+
 function NodeDrawing({ node }: { node: LayoutNode }) {
   if (node.kind === "start" || node.kind === "stop") return <TerminalDrawing node={node} />;
   if (node.kind === "bar" || node.kind === "barEnd") return <BarDrawing node={node} />;
@@ -233,7 +251,10 @@ export function GraphDrawing({ layout, title, inside }: { layout: Layout; title:
         />
       ))}
       {layout.nodes.map((node) => (
-        <NodeDrawing key={node.id} node={node} />
+        <g key={node.id}>
+          <NoteDrawing node={node} />
+          <NodeDrawing node={node} />
+        </g>
       ))}
       {layout.leaps.map(({ source, points, colour, label }) => (
         <g key={source}>

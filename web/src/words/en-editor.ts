@@ -29,6 +29,10 @@ export const EDITOR_EN = {
   "graph.close": "Close",
 
   "graph.note": "Note: {text}",
+  "graph.note-more": { one: "+{count} line", other: "+{count} lines" },
+  "graph.note-keys": "Enter keeps it · Shift+Enter new line · Esc drops it",
+  "context.note": "Write a note…",
+  "context.unnote": "Remove the note",
 
   "command.add": "Add {name}",
   "command.delete": "Delete {name}",

@@ -30,6 +30,10 @@ export const EDITOR_FR = {
   "graph.close": "Fermer",
 
   "graph.note": "Note : {text}",
+  "graph.note-more": { one: "+{count} ligne", other: "+{count} lignes" },
+  "graph.note-keys": "Entrée garde · Maj+Entrée nouvelle ligne · Échap oublie",
+  "context.note": "Écrire une note…",
+  "context.unnote": "Enlever la note",
 
   "command.add": "Ajouter {name}",
   "command.delete": "Supprimer {name}",

@@ -30,6 +30,10 @@ export const EDITOR_UR = {
   "graph.close": "بند کریں",
 
   "graph.note": "نوٹ: {text}",
+  "graph.note-more": { one: "+{count} سطر", other: "+{count} سطریں" },
+  "graph.note-keys": "Enter رکھتا ہے · Shift+Enter نئی سطر · Escape چھوڑ دیتا ہے",
+  "context.note": "نوٹ لکھیں…",
+  "context.unnote": "نوٹ ہٹائیں",
 
   "command.add": "{name} شامل کرنا",
   "command.delete": "{name} حذف کرنا",
