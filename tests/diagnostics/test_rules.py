@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.diagnostics import KitRobotError, Place, Severity, rule, rules
+from kitrobot.diagnostics import Fix, KitRobotError, Place, Severity, rule, rules
 from kitrobot.lll.rules import SYNTAX
 from tools import diagnostic_pages
 
@@ -58,10 +58,11 @@ def test_a_code_is_used_once() -> None:
 
 def test_a_rule_makes_diagnostics_of_itself() -> None:
     place = Place("f.lll", 1, 2, 1, 3)
-    made = SYNTAX("wrong", place, help="mend it", program="p", vertices=["v1"], arcs=[("a", "b", "c", "d")], fix="x")
+    arc = ("a", "b", "c", "d")
+    made = SYNTAX("wrong", place, help="mend it", program="p", vertices=["v1"], arcs=[arc], fix=Fix("x"))
     assert (made.code, made.severity, made.message, made.place) == ("syntax", Severity.ERROR, "wrong", place)
     assert (made.help, made.program, made.vertices, made.arcs) == ("mend it", "p", ("v1",), (("a", "b", "c", "d"),))
-    assert made.fix == "x"
+    assert made.fix == Fix("x")
     assert made.is_error
 
 

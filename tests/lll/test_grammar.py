@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from kitrobot.diagnostics import Fix
 from kitrobot.lll import (
     And,
     Break,
@@ -124,10 +125,11 @@ def test_a_missing_separator_is_a_hint_that_mends_it(second: str) -> None:
     parsed = parse(text)
     (hint,) = parsed.diagnostics
     assert parsed.ok
-    assert (hint.code, hint.fix) == ("missing-semicolon", ";")
+    assert (hint.code, hint.fix) == ("missing-semicolon", Fix(";"))
     assert hint.place is not None
     assert (hint.place.column, hint.place.end_column) == (6, 6)
-    mended = text[:5] + (hint.fix or "") + text[5:]
+    assert hint.fix is not None
+    mended = text[:5] + hint.fix.text + text[5:]
     assert parse(mended).diagnostics == []
     assert parse(mended).program == parsed.program
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 from kitrobot.compiler import rules
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.diagnostics import Diagnostic, Rule, Source, in_reading_order
+from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule, Source, in_reading_order
 from kitrobot.lll import (
     And,
     Break,
@@ -30,7 +30,7 @@ from kitrobot.lll import (
     While,
     bodies,
 )
-from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType, did_you_mean
+from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType, did_you_mean, nearest
 
 
 def check(program: Seq, robot: Robot, source: Source, program_name: str = "") -> list[Diagnostic]:
@@ -59,10 +59,15 @@ class _Checker:
         self.flow = FlowAnalysis(robot)
         self.found: list[Diagnostic] = []
 
-    def report(self, rule: Rule, message: str, node: Node, help: str = "", start: int | None = None) -> None:
+    def report(
+        self, rule: Rule, message: str, node: Node, help: str = "", start: int | None = None, fix: Fix | None = None
+    ) -> None:
         place = self.source.place(node.start if start is None else start, node.end)
         vertices = (node.vertex,) if node.vertex else ()
-        self.found.append(rule(message, place, help=help, program=self.program_name, vertices=vertices))
+        self.found.append(rule(message, place, help=help, program=self.program_name, vertices=vertices, fix=fix))
+
+    def text(self, node: Node) -> str:
+        return self.source.text[node.start : node.end]
 
     # -- instructions
 
@@ -85,6 +90,7 @@ class _Checker:
                         "the mark ° does nothing outside a parallel",
                         node,
                         "take the ° away, or put the action into a branch",
+                        fix=Fix(self.text(node.call), FixKind.UNWRAP) if isinstance(node.call, Call) else None,
                     )
                 if isinstance(node.call, Call):
                     self.action(node.call)
@@ -194,13 +200,16 @@ class _Checker:
                     call,
                     suggestion(call.method, methods),
                     start=call.method_start,
+                    fix=self.renaming(call, call.object, nearest(call.method, sorted(methods))),
                 )
             else:
+                objects = sorted({name for name, _ in self.robot.calls})
                 self.report(
                     rules.UNKNOWN_OBJECT,
                     f"the robot `{self.robot.name}` has no `{call.object}`",
                     call,
-                    suggestion(call.object, (name for name, _ in self.robot.calls)),
+                    suggestion(call.object, objects),
+                    fix=self.renaming(call, nearest(call.object, objects), call.method),
                 )
             for param in call.params:
                 if isinstance(param, Call):
@@ -215,10 +224,25 @@ class _Checker:
                 f"`{call.object}.{call.method}` takes {wanted} parameter{'s' * (wanted != 1)}, found {given}",
                 call,
                 f"write {call.object}.{call.method}({names})",
+                fix=self.refilling(call, method),
             )
         for param, parameter in zip(call.params, method.parameters, strict=False):
             self.param(param, part, method, parameter)
         return meaning
+
+    def renaming(self, call: Call, object: str, method: str) -> Fix | None:
+        """The same call of the nearest thing that the robot has; None when it has nothing like it."""
+        if (object, method) not in self.robot.calls:
+            return None
+        rest = self.source.text[call.method_start : call.end].removeprefix(call.method)
+        text = f"{method}{rest}" if object == call.object else f"{object}.{method}{rest}"
+        return Fix(text, FixKind.ELEMENT, f"{object}.{method}")
+
+    def refilling(self, call: Call, method: Method) -> Fix:
+        """The same call with as many parameters as it takes: the first ones stay, missing ones are the usual."""
+        given = [self.text(param) for param in call.params[: len(method.parameters)]]
+        usual = [str(max(0, parameter.default)) for parameter in method.parameters[len(given) :]]
+        return Fix(f"{call.object}.{call.method}({', '.join(given + usual)})")
 
     def param(self, node: Node, part: RobotObject, method: Method, parameter: Parameter) -> None:
         if isinstance(node, Number):
@@ -230,6 +254,11 @@ class _Checker:
                     f"`{part.name}.{method.name}`, found {node.value}",
                     node,
                     f"write a number from {parameter.minimum} to {parameter.maximum}",
+                    fix=Fix(
+                        str(min(max(node.value, parameter.minimum), parameter.maximum)),
+                        FixKind.SETTING,
+                        parameter.name,
+                    ),
                 )
             return
         if not isinstance(node, Call):

@@ -6,13 +6,14 @@ back at its `return`. Nothing here knows any one constructor. Vertices leave the
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from typing import Any, cast
 
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.compiler.filling import fill
 from kitrobot.compiler.wiring import Wiring
-from kitrobot.diagnostics import Diagnostic, Rule
+from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule
 from kitrobot.graph import IN, NEXT, RETURN, STOP, Arc, Program, Vertex
 from kitrobot.lll import (
     MAX_NESTING,
@@ -25,6 +26,8 @@ from kitrobot.lll import (
     Seq,
 )
 from kitrobot.primitives import Catalogue, Parameter, Role
+
+_WHOLE = re.compile(r"[+-]?[0-9]{1,9}")
 
 
 @dataclass(frozen=True)
@@ -61,10 +64,19 @@ class _Walk:
         self.depth = 0
         self.notes: list[str] = []
 
-    def report(self, rule: Rule, message: str, *vertices: str, help: str = "", arc: Arc | None = None) -> None:
+    def report(
+        self,
+        rule: Rule,
+        message: str,
+        *vertices: str,
+        help: str = "",
+        arc: Arc | None = None,
+        fix: Fix | None = None,
+    ) -> None:
         """Collects a diagnostic of this program."""
         arcs = ((arc.source, arc.out, arc.target, arc.at),) if arc is not None else ()
-        self.wiring.report(rule(message, help=help, program=self.program.name, vertices=vertices, arcs=arcs))
+        made = rule(message, help=help, program=self.program.name, vertices=vertices, arcs=arcs, fix=fix)
+        self.wiring.report(made)
 
     def whole(self) -> Seq:
         start, stop = self.wiring.start, self.wiring.stop
@@ -197,7 +209,8 @@ class _Walk:
             for setting in vertex.settings:
                 if setting not in known:
                     message = f"`{vertex.id}` ({vertex.element}) has no parameter `{setting}`"
-                    self.report(rules.NOT_A_NUMBER, message, vertex.id, help="take the setting away")
+                    fix = Fix("", FixKind.UNSET, setting)
+                    self.report(rules.NOT_A_NUMBER, message, vertex.id, help="take the setting away", fix=fix)
         else:
             call.params = [
                 Number(int(text))
@@ -219,7 +232,8 @@ class _Walk:
             return int(digits)
         shown = text if len(text) <= 24 else text[:21] + "…"
         message = f"expected a whole number from {low} to {high} as the {name} of `{vertex.id}`, found `{shown}`"
-        self.report(rules.NOT_A_NUMBER, message, vertex.id, help=f"write a number from {low} to {high}")
+        fix = Fix(str(nearest), FixKind.SETTING, name) if (nearest := _nearest(digits, low, high)) is not None else None
+        self.report(rules.NOT_A_NUMBER, message, vertex.id, help=f"write a number from {low} to {high}", fix=fix)
         return low
 
     # -- templates
@@ -268,6 +282,13 @@ class _Walk:
         self.visited.add(vertex.id)
         self.notes += [line for note in vertex.notes for line in _lines(note.text)]
         return True
+
+
+def _nearest(digits: str, low: int, high: int) -> int | None:
+    """The number in range that is nearest to a whole number; None when it is none."""
+    if not _WHOLE.fullmatch(digits):
+        return None
+    return min(max(int(digits), low), high)
 
 
 def _lines(text: str) -> list[str]:

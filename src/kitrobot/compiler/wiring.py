@@ -9,9 +9,9 @@ from __future__ import annotations
 from typing import Any
 
 from kitrobot.compiler import graph_rules as rules
-from kitrobot.diagnostics import ArcName, Diagnostic
+from kitrobot.diagnostics import ArcName, Diagnostic, Fix, FixKind
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind, did_you_mean
+from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind, did_you_mean, nearest
 
 
 class Wiring:
@@ -73,10 +73,12 @@ class Wiring:
             return
         known = [f"{a}.{b}" for a, b in self.robot.calls] if dot else list(self.catalogue.constructors)
         where = f"the robot `{self.robot.name}`" if dot else "the constructors' XML"
+        near = nearest(vertex.element, known)
         self.report(
             rules.UNKNOWN_ELEMENT(
                 f"`{vertex.element}` is not in {where}",
-                help=did_you_mean(vertex.element, known) or "bring its XML file back, or delete the vertex",
+                help=f"did you mean {near}?" if near else "bring its XML file back, or delete the vertex",
+                fix=Fix(near, FixKind.ELEMENT, near) if near else None,
                 **self._at(vertex.id),
             )
         )

@@ -3,6 +3,8 @@
 from kitrobot.diagnostics.model import (
     ArcName,
     Diagnostic,
+    Fix,
+    FixKind,
     KitRobotError,
     Place,
     Rule,
@@ -17,6 +19,8 @@ from kitrobot.diagnostics.rendering import render, render_one, to_json, to_page_
 __all__ = [
     "ArcName",
     "Diagnostic",
+    "Fix",
+    "FixKind",
     "KitRobotError",
     "Place",
     "Rule",

@@ -74,12 +74,34 @@ ArcName = tuple[str, str, str, str]
 """An arc as diagnostics name it: from, out-port, to, in-port."""
 
 
+class FixKind(StrEnum):
+    """What a fix does to a graph; to a text it always does the same."""
+
+    TEXT = "text"
+    ELEMENT = "element"
+    SETTING = "setting"
+    UNSET = "unset"
+    UNWRAP = "unwrap"
+
+
+@dataclass(frozen=True)
+class Fix:
+    """The one right answer to a diagnostic.
+
+    In a text, `text` takes the place of what stands at the diagnostic's place. In a graph the same is done to its first
+    vertex: it becomes the element `name`, its setting `name` becomes `text` or goes, or it gives way to what it holds.
+    """
+
+    text: str
+    kind: FixKind = FixKind.TEXT
+    name: str = ""
+
+
 @dataclass(frozen=True)
 class Diagnostic:
     """One thing to tell the user: a sentence, where, and what to do (`help`).
 
-    `program`, `vertices` and `arcs` say where in a graph; `fix` is a replacement text for `place` where there is one
-    right answer.
+    `program`, `vertices` and `arcs` say where in a graph; `fix` is there where there is one right answer.
     """
 
     code: str
@@ -90,7 +112,7 @@ class Diagnostic:
     program: str = ""
     vertices: tuple[str, ...] = ()
     arcs: tuple[ArcName, ...] = ()
-    fix: str | None = None
+    fix: Fix | None = None
 
     @property
     def is_error(self) -> bool:
@@ -121,7 +143,7 @@ class Rule:
         program: str = "",
         vertices: Iterable[str] = (),
         arcs: Iterable[ArcName] = (),
-        fix: str | None = None,
+        fix: Fix | None = None,
     ) -> Diagnostic:
         """A diagnostic of this rule."""
         return Diagnostic(self.code, self.severity, message, place, help, program, tuple(vertices), tuple(arcs), fix)

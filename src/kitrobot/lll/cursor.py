@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import Diagnostic, Rule, Source
+from kitrobot.diagnostics import Diagnostic, Fix, Rule, Source
 from kitrobot.lll import rules
 from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, SYMBOL, Comment, Token, tokenise
 from kitrobot.lll.tree import MAX_NESTING, Instr
@@ -46,7 +46,7 @@ class Cursor:
         self.last_end = token[2]
         return token
 
-    def report(self, rule: Rule, message: str, start: int, end: int, help: str = "", fix: str | None = None) -> None:
+    def report(self, rule: Rule, message: str, start: int, end: int, help: str = "", fix: Fix | None = None) -> None:
         self.diagnostics.append(rule(message, self.source.place(start, end), help=help, fix=fix))
 
     def found(self) -> str:

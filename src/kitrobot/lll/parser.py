@@ -15,7 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from kitrobot.diagnostics import Diagnostic, Source
+from kitrobot.diagnostics import Diagnostic, Fix, Source
 from kitrobot.lll import rules
 from kitrobot.lll.collection import collection_paused
 from kitrobot.lll.cursor import Mistake
@@ -172,7 +172,7 @@ class _Parser(Expressions):
                 self.last_end,
                 self.last_end,
                 "put a `;` here",
-                fix=";",
+                fix=Fix(";"),
             )
 
     # -- instructions

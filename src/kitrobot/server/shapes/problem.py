@@ -10,6 +10,14 @@ from pydantic import BaseModel
 from kitrobot.diagnostics import Diagnostic, to_page_json
 
 
+class FixShape(BaseModel):
+    """The one right answer: `text` for the place, and what that is in a graph."""
+
+    text: str
+    kind: Literal["text", "element", "setting", "unset", "unwrap"]
+    name: str
+
+
 class ProblemShape(BaseModel):
     """A diagnostic; lines and columns count from 1 and are 0 where there is no file."""
 
@@ -25,6 +33,7 @@ class ProblemShape(BaseModel):
     program: str
     vertices: list[str]
     arcs: list[tuple[str, str, str, str]]
+    fix: FixShape | None = None
 
 
 class FailureShape(BaseModel):
