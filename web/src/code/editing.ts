@@ -14,7 +14,8 @@ import { hoverTooltip, keymap } from "@codemirror/view";
 
 import { useStudio } from "../model/studio";
 import type { Catalogue, Problem, Robot } from "../model/types";
-import { sentence } from "../words/words";
+import { applyFix } from "../problems/fixes";
+import { sentence, t } from "../words/words";
 import { completionSource } from "./completion";
 import { callHelp, constructHelp } from "./help";
 import { stretchOf } from "./places";
@@ -109,7 +110,9 @@ export function mark(view: EditorView, problems: readonly Problem[]): void {
   const text = view.state.doc.toString();
   const marks = problems.map((problem): Diagnostic => {
     const message = [sentence(problem.message), sentence(problem.help)].filter((one) => one !== "").join("\n");
-    return { ...stretchOf(problem, text), severity: problem.severity === "hint" ? "info" : problem.severity, message };
+    const actions = problem.fix == null ? [] : [{ name: t("problems.fix"), apply: () => void applyFix(problem) }];
+    const severity = problem.severity === "hint" ? "info" : problem.severity;
+    return { ...stretchOf(problem, text), severity, message, actions };
   });
   view.dispatch(setDiagnostics(view.state, marks));
 }

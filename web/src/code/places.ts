@@ -24,8 +24,8 @@ export interface Stretch {
   to: number;
 }
 
-/** Where a problem stands in a text; at least one character of it where there is one. */
-export function stretchOf(problem: Problem, text: string): Stretch {
+/** Where a problem stands in a text; empty where something is missing. */
+export function exactStretchOf(problem: Problem, text: string): Stretch {
   const lines = text.split("\n");
   const offset = (line: number, column: number): number => {
     const at = Math.min(Math.max(line, 1), lines.length) - 1;
@@ -35,7 +35,12 @@ export function stretchOf(problem: Problem, text: string): Stretch {
     return before + Math.min(unitsOf(words)(own), words.length);
   };
   const from = offset(problem.line, problem.column);
-  const to = Math.max(offset(problem.end_line, problem.end_column), from);
+  return { from, to: Math.max(offset(problem.end_line, problem.end_column), from) };
+}
+
+/** As `exactStretchOf`, at least one character of the text where there is one: what can be marked. */
+export function stretchOf(problem: Problem, text: string): Stretch {
+  const { from, to } = exactStretchOf(problem, text);
   if (to > from) return { from, to };
   return from > 0 && (from === text.length || text[from] === "\n") && text[from - 1] !== "\n"
     ? { from: from - 1, to: from }

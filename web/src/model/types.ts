@@ -155,6 +155,13 @@ export interface Mission {
   variables?: OwnVariable[];
 }
 
+/** The one right answer to a problem: `text` for its place, and what that is in a graph. */
+export interface Fix {
+  text: string;
+  kind: "text" | "element" | "setting" | "unset" | "unwrap";
+  name: string;
+}
+
 export interface Problem {
   file: string;
   line: number;
@@ -168,6 +175,7 @@ export interface Problem {
   program: string;
   vertices: string[];
   arcs: [string, string, string, string][];
+  fix?: Fix | null;
 }
 
 export interface SpanEntry {

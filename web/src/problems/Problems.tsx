@@ -9,7 +9,11 @@ import { Icon } from "../theme";
 import { Said } from "../words/Said";
 import { sentence, t } from "../words/words";
 import "./problems.css";
+import { applyFix, canFix } from "./fixes";
 import { goTo, orderProblems, useProblemList } from "./walk";
+
+/** Mends the problem that F8 is at. */
+export const FIX_KEY = "Ctrl+.";
 
 const SHAPES = { error: "octagon-x", warning: "triangle-alert", hint: "lightbulb" } as const;
 
@@ -49,7 +53,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
   }, [current]);
   const place = problem.program !== "" ? problem.program : problem.file;
   return (
-    <li>
+    <li className="problem-row">
       <button
         type="button"
         ref={button}
@@ -83,6 +87,19 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
         </span>
         <code className="problem-code">{problem.code}</code>
       </button>
+      {canFix(problem) ? (
+        <button
+          type="button"
+          className="problem-fix"
+          data-testid={`fix-${String(index + 1)}`}
+          title={`${t("problems.fix")} (${FIX_KEY})`}
+          aria-label={t("problems.fix-this", { message: sentence(problem.message) })}
+          onClick={() => applyFix(problem)}
+        >
+          <Icon name="wrench" size={14} />
+          {t("problems.fix")}
+        </button>
+      ) : null}
     </li>
   );
 }

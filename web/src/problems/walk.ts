@@ -11,6 +11,7 @@ import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
 import { reveal } from "../shell/actions";
 import { useDocument } from "../shell/document";
+import { applyFix, canFix } from "./fixes";
 
 const RANK = { error: 0, warning: 1, hint: 2 } as const;
 
@@ -46,6 +47,16 @@ export function goTo(problem: Problem): void {
   const wanted = problem.vertices.length > 0 ? problem.vertices : ends;
   const there = wanted.filter((id) => program.vertices.some((vertex) => vertex.id === id));
   reveal(program.name, there);
+}
+
+/** Mends the problem that the walk is at, or the first that can be mended; the walk stays where it is. */
+export function fixProblem(): void {
+  const problems = problemsNow();
+  const current = problems[useProblemList.getState().at];
+  const wanted = current !== undefined && canFix(current) ? current : problems.find(canFix);
+  if (wanted === undefined) return;
+  goTo(wanted);
+  applyFix(wanted);
 }
 
 export function walkProblems(by: 1 | -1): void {

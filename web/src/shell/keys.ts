@@ -4,7 +4,8 @@
 import { useEffect } from "react";
 
 import { useStudio } from "../model/studio";
-import { walkProblems } from "../problems/walk";
+import { printSheet } from "../out/print";
+import { fixProblem, walkProblems } from "../problems/walk";
 import { useRun } from "../run/run";
 import { pause, run } from "./actions";
 import { newMission, save, show, useDocument } from "./document";
@@ -23,8 +24,10 @@ export function keyMeaning(event: KeyboardEvent): (() => void) | null {
   if (key === "F5") return event.shiftKey ? () => useRun.getState().stop() : run;
   if (key === "F6") return pause;
   if (key === "F8") return () => walkProblems(event.shiftKey ? -1 : 1);
+  if (control && key === ".") return fixProblem;
   if (key === "F10" && !event.shiftKey) return () => useRun.getState().step();
   if (control && key === "s") return event.shiftKey ? () => show("save-as") : () => void save();
+  if (control && key === "p" && !event.shiftKey) return printSheet;
   if (control && key === "o") return () => show("open");
   if (control && event.altKey && key === "n") return newMission;
   if (typing(event.target)) return null;

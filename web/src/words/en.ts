@@ -1,11 +1,13 @@
 import { EDITOR_EN } from "./en-editor";
 import { JOURNAL_EN } from "./en-journal";
+import { OUT_EN } from "./en-out";
 import { REACH_EN } from "./en-reach";
 
 /** English: the complete table, whose keys every other language has. */
 export const EN = {
   ...EDITOR_EN,
   ...JOURNAL_EN,
+  ...OUT_EN,
   ...REACH_EN,
   "app.name": "KitRobot",
   "app.parts": "Parts",
@@ -179,6 +181,8 @@ export const EN = {
   "problems.error": "Error",
   "problems.warning": "Warning",
   "problems.hint": "Hint",
+  "problems.fix": "Fix",
+  "problems.fix-this": "Fix: {message}",
   "problems.next": "Next problem",
   "problems.previous": "Previous problem",
   "problems.close": "Close the list",

@@ -1,12 +1,14 @@
 /** French, in the words of a class: short, and « vous » to the reader. */
 import { EDITOR_FR } from "./fr-editor";
 import { JOURNAL_FR } from "./fr-journal";
+import { OUT_FR } from "./fr-out";
 import { REACH_FR } from "./fr-reach";
 import type { Table } from "./words";
 
 export const FR = {
   ...EDITOR_FR,
   ...JOURNAL_FR,
+  ...OUT_FR,
   ...REACH_FR,
   "app.name": "KitRobot",
   "app.parts": "Pièces",
@@ -180,6 +182,8 @@ export const FR = {
   "problems.error": "Erreur",
   "problems.warning": "Avertissement",
   "problems.hint": "Conseil",
+  "problems.fix": "Corriger",
+  "problems.fix-this": "Corriger : {message}",
   "problems.next": "Problème suivant",
   "problems.previous": "Problème précédent",
   "problems.close": "Fermer la liste",

@@ -1,12 +1,14 @@
 /** Urdu, in the words of a class; it runs from right to left, what is code or a number does not. */
 import { EDITOR_UR } from "./ur-editor";
 import { JOURNAL_UR } from "./ur-journal";
+import { OUT_UR } from "./ur-out";
 import { REACH_UR } from "./ur-reach";
 import type { Table } from "./words";
 
 export const UR = {
   ...EDITOR_UR,
   ...JOURNAL_UR,
+  ...OUT_UR,
   ...REACH_UR,
   "app.name": "KitRobot",
   "app.parts": "پرزے",
@@ -180,6 +182,8 @@ export const UR = {
   "problems.error": "غلطی",
   "problems.warning": "تنبیہ",
   "problems.hint": "مشورہ",
+  "problems.fix": "درست کریں",
+  "problems.fix-this": "درست کریں: {message}",
   "problems.next": "اگلا مسئلہ",
   "problems.previous": "پچھلا مسئلہ",
   "problems.close": "فہرست بند کریں",
