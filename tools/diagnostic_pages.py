@@ -21,6 +21,7 @@ ROOMS = {
     "lll": "The text of a program",
     "primitives": "XML files, constructors and robots",
     "world": "Worlds",
+    "tutorial": "Tutorials",
     "compiler": "What a program means, and its graph",
     "mission": "Missions",
     "sim": "Starting a run",

@@ -13,7 +13,13 @@ PRIMITIVES = Path(kitrobot.primitives.__file__).parent
 PACKAGE = PRIMITIVES.parent
 REPOSITORY = Path(__file__).parents[2]
 SCHEMAS = PRIMITIVES / "schemas"
-KINDS = {"constructors.xml": "constructors", ".robot.xml": "robot", ".world.xml": "world", ".krt": "mission"}
+KINDS = {
+    ".tutorial.xml": "tutorial",
+    "constructors.xml": "constructors",
+    ".robot.xml": "robot",
+    ".world.xml": "world",
+    ".krt": "mission",
+}
 
 
 def shipped_files() -> list[Path]:

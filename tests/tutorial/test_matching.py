@@ -124,6 +124,9 @@ def test_a_test_that_is_not_there_yet_fills_no_hole() -> None:
     missing = program("*[Button.IsPressed()](WAIT(1));")
     missing.items[0].condition = Call("", "")  # type: ignore[union-attr]
     assert not fits(pattern("*[{c}]({b})"), missing)
+    assert fits(pattern("*[{c}]({b})", c=(0, 1)), missing)
+    assert not fits(pattern("*[{c}]({b})", c=(1, 1)), missing)
+    assert fits(pattern("*[{c}]({b})", c=(1, 1)), program("*[Button.IsPressed()](WAIT(1));"))
 
 
 def test_steps_ask_a_certain_program_any_program_or_several() -> None:

@@ -31,10 +31,11 @@ class Gallery:
         self._kept: dict[str, _Kept] = {}
 
     def entries(self, studio: Studio) -> list[MissionEntryShape]:
-        """Every mission that can be opened."""
+        """Every mission that can be opened; what a tutorial begins with is no example."""
         found = studio.folder.missions()
+        starts = studio.tutorials.starts()
         own = [_plain(entry) for entry in found if not entry.example]
-        examples = [self._example(studio, entry) for entry in found if entry.example]
+        examples = [self._example(studio, entry) for entry in found if entry.example and entry.path not in starts]
         return own + sorted(examples, key=_difficulty)
 
     def _example(self, studio: Studio, entry: MissionEntry) -> MissionEntryShape:

@@ -15,7 +15,7 @@ from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
-from kitrobot.workspace import Journals, MissionFolder, OpenMission, read_mission_data, with_mission
+from kitrobot.workspace import Journals, MissionFolder, OpenMission, Tutorials, read_mission_data, with_mission
 
 Stamp = tuple[tuple[str, int, int], ...]
 MOST_KEPT = 16
@@ -31,6 +31,7 @@ class Studio:
         self.first = self.folder.name_of(mission) if mission is not None else None
         self.runs = 0
         self.gallery = Gallery()
+        self.tutorials = Tutorials(self.folder)
         self._lock = threading.Lock()
         self._kept: dict[Path, tuple[Stamp, Catalogue, CatalogueShape]] = {}
 

@@ -35,6 +35,7 @@ from kitrobot.lll import (
     Seq,
     Wait,
     While,
+    children,
     nodes,
 )
 from kitrobot.primitives import holes
@@ -88,6 +89,13 @@ class _Matching:
         self.bound: dict[str, Any] = {}
         self.steps = 0
         self.known: dict[tuple[int, int], bool] = {}
+        self.tests = {
+            child.name
+            for node in nodes(pattern.code)
+            if not isinstance(node, Call)
+            for child in children(node)
+            if isinstance(child, Hole)
+        }
         names = Counter(hole.name for hole, _, _ in holes(pattern.code))
         self.shared = {name for name, times in names.items() if times > 1}
         self.tied: dict[int, bool] = {}
@@ -182,14 +190,18 @@ class _Matching:
             yield from self.all(rest)
 
     def hole(self, hole: Hole, value: Any) -> Iterator[None]:
-        """Takes what stands there. A test that is not there yet, a call without a name, is nothing to take."""
+        """Takes what stands there. A test that is not there yet is taken only where the range lets it be missing."""
         taken = value.value if isinstance(value, Number) else value
-        if isinstance(taken, Call) and not taken.object:
-            return
+        missing = isinstance(taken, Call) and not taken.object
         bounds = self.ranges.get(hole.name)
-        if bounds is not None:
-            size = len(taken.items) if isinstance(taken, Seq) else taken
-            if not isinstance(size, int) or not bounds[0] <= size <= bounds[1]:
+        if bounds is None:
+            if missing:
+                return
+        else:
+            size = len(taken.items) if isinstance(taken, Seq) else 0 if missing else taken
+            if not isinstance(size, int):
+                size = 1 if hole.name in self.tests else -1
+            if not bounds[0] <= size <= bounds[1]:
                 return
         if hole.name not in self.shared:
             yield

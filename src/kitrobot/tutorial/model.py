@@ -25,8 +25,8 @@ class Pattern:
     """LLL with holes, and where it has to stand.
 
     `whole`: it is the whole program; else something of the program. `program` names the one that is meant ("" any);
-    `programs` is how many have to be like that. `ranges` says, by hole, which numbers may stand there, or how many
-    instructions where the hole is a body.
+    `programs` is how many have to be like that. `ranges` says, by hole, which numbers may stand there; how many
+    instructions, where the hole is a body; and with 0 as the least that a test may still be missing.
     """
 
     code: Instr | Condition | Seq

@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.problems import ProblemsError, with_help, written_out
     from kitrobot.workspace.robots import find_robot
     from kitrobot.workspace.running import Run, Timing
+    from kitrobot.workspace.tutorials import FoundTutorial, Tutorials, watched
 
 _ROOMS = {
     "carried": ("CarriedError", "carried_mission"),
@@ -77,6 +78,7 @@ _ROOMS = {
     "problems": ("ProblemsError", "with_help", "written_out"),
     "robots": ("find_robot",),
     "running": ("Run", "Timing"),
+    "tutorials": ("FoundTutorial", "Tutorials", "watched"),
 }
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
 
@@ -95,6 +97,7 @@ __all__ = [
     "FileReport",
     "Form",
     "FormError",
+    "FoundTutorial",
     "Inputs",
     "Journal",
     "JournalError",
@@ -115,6 +118,7 @@ __all__ = [
     "Run",
     "Span",
     "Timing",
+    "Tutorials",
     "carried_mission",
     "check_file",
     "compare_files",
@@ -138,6 +142,7 @@ __all__ = [
     "revision_of",
     "state_folder",
     "text_differences",
+    "watched",
     "with_help",
     "with_mission",
     "write_journal",

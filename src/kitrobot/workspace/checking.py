@@ -1,5 +1,5 @@
 """Every problem of a file, whatever its kind: missions, LLL texts, images, listings, and XML of robots, constructors,
-worlds.
+worlds, tutorials.
 
 The kind is told by the ending or, for XML, by the first element. A file that cannot be read is a problem like the
 others, so looking at many files goes on after it.
@@ -15,6 +15,7 @@ from kitrobot.compiler import compile_text
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.lll import parse
 from kitrobot.primitives import Robot, load_catalogue, read_constructors, read_robot
+from kitrobot.tutorial import read_tutorial
 from kitrobot.workspace.files import FileError, decode, read_bytes
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.opening import open_mission
@@ -25,8 +26,8 @@ UNKNOWN_KIND = rule(
     "file-unknown-kind",
     Severity.ERROR,
     "A file is of no kind that is known here",
-    "Known are `.krt`, `.lll`, `.kri`, `.kra`, and XML whose first element is <robot>, <constructors>, <world> or"
-    " <kitrobot>.",
+    "Known are `.krt`, `.lll`, `.kri`, `.kra`, and XML whose first element is <robot>, <constructors>, <world>,"
+    " <tutorial> or <kitrobot>.",
 )
 UNUSABLE = rule(
     "image-unusable",
@@ -39,7 +40,7 @@ UNUSABLE = rule(
 _FIRST_ELEMENT = re.compile(
     r"(?:\s|(?><\?.*?\?>)|(?><!--.*?-->)|(?><!DOCTYPE[^>\[]*(?:\[.*?\])?\s*>))*+<([A-Za-z][\w.-]*)", re.DOTALL
 )
-_READERS = ("robot", "world", "constructors")
+_READERS = ("robot", "world", "constructors", "tutorial")
 _LINE = re.compile(r"^.*?:([0-9]+): (.*)$", re.DOTALL)
 
 
@@ -147,10 +148,12 @@ def _xml(path: Path) -> FileReport:
         _, found = read_robot(data, name)
     elif kind == "world" or (kind not in _READERS and lower.endswith(".world.xml")):
         _, found = read_world(data, name)
+    elif kind == "tutorial" or (kind not in _READERS and lower.endswith(".tutorial.xml")):
+        _, found = read_tutorial(data, name)
     elif kind == "constructors" or first is None or lower.endswith("constructors.xml"):
         _, found = read_constructors(data, name)
         found += _among_others(path, found)
     else:
-        message = f"expected <robot>, <constructors>, <world> or <kitrobot>, found <{kind[:40]}>"
+        message = f"expected <robot>, <constructors>, <world>, <tutorial> or <kitrobot>, found <{kind[:40]}>"
         found = [UNKNOWN_KIND(message, source.place(first.start(1), first.end(1)))]
     return FileReport(path, tuple(found), (source,))

@@ -1,5 +1,7 @@
 """The missions of one folder, and the examples beside them: listed, read, saved; nothing outside can be reached.
 
+The tutorials of the folder and among the examples are named in the same way.
+
 A mission is named by its path relative to the folder, with `/` between the parts; an example by `example:` and its
 path among the examples, and it is read-only. A name is followed through links before it is used, and refused when it
 leads out of its folder. A *revision* names a file's content, so that a save which would overwrite what somebody else
@@ -22,6 +24,7 @@ from kitrobot.workspace.examples import examples_folder
 from kitrobot.workspace.files import read_bytes
 
 ENDING = ".krt"
+TUTORIAL_ENDING = ".tutorial.xml"
 EXAMPLE = "example:"
 DEEPEST = 5
 MOST_LISTED = 500
@@ -86,7 +89,13 @@ class MissionFolder:
                 return prefix + real.relative_to(root).as_posix()
         raise MissionNameError(f"`{path}` is not in the folder `{self.root.name}`", "open its own folder")
 
-    def path_of(self, name: str) -> Path:
+    def tutorials(self) -> list[str]:
+        """The names of the tutorials: those among the examples by path, then those of the folder."""
+        shipped = [EXAMPLE + path.relative_to(self.examples).as_posix() for path in _tutorials_below(self.examples)]
+        own = [path.relative_to(self.root).as_posix() for path in _tutorials_below(self.root, self.examples)]
+        return shipped + own
+
+    def path_of(self, name: str, ending: str = ENDING) -> Path:
         """The file that a name leads to; it need not exist.
 
         Raises:
@@ -97,9 +106,11 @@ class MissionFolder:
             root, inner = self.examples, name.removeprefix(EXAMPLE)
         pure = PurePosixPath(inner)
         wrong = not inner or pure.is_absolute() or ".." in pure.parts or _ON_WINDOWS.search(inner) or len(inner) > 1000
-        if wrong or pure.suffix.lower() != ENDING or not pure.stem.strip("."):
+        stem = pure.name[: -len(ending)] if pure.name.lower().endswith(ending) else ""
+        if wrong or not stem.strip("."):
+            what = "a mission" if ending == ENDING else "a tutorial"
             raise MissionNameError(
-                f"`{name[:80]}` is no name of a mission", f"give a name in this folder that ends with `{ENDING}`"
+                f"`{name[:80]}` is no name of {what}", f"give a name in this folder that ends with `{ending}`"
             )
         path = root / pure
         try:
@@ -187,10 +198,19 @@ def _conflict(name: str, before: str, now: str) -> ConflictError:
 
 
 def _missions_below(root: Path, without: Path | None = None) -> list[Path]:
-    return sorted(_walk(root, without), key=lambda path: path.relative_to(root).as_posix().casefold())[:MOST_LISTED]
+    return _found_below(root, without, ENDING)
 
 
-def _walk(root: Path, without: Path | None) -> Iterator[Path]:
+def _tutorials_below(root: Path, without: Path | None = None) -> list[Path]:
+    return _found_below(root, without, TUTORIAL_ENDING)
+
+
+def _found_below(root: Path, without: Path | None, ending: str) -> list[Path]:
+    found = _walk(root, without, ending)
+    return sorted(found, key=lambda path: path.relative_to(root).as_posix().casefold())[:MOST_LISTED]
+
+
+def _walk(root: Path, without: Path | None, ending: str) -> Iterator[Path]:
     looked_at = 0
     for folder, folders, files in os.walk(root):
         looked_at += len(folders) + len(files)
@@ -198,7 +218,7 @@ def _walk(root: Path, without: Path | None) -> Iterator[Path]:
         hidden = looked_at > MOST_LOOKED_AT or depth >= DEEPEST
         inner = [name for name in folders if not name.startswith(".") and name != "node_modules"]
         folders[:] = [] if hidden else sorted(name for name in inner if Path(folder, name) != without)
-        yield from (Path(folder, name) for name in files if name.lower().endswith(ENDING) and not name.startswith("."))
+        yield from (Path(folder, name) for name in files if name.lower().endswith(ending) and not name.startswith("."))
 
 
 def _entry(path: Path, root: Path, prefix: str) -> MissionEntry:

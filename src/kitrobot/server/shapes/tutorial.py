@@ -1,0 +1,83 @@
+"""Tutorials, on the wire: what a person reads and where a step points. What it looks for stays with the server."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel
+
+from kitrobot.server.shapes.mission import MissionShape
+from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
+from kitrobot.workspace import FoundTutorial
+
+
+class PointShape(BaseModel):
+    """Something of the page that a step points at; `inner` is a setting or slot of a vertex, or ""."""
+
+    kind: Literal["part", "vertex", "button", "panel", "program"]
+    name: str
+    inner: str
+
+
+class TutorialStepShape(BaseModel):
+    """One step. `asks`: the program has to be in some way; `events`: one of these has to happen meanwhile."""
+
+    label: dict[str, str]
+    help: dict[str, str]
+    hint: dict[str, str]
+    points: list[PointShape]
+    asks: bool
+    events: list[str]
+
+
+class TutorialShape(BaseModel):
+    """A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`."""
+
+    name: str
+    start: str
+    label: dict[str, str]
+    help: dict[str, str]
+    icon: str
+    steps: list[TutorialStepShape]
+    problems: list[ProblemShape]
+
+
+class TutorialWatchShape(BaseModel):
+    """A mission, opened from `path`, to be held against a tutorial."""
+
+    tutorial: str
+    mission: MissionShape
+    path: str
+
+
+class TutorialFitShape(BaseModel):
+    """For each step, whether the programs are as it wants them."""
+
+    fits: list[bool]
+
+
+def tutorial_shape(found: FoundTutorial) -> TutorialShape:
+    """A tutorial as it travels."""
+    tutorial = found.tutorial
+    return TutorialShape(
+        name=found.name,
+        start=found.start,
+        label=dict(tutorial.label) if tutorial is not None else {},
+        help=dict(tutorial.help) if tutorial is not None else {},
+        icon=tutorial.icon if tutorial is not None else "",
+        steps=[
+            TutorialStepShape(
+                label=dict(step.label),
+                help=dict(step.help),
+                hint=dict(step.hint),
+                points=[
+                    PointShape.model_validate({"kind": point.kind, "name": point.name, "inner": point.inner})
+                    for point in step.points
+                ],
+                asks=bool(step.wants),
+                events=list(step.events),
+            )
+            for step in (tutorial.steps if tutorial is not None else ())
+        ],
+        problems=problem_shapes(found.problems),
+    )
