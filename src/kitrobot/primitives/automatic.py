@@ -25,6 +25,11 @@ def _texts(english: str, french: str, urdu: str) -> Texts:
     return {"": english, "fr": french, "ur": urdu}
 
 
+def _label(french: str, urdu: str) -> Texts:
+    """What stands for a name that is English."""
+    return {"fr": french, "ur": urdu}
+
+
 def comparison(test: str, right: str) -> Texts:
     """The phrase of a chip for a test against a number or a parameter (`{value}`)."""
     return {"": f"{{object}} {_SIGNS[test]} {right}"}
@@ -36,21 +41,25 @@ _TESTS = (
         "EqualTo",
         "equal",
         "equal",
+        _label("Égal à", "برابر"),
         _texts("Is it exactly this number?", "Est-ce exactement ce nombre ?", "کیا یہ بالکل یہی عدد ہے؟"),
     ),
     (
         "LessThan",
         "less",
         "chevron-left",
+        _label("Plus petit que", "سے کم"),
         _texts("Is it smaller than this number?", "Est-ce plus petit que ce nombre ?", "کیا یہ اس عدد سے چھوٹا ہے؟"),
     ),
     (
         "GreaterThan",
         "greater",
         "chevron-right",
+        _label("Plus grand que", "سے زیادہ"),
         _texts("Is it bigger than this number?", "Est-ce plus grand que ce nombre ?", "کیا یہ اس عدد سے بڑا ہے؟"),
     ),
 )
+_VALUE_LABEL = _label("valeur", "قدر")
 _VALUE_HELP = _texts("The number to use.", "Le nombre à utiliser.", "استعمال ہونے والا عدد۔")
 _TRUTH_HELP = _texts("0 is false, 1 is true.", "0 veut dire faux, 1 veut dire vrai.", "0 کا مطلب غلط، 1 کا مطلب درست۔")
 
@@ -58,8 +67,8 @@ _TRUTH_HELP = _texts("0 is false, 1 is true.", "0 veut dire faux, 1 veut dire vr
 def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, ...]:
     """Set, Add, Sub, Value, EqualTo, LessThan, GreaterThan of a variable that holds a number."""
     span = min(maximum - minimum, LARGEST_VALUE)
-    value = Parameter("value", minimum, maximum, initial, help=_VALUE_HELP)
-    amount = Parameter("value", -span, span, min(1, span), help=_VALUE_HELP)
+    value = Parameter("value", minimum, maximum, initial, label=_VALUE_LABEL, help=_VALUE_HELP)
+    amount = Parameter("value", -span, span, min(1, span), label=_VALUE_LABEL, help=_VALUE_HELP)
     return (
         Method(
             "Set",
@@ -67,6 +76,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
             (value,),
             action="set",
             icon="pencil",
+            label=_label("Mettre", "رکھو"),
             help=_texts(
                 "Gives the variable a new number.",
                 "Donne un nouveau nombre à la variable.",
@@ -80,6 +90,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
             (amount,),
             action="add",
             icon="plus",
+            label=_label("Ajouter", "جمع کرو"),
             help=_texts(
                 "Makes the variable bigger by a number.",
                 "Ajoute un nombre à la variable.",
@@ -93,6 +104,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
             (amount,),
             action="sub",
             icon="minus",
+            label=_label("Enlever", "گھٹاؤ"),
             help=_texts(
                 "Makes the variable smaller by a number.",
                 "Enlève un nombre à la variable.",
@@ -104,21 +116,31 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
             "Value",
             Kind.VALUE,
             icon="hash",
+            label=_label("Valeur", "قدر"),
             help=_texts(
                 "The number that the variable holds now.", "Le nombre que contient la variable.", "متغیر میں موجود عدد۔"
             ),
             phrase={"": "{object}"},
         ),
         *(
-            Method(name, Kind.TEST, (value,), test=test, icon=icon, help=help, phrase=comparison(test, "{value}"))
-            for name, test, icon, help in _TESTS
+            Method(
+                name,
+                Kind.TEST,
+                (value,),
+                test=test,
+                icon=icon,
+                label=label,
+                help=help,
+                phrase=comparison(test, "{value}"),
+            )
+            for name, test, icon, label, help in _TESTS
         ),
     )
 
 
 def boolean_methods(initial: int) -> tuple[Method, ...]:
     """Set, IsTrue, IsFalse of a variable that holds true or false."""
-    value = Parameter("value", 0, 1, initial, type=ValueType.BOOLEAN, help=_TRUTH_HELP)
+    value = Parameter("value", 0, 1, initial, type=ValueType.BOOLEAN, label=_VALUE_LABEL, help=_TRUTH_HELP)
     return (
         Method(
             "Set",
@@ -126,6 +148,7 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             (value,),
             action="set",
             icon="pencil",
+            label=_label("Mettre", "رکھو"),
             help=_texts(
                 "Makes the variable true or false.",
                 "Rend la variable vraie ou fausse.",
@@ -139,6 +162,7 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             test="equal",
             to=1,
             icon="toggle-right",
+            label=_label("Est vrai", "درست ہے"),
             help=_texts("Is the variable true?", "La variable est-elle vraie ?", "کیا متغیر درست ہے؟"),
             phrase=_texts("{object} is true", "{object} est vrai", "{object} درست ہے"),
         ),
@@ -148,6 +172,7 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             test="equal",
             to=0,
             icon="toggle-left",
+            label=_label("Est faux", "غلط ہے"),
             help=_texts("Is the variable false?", "La variable est-elle fausse ?", "کیا متغیر غلط ہے؟"),
             phrase=_texts("{object} is false", "{object} est faux", "{object} غلط ہے"),
         ),
@@ -166,10 +191,11 @@ def fault_object() -> RobotObject:
                 test="equal",
                 to=1,
                 icon="triangle-alert",
+                label=_label("Est levé", "اٹھا ہوا ہے"),
                 help=_texts(
                     "Did a number go out of its range since the last Clear?",
-                    "Un nombre est-il sorti de ses limites depuis le dernier Clear ?",
-                    "کیا پچھلے Clear کے بعد کوئی عدد اپنی حد سے باہر گیا؟",
+                    "Un nombre est-il sorti de ses limites depuis le dernier Effacer ?",
+                    "کیا پچھلے «مٹاؤ» کے بعد کوئی عدد اپنی حد سے باہر گیا؟",
                 ),
                 phrase=_texts("{object} is raised", "{object} est levé", "{object} اٹھا ہوا ہے"),
             ),
@@ -178,12 +204,14 @@ def fault_object() -> RobotObject:
                 Kind.PROCEDURE,
                 action="clear",
                 icon="eraser",
+                label=_label("Effacer", "مٹاؤ"),
                 help=_texts("Forgets the fault.", "Oublie le défaut.", "خرابی بھلا دیتا ہے۔"),
             ),
         ),
         type=ValueType.BOOLEAN,
         maximum=1,
         icon="triangle-alert",
+        label=_label("Défaut", "خرابی"),
         help=_texts(
             "Goes up when a number had to be cut to fit its range, for example a speed of 120.",
             "Se lève quand un nombre a dû être ramené dans ses limites, par exemple une vitesse de 120.",

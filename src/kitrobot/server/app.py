@@ -19,7 +19,7 @@ from kitrobot.server.journal_routes import journal_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
 from kitrobot.server.security import Guard
-from kitrobot.server.sentences import spoken
+from kitrobot.server.sentences import InReadersLanguage, spoken
 from kitrobot.server.shapes import (
     REQUEST_MODELS,
     RUN_MESSAGE_MODELS,
@@ -67,6 +67,7 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
     _serve_page(app, static)
     app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]
     app.add_middleware(Guard, token=token)
+    app.add_middleware(InReadersLanguage)
     return app
 
 

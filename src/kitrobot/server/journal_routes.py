@@ -28,7 +28,8 @@ from kitrobot.server.shapes import (
     mission_from_shape,
 )
 from kitrobot.server.studio import Studio
-from kitrobot.workspace import Journal, differences
+from kitrobot.translation import said
+from kitrobot.workspace import Difference, Journal, differences
 
 LOOK_S = 1.0
 """How often a tab's file is looked at."""
@@ -96,7 +97,12 @@ def difference(studio: StudioOf, wanted: DifferenceAskShape) -> DifferenceShape:
     data, revision = studio.folder.read(wanted.path)
     theirs = studio.read(data, wanted.path, wanted.path).mission
     found = differences(theirs, mission_from_shape(wanted.mission))
-    return DifferenceShape(revision=revision, changes=[one.sentence for one in found])
+    return DifferenceShape(revision=revision, changes=[_in_words(one) for one in found])
+
+
+def _in_words(difference: Difference) -> str:
+    """What is different, after the program that it is about: the words are a sentence, the name is none."""
+    return f"{difference.program}: {said(difference.words)}" if difference.program else said(difference.words)
 
 
 @journal_routes.websocket("/watch")

@@ -6,9 +6,10 @@ import html
 import re
 
 from kitrobot.server.sentences import spoken
+from kitrobot.translation import DIRECTIONS, said, said_in
 
 _PAGE = """<!doctype html>
-<html lang="en">
+<html lang="{language}" dir="{direction}">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -17,6 +18,7 @@ _PAGE = """<!doctype html>
 :root {{ color-scheme: light dark; }}
 body {{ font: 16px/1.5 system-ui, sans-serif; max-width: 36rem; margin: 20vh auto 0; padding: 0 1.5rem; }}
 h1 {{ font-size: 1.25rem; }}
+code {{ direction: ltr; unicode-bidi: isolate; }}
 code {{ font-family: ui-monospace, monospace; padding: 0.1em 0.35em; border-radius: 6px; background: #8882; }}
 </style>
 </head>
@@ -30,7 +32,13 @@ code {{ font-family: ui-monospace, monospace; padding: 0.1em 0.35em; border-radi
 
 def sentence(message: str, help: str) -> str:
     """A page that says one thing; `words` in back quotes are set as code."""
-    return _PAGE.format(message=_words(spoken(message)), help=_words(spoken(help)))
+    language = said_in()
+    return _PAGE.format(
+        language=language,
+        direction=DIRECTIONS[language],
+        message=_words(said(spoken(message))),
+        help=_words(said(spoken(help))),
+    )
 
 
 def _words(text: str) -> str:

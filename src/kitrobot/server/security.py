@@ -28,6 +28,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kitrobot.server import pages
 from kitrobot.server.sentences import spoken
+from kitrobot.translation import said
 
 LARGEST_BODY_BYTES = 16 * 1024 * 1024
 """A mission of 100 000 vertices is half of it."""
@@ -218,7 +219,7 @@ def _dress(message: Message, scope: Scope) -> None:
 async def _refuse(scope: Scope, send: Send, status: int, message: str, help: str) -> None:
     """An answer without the application: a page for people, JSON for the page's own requests."""
     if scope["path"].startswith("/api"):
-        body, kind = orjson.dumps({"message": spoken(message), "help": spoken(help)}), "application/json"
+        body, kind = orjson.dumps({"message": said(spoken(message)), "help": said(spoken(help))}), "application/json"
     else:
         body, kind = pages.sentence(message, help).encode(), "text/html; charset=utf-8"
     head: dict[str, Any] = {

@@ -1,4 +1,17 @@
-"""Messages as the page shows them."""
+"""Messages as the page shows them: sentences of their own, in the reader's language."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import PlainSerializer
+from starlette.datastructures import Headers, QueryParams
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from kitrobot.translation import best_language, reading_in, said
+
+Sentence = Annotated[str, PlainSerializer(said, return_type=str)]
+"""A field for people: English until it is sent, in the language of the request that it answers when it is."""
 
 
 def spoken(words: str) -> str:
@@ -6,3 +19,21 @@ def spoken(words: str) -> str:
     if not words:
         return ""
     return words[0].upper() + words[1:] + ("" if words.endswith((".", "?", "!")) else ".")
+
+
+class InReadersLanguage:
+    """An ASGI shell: what is said while a request or a WebSocket is served is said in the language that it asks for.
+
+    `?language=` counts before `Accept-Language`: a browser lets no page write the headers of a WebSocket.
+    """
+
+    def __init__(self, app: ASGIApp) -> None:
+        self.app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] not in ("http", "websocket"):
+            await self.app(scope, receive, send)
+            return
+        asked = QueryParams(scope["query_string"][:4096]).get("language", "")
+        with reading_in(best_language(asked or Headers(scope=scope).get("accept-language", ""))):
+            await self.app(scope, receive, send)

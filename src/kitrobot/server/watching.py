@@ -13,6 +13,7 @@ from typing import Any
 
 from kitrobot.server.shapes import StartedAgentShape, StartedMessage, world_shape
 from kitrobot.sim import AgentView, Simulation
+from kitrobot.translation import said
 from kitrobot.workspace import OpenMission
 
 _TICKS_BETWEEN_LOOKS = 8
@@ -99,7 +100,8 @@ class Watch:
             report = self._report(agent)
             if self._told.get(agent.name) != report:
                 changed[agent.name] = self._told[agent.name] = report
-        events, self._events = self._events, []
+        events = [{**event, "text": said(event["text"])} for event in self._events]
+        self._events = []
         return {
             "type": "tick",
             "tick": simulation.tick,

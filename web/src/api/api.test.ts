@@ -89,7 +89,7 @@ it("a path is escaped in the address", async () => {
 
 it("the run's address keeps the page's folder and scheme", () => {
   const place = { protocol: "https:", host: "h:1", pathname: "/lab/index.html" };
-  expect(runAddress(place, "a/b")).toBe("wss://h:1/lab/api/run?token=a%2Fb");
+  expect(runAddress(place, "a/b")).toBe("wss://h:1/lab/api/run?language=en&token=a%2Fb");
 });
 
 describe("a pose frame", () => {

@@ -4,7 +4,7 @@
  * Each resolves to what the server sent or rejects with an `ApiError`, whose message is a sentence and whose help says what
  * to do; 409 keeps the revision that is on disk. Addresses are relative, so the page works under any path.
  */
-import { t } from "../words/words";
+import { languageInUse, t } from "../words/words";
 import { token } from "./token";
 import type { Fragment, Mission, MissionFile, Problem, Program, Report, Texts, World, SpanEntry } from "./types";
 
@@ -88,7 +88,7 @@ async function refusal(response: Response): Promise<ApiError> {
 
 /** One request; the answer is what the caller says it is. */
 export async function ask<T>(address: string, { method = "GET", json, bytes, signal }: Asked = {}): Promise<T> {
-  const headers: Record<string, string> = { "X-KitRobot-Token": token() };
+  const headers: Record<string, string> = { "X-KitRobot-Token": token(), "Accept-Language": languageInUse() };
   if (json !== undefined) headers["Content-Type"] = "application/json";
   if (bytes !== undefined) headers["Content-Type"] = "application/octet-stream";
   let response: Response;

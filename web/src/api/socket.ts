@@ -3,6 +3,7 @@
  *
  * A lost connection is said once and not mended in secret: the run it carried is gone, so the person decides.
  */
+import { languageInUse, t } from "../words/words";
 import { token } from "./token";
 import { decodeFrame, type PoseFrame, type RunMessage, type RunRequest } from "./wire";
 
@@ -26,7 +27,7 @@ interface Listener {
 export function runAddress(place: { protocol: string; host: string; pathname: string }, secret: string): string {
   const folder = place.pathname.replace(/[^/]*$/, "");
   const scheme = place.protocol === "https:" ? "wss:" : "ws:";
-  return `${scheme}//${place.host}${folder}api/run?token=${encodeURIComponent(secret)}`;
+  return `${scheme}//${place.host}${folder}api/run?language=${languageInUse()}&token=${encodeURIComponent(secret)}`;
 }
 
 export function openRunSocket(listener: Listener): RunSocket {
@@ -56,8 +57,8 @@ export function openRunSocket(listener: Listener): RunSocket {
     if (ours) return;
     ours = true;
     listener.onLost({
-      message: "The connection to the simulator was lost, so the run has ended.",
-      help: "Check that kitrobot still runs in its terminal, then press Run again.",
+      message: t("error.run-lost"),
+      help: t("error.run-lost-help"),
     });
   });
   return hand;

@@ -220,5 +220,7 @@ export const EN = {
   "error.offline-help": "Check that it still runs in its terminal, then try again.",
   "error.token": "This page has no key for the studio.",
   "error.token-help": "Open the address that kitrobot printed in its terminal, with its token.",
+  "error.run-lost": "The connection to the simulator was lost, so the run has ended.",
+  "error.run-lost-help": "Check that kitrobot still runs in its terminal, then press Run again.",
   "error.unexpected": "The server answered with status {status}.",
 } as const;

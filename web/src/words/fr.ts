@@ -221,5 +221,7 @@ export const FR = {
   "error.offline-help": "Vérifiez qu'il tourne encore dans son terminal, puis réessayez.",
   "error.token": "Cette page n'a pas de clé pour le studio.",
   "error.token-help": "Ouvrez l'adresse que kitrobot a écrite dans son terminal, avec son jeton.",
+  "error.run-lost": "La connexion au simulateur est perdue, donc l'exécution est terminée.",
+  "error.run-lost-help": "Vérifiez que kitrobot tourne encore dans son terminal, puis appuyez de nouveau sur Lancer.",
   "error.unexpected": "Le serveur a répondu par l'état {status}.",
 } satisfies Table;

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
+from kitrobot.server.sentences import Sentence
 from kitrobot.server.shapes.catalogue import CatalogueShape
 from kitrobot.server.shapes.mission import MissionShape, ProgramShape
 from kitrobot.server.shapes.problem import ProblemShape
@@ -72,8 +73,8 @@ class SavedShape(BaseModel):
 class ConflictShape(BaseModel):
     """The file is not what the page last saw; `revision` is what it is now."""
 
-    message: str
-    help: str
+    message: Sentence
+    help: Sentence
     revision: str
 
 

@@ -8,6 +8,7 @@ from typing import Literal
 from pydantic import BaseModel
 
 from kitrobot.diagnostics import Diagnostic, to_page_json
+from kitrobot.server.sentences import Sentence
 
 
 class FixShape(BaseModel):
@@ -28,8 +29,8 @@ class ProblemShape(BaseModel):
     end_column: int
     severity: Literal["error", "warning", "hint"]
     code: str
-    message: str
-    help: str
+    message: Sentence
+    help: Sentence
     program: str
     vertices: list[str]
     arcs: list[tuple[str, str, str, str]]
@@ -39,8 +40,8 @@ class ProblemShape(BaseModel):
 class FailureShape(BaseModel):
     """Why a request could not be done: a sentence and a way out; `problems` where a file was the reason."""
 
-    message: str
-    help: str
+    message: Sentence
+    help: Sentence
     problems: list[ProblemShape] = []
 
 

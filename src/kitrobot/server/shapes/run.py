@@ -10,6 +10,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from kitrobot.server.pacing import FASTEST
+from kitrobot.server.sentences import Sentence
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.world import WorldShape
@@ -101,7 +102,7 @@ class StateMessage(_Message):
     status: Literal["running", "paused", "done", "failed", "stuck", "time", "stopped"]
     tick: int
     seconds: float
-    sentence: str
+    sentence: Sentence
 
 
 class AgentReportShape(BaseModel):
@@ -147,8 +148,8 @@ class ErrorMessage(_Message):
     """A request that could not be followed."""
 
     type: Literal["error"] = "error"
-    message: str
-    help: str
+    message: Sentence
+    help: Sentence
 
 
 RunMessage = Annotated[

@@ -1,0 +1,46 @@
+"""Which language the reader wants: kept for as long as a request is served, and for what is begun during it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+
+from kitrobot.translation.matching import ENGLISH, LANGUAGES, translated
+
+_reader: ContextVar[str] = ContextVar("reader", default=ENGLISH)
+
+MOST_WISHES = 20
+"""Languages of a wish that are looked at; browsers name a handful."""
+
+
+def best_language(wish: str) -> str:
+    """The first language of an `Accept-Language` value that there is a table for ("fr-CA" is French), else English.
+
+    The order of the list counts, as browsers write it; weights (`;q=`) are passed over.
+    """
+    for wanted in wish[:1000].split(",")[:MOST_WISHES]:
+        language = wanted.split(";")[0].strip().lower().split("-")[0]
+        if language in LANGUAGES:
+            return language
+    return ENGLISH
+
+
+@contextmanager
+def reading_in(language: str) -> Iterator[None]:
+    """Says everything in that language as long as the block lasts, in tasks and threads begun in it too."""
+    before = _reader.set(language)
+    try:
+        yield
+    finally:
+        _reader.reset(before)
+
+
+def said_in() -> str:
+    """The reader's language."""
+    return _reader.get()
+
+
+def said(sentence: str) -> str:
+    """A sentence of a room in the reader's language; English where there is no translation."""
+    return translated(sentence, _reader.get())

@@ -1,0 +1,75 @@
+"""Everything that is shipped speaks three languages: each part by name, in a sentence, and on its chip."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import kitrobot.world
+from kitrobot.primitives import Catalogue, Texts, load_catalogue
+from kitrobot.world import read_world
+
+WORLDS = sorted((Path(kitrobot.world.__file__).parent / "shipped").glob("*.xml"))
+ALL = {"", "fr", "ur"}
+
+
+@pytest.fixture(scope="module")
+def catalogue(tmp_path_factory: pytest.TempPathFactory) -> Catalogue:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("KITROBOT_CONFIG", str(tmp_path_factory.mktemp("none")))
+        return load_catalogue()
+
+
+def lacks(texts: Texts, wanted: set[str]) -> bool:
+    return any(not texts.get(language) for language in wanted)
+
+
+def test_every_robot_object_method_and_parameter_has_a_label_and_a_help_in_each_language(catalogue: Catalogue) -> None:
+    silent = []
+    for robot in catalogue.robots.values():
+        things = [(robot.name, robot.label, robot.help)]
+        for part in robot.objects:
+            things.append((part.name, part.label, part.help))
+            for method in part.methods:
+                name = f"{part.name}.{method.name}"
+                things.append((name, method.label, method.help))
+                things += [(f"{name} {one.name}", one.label, one.help) for one in method.parameters]
+        # In English a part goes by its own name.
+        silent += [f"{robot.name}: {what}" for what, label, help in things if lacks(label, {"fr", "ur"})]
+        silent += [f"{robot.name}: help of {what}" for what, _, help in things if lacks(help, ALL)]
+    assert silent == []
+
+
+def test_a_phrase_with_words_is_there_in_each_language_with_the_same_holes(catalogue: Catalogue) -> None:
+    holes = re.compile(r"\{\w+\}")
+    found = 0
+    for robot in catalogue.robots.values():
+        for part in robot.objects:
+            for method in part.methods:
+                english = method.phrase.get("", "")
+                if not re.search(r"[A-Za-z]", holes.sub("", english)):
+                    continue  # signs are the same everywhere
+                found += 1
+                assert not lacks(method.phrase, ALL), f"{robot.name} {part.name}.{method.name}"
+                for phrase in method.phrase.values():
+                    assert sorted(holes.findall(phrase)) == sorted(holes.findall(english)), phrase
+    assert found > 10
+
+
+@pytest.mark.parametrize("path", WORLDS, ids=lambda path: path.name)
+def test_every_world_is_named_and_told_of_in_each_language(path: Path) -> None:
+    world, problems = read_world(path.read_bytes(), path.name)
+    assert problems == []
+    assert world is not None
+    assert not lacks(world.label, ALL)
+    assert not lacks(world.help, ALL)
+
+
+def test_urdu_texts_are_urdu(catalogue: Catalogue) -> None:
+    for robot in catalogue.robots.values():
+        for part in robot.objects:
+            for method in part.methods:
+                for text in (part.label["ur"], part.help["ur"], method.label["ur"], method.help["ur"]):
+                    assert re.search(r"[\u0600-\u06ff]", text), text
