@@ -96,10 +96,10 @@ def test_right_click_opens_a_menu_that_works_on_what_is_under_it(open_studio: Op
     vertex(studio, "Wait").click(button="right")
     expect(studio.at("context-menu")).to_be_visible()
     studio.at("menu-context-duplicate").click()
-    expect(studio.page.locator(".vertex", has_text="Wait")).to_have_count(2)
+    expect(studio.page.locator(".vertex-name", has_text="Wait")).to_have_count(2)
     vertex(studio, "Wait").click(button="right")
     studio.at("menu-context-delete").click()
-    expect(studio.page.locator(".vertex", has_text="Wait")).to_have_count(1)
+    expect(studio.page.locator(".vertex-name", has_text="Wait")).to_have_count(1)
     studio.at("arc-start.next").click(button="right")
     studio.at("menu-context-add").click()
     expect(studio.at("add-find")).to_be_focused()
@@ -118,7 +118,7 @@ def test_the_keyboard_opens_the_menu_of_the_selected_part(open_studio: OpenStudi
     expect(studio.at("context-menu")).to_be_visible()
     studio.page.keyboard.type("D")
     studio.page.keyboard.press("Enter")
-    expect(studio.page.locator(".vertex", has_text="Wait")).to_have_count(2)
+    expect(studio.page.locator(".vertex-name", has_text="Wait")).to_have_count(2)
 
 
 def test_a_finger_that_rests_opens_the_menu(open_studio: OpenStudio) -> None:

@@ -1,7 +1,8 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
-import { type PointerEvent, useEffect, useMemo, useRef, useState } from "react";
+import { type KeyboardEvent, type PointerEvent, useEffect, useMemo, useRef, useState } from "react";
 
 import { useStudio } from "../model/studio";
+import { ARENA_KEYS, keyIn } from "../reach/key-table";
 import { posesAt, watchFrames } from "../run/poses";
 import { useRun } from "../run/run";
 import { Icon, useTheme } from "../theme";
@@ -13,6 +14,8 @@ import { lookAt, type Scene, sceneBefore, sceneOf } from "./scene";
 import { summary } from "./summary";
 
 const CLICK_PX = 4;
+/** One press of an arrow key. */
+const PAN_PX = 40;
 const SPOKEN_MS = 250;
 
 function useScene(): Scene | null {
@@ -99,6 +102,12 @@ function Heading({ scene, painter }: { scene: Scene | null; painter: Painter | n
   );
 }
 
+/** Opens the program of a robot and watches that robot. */
+function choose({ name, program }: { name: string; program: string }): void {
+  useStudio.getState().setActiveProgram(program);
+  useRun.getState().selectAgent(name, program);
+}
+
 export function Arena() {
   const scene = useScene();
   const selected = useSelected(scene);
@@ -162,8 +171,31 @@ export function Arena() {
     const place = event.currentTarget.getBoundingClientRect();
     const found = painter?.actorAt(event.clientX - place.left, event.clientY - place.top);
     if (found === null || found === undefined) return;
-    useStudio.getState().setActiveProgram(found.actor.program);
-    useRun.getState().selectAgent(found.actor.name, found.actor.program);
+    choose(found.actor);
+  };
+  const next = (by: 1 | -1) => {
+    const actors = scene?.actors ?? [];
+    const at = actors.findIndex((actor) => actor.name === selected);
+    const actor = actors[(at + by + actors.length) % Math.max(1, actors.length)];
+    if (actor !== undefined) choose(actor);
+  };
+  const onKeyDown = (event: KeyboardEvent) => {
+    const id = keyIn(ARENA_KEYS, event.nativeEvent);
+    if (id === null) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const acts: Record<keyof typeof ARENA_KEYS, () => void> = {
+      left: () => painter?.pan(PAN_PX, 0),
+      right: () => painter?.pan(-PAN_PX, 0),
+      up: () => painter?.pan(0, PAN_PX),
+      down: () => painter?.pan(0, -PAN_PX),
+      zoomIn: () => painter?.zoom(1.4),
+      zoomOut: () => painter?.zoom(1 / 1.4),
+      fit: () => painter?.showAll(),
+      next: () => next(1),
+      previous: () => next(-1),
+    };
+    acts[id]();
   };
 
   return (
@@ -172,8 +204,12 @@ export function Arena() {
       <div className="arena-frame" ref={frame}>
         <canvas
           ref={canvas}
-          role="img"
+          role="application"
+          tabIndex={0}
+          data-testid="arena-canvas"
           aria-label={t("arena.label")}
+          aria-describedby="arena-summary"
+          onKeyDown={onKeyDown}
           onPointerDown={onPointerDown}
           onPointerMove={onPointerMove}
           onPointerUp={onPointerUp}
@@ -182,7 +218,7 @@ export function Arena() {
           }}
         />
       </div>
-      <p className="only-spoken" data-testid="arena-summary">
+      <p className="only-spoken" id="arena-summary" data-testid="arena-summary">
         {spoken}
       </p>
     </div>

@@ -1,4 +1,4 @@
-/** Find in all programs: Ctrl+F opens it, Enter goes to the next, Shift+Enter to the one before. */
+/** Find in all programs: a key of the page opens it (reach/key-table.ts), Enter goes to the next, Shift+Enter to the one before. */
 import { useEffect, useMemo, useRef, useState } from "react";
 
 import { findIn, type Hit } from "../model/find";
@@ -19,19 +19,6 @@ function jump({ program, vertex }: Hit): void {
 
 export function Find() {
   const open = useView((state) => state.finding);
-  useEffect(() => {
-    const onKey = (event: KeyboardEvent) => {
-      if (event.defaultPrevented || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey) return;
-      if (event.key.toLowerCase() !== "f") return;
-      event.preventDefault();
-      useView.setState({ finding: true });
-      document.querySelector<HTMLInputElement>(".find input")?.select();
-    };
-    window.addEventListener("keydown", onKey);
-    return () => {
-      window.removeEventListener("keydown", onKey);
-    };
-  }, []);
   return open ? <Panel /> : null;
 }
 

@@ -2,6 +2,7 @@
 import { unwrapPart, wraps } from "../model/commands/wrapParts";
 import { useStudio } from "../model/studio";
 import type { MenuEntry } from "../shell/menu-model";
+import { keyFor } from "../reach/key-table";
 import { t } from "../words/words";
 import { copySelection, cutSelection, pasteFromMenu } from "./clipboard";
 import { currentDrawing } from "./drawing";
@@ -11,32 +12,40 @@ import { editSelected, openAdding, selectAll } from "./keys";
 import { isNoted, openNote, removeNote } from "./Notes";
 import { useView } from "./view";
 
-function item(id: string, label: string, keys: string, run: () => unknown, disabled = false): MenuEntry {
-  return { kind: "item", id: `context-${id}`, label, keys, disabled, run: () => void run() };
+function item(id: string, label: string, keys: string | null, run: () => unknown, disabled = false): MenuEntry {
+  return {
+    kind: "item",
+    id: `context-${id}`,
+    label,
+    ...(keys === null ? {} : { keys }),
+    disabled,
+    run: () => void run(),
+  };
 }
 
 const line = (id: string): MenuEntry => ({ kind: "line", id: `context-${id}` });
 
 export function contextEntries(): MenuEntry[] {
-  const paste = item("paste", t("edit.paste"), "Ctrl+V", pasteFromMenu);
+  const paste = item("paste", t("edit.paste"), keyFor.clipboard(2), pasteFromMenu);
   if (useStudio.getState().selection.length > 0) return vertexEntries(paste);
-  if (useView.getState().arc !== null) return [item("add", t("context.add-here"), "/", openAdding), paste];
+  if (useView.getState().arc !== null)
+    return [item("add", t("context.add-here"), keyFor.graph("add"), openAdding), paste];
   const { viewport } = useView.getState();
   return [
-    item("add", t("context.add-here"), "/", openAdding),
+    item("add", t("context.add-here"), keyFor.graph("add"), openAdding),
     paste,
     line("1"),
-    item("select-all", t("edit.select-all"), "Ctrl+A", selectAll),
+    item("select-all", t("edit.select-all"), keyFor.graph("all"), selectAll),
     line("2"),
-    item("fit", t("view.fit"), "", () => viewport?.fit()),
-    item("home", t("view.home"), "Ctrl+0", () => viewport?.home()),
+    item("fit", t("view.fit"), keyFor.graph("fit"), () => viewport?.fit()),
+    item("home", t("view.home"), keyFor.graph("home"), () => viewport?.home()),
   ];
 }
 
 function noteEntries(id: string | undefined, start: boolean): MenuEntry[] {
   if (id === undefined || start) return [];
-  const write = item("note", t("context.note"), "N", openNote);
-  return isNoted(id) ? [write, item("unnote", t("context.unnote"), "", removeNote)] : [write];
+  const write = item("note", t("context.note"), keyFor.graph("note"), openNote);
+  return isNoted(id) ? [write, item("unnote", t("context.unnote"), null, removeNote)] : [write];
 }
 
 function vertexEntries(paste: MenuEntry): MenuEntry[] {
@@ -51,25 +60,40 @@ function vertexEntries(paste: MenuEntry): MenuEntry[] {
   const unwraps = drawing !== null && only !== undefined && unwrapPart(drawing.program, drawing.parts, only) !== null;
   const node = only === undefined ? undefined : drawing?.nodes.get(only);
   return [
-    item("edit", t("context.edit"), "Enter", editSelected, !settable),
-    item("add", t("context.add-after"), "/", openAdding),
+    item("edit", t("context.edit"), keyFor.graph("edit"), editSelected, !settable),
+    item("add", t("context.add-after"), keyFor.graph("add"), openAdding),
     line("1"),
-    item("cut", t("edit.cut"), "Ctrl+X", cutSelection, fixed),
-    item("copy", t("edit.copy"), "Ctrl+C", copySelection, fixed),
+    item("cut", t("edit.cut"), keyFor.clipboard(0), cutSelection, fixed),
+    item("copy", t("edit.copy"), keyFor.clipboard(1), copySelection, fixed),
     paste,
-    item("duplicate", t("edit.duplicate"), "Ctrl+D", duplicateSelection, fixed),
+    item("duplicate", t("edit.duplicate"), keyFor.graph("duplicate"), duplicateSelection, fixed),
     line("2"),
     ...noteEntries(
       only,
       shapes.some(({ kind }) => kind === "start"),
     ),
-    item("wrap", t("context.wrap"), "W", openWrapping, !wrappable() || drawing?.parts.all.some(wraps) !== true),
-    ...(unwraps ? [item("unwrap", t("context.unwrap"), "Shift+W", unwrapSelection)] : []),
+    item(
+      "wrap",
+      t("context.wrap"),
+      keyFor.graph("wrap"),
+      openWrapping,
+      !wrappable() || drawing?.parts.all.some(wraps) !== true,
+    ),
+    ...(unwraps ? [item("unwrap", t("context.unwrap"), keyFor.graph("unwrap"), unwrapSelection)] : []),
     ...(node?.inside != null || (node?.block?.bodies.length ?? 0) > 0
-      ? [item("fold", t(node?.inside == null ? "context.fold" : "context.unfold"), "C", toggleFoldOfSelection)]
+      ? [
+          item(
+            "fold",
+            t(node?.inside == null ? "context.fold" : "context.unfold"),
+            keyFor.graph("fold"),
+            toggleFoldOfSelection,
+          ),
+        ]
       : []),
-    item("zoom", t("graph.zoom-selection"), "Z", () => useView.getState().viewport?.zoomToSelection()),
+    item("zoom", t("graph.zoom-selection"), keyFor.graph("zoomSelection"), () =>
+      useView.getState().viewport?.zoomToSelection(),
+    ),
     line("3"),
-    item("delete", t("edit.delete"), "Del", deleteSelection, fixed),
+    item("delete", t("edit.delete"), keyFor.graph("remove"), deleteSelection, fixed),
   ];
 }

@@ -4,6 +4,7 @@ import { deleteParts } from "../model/commands/deleteParts";
 import { insertPart } from "../model/commands/insertPart";
 import { stretchOf, unwrapPart, wrapParts, wraps } from "../model/commands/wrapParts";
 import { copyParts, moveParts } from "../model/commands/moveParts";
+import { shiftParts } from "../model/commands/shiftParts";
 import { placeFor } from "../model/placeFor";
 import { useStudio } from "../model/studio";
 import { findSpot, inChain, type Place } from "../model/tree";
@@ -46,6 +47,12 @@ export function movePartsTo(place: Place, ids: string[], copy: boolean): boolean
 export function deleteSelection(): boolean {
   const { selection } = useStudio.getState();
   return selection.length > 0 && edit(({ program, parts }) => deleteParts(program, parts, selection));
+}
+
+/** Moves the selected parts past their neighbour. */
+export function shiftSelection(by: 1 | -1): boolean {
+  const { selection } = useStudio.getState();
+  return selection.length > 0 && edit(({ program, parts }) => shiftParts(program, parts, selection, by));
 }
 
 /** Copies of the selected vertices, right after the last of them. */

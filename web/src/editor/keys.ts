@@ -2,21 +2,55 @@
 import { type RefObject, useEffect } from "react";
 
 import { useStudio } from "../model/studio";
-import { currentDrawing } from "./drawing";
+import { GRAPH_KEYS, keyIn } from "../reach/key-table";
+import { currentDrawing, nodeOf } from "./drawing";
 import { openContextMenu } from "./context";
-import { deleteSelection, duplicateSelection, openWrapping, unwrapSelection } from "./edits";
+import { deleteSelection, duplicateSelection, openWrapping, shiftSelection, unwrapSelection } from "./edits";
 import { toggleFoldOfSelection } from "./folded";
 import { openNote } from "./Notes";
 import { toggleFollowing, toggleMinimap, useView } from "./view";
 import { type Step, walk } from "./walk";
 
-const STEPS: Record<string, Step> = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right" };
-
 function step(direction: Step): boolean {
   const drawing = currentDrawing();
   const { selection, select } = useStudio.getState();
+  const arc = drawing?.layout.arcs.find((one) => one.id === useView.getState().arc);
+  // From an arc, up is where it comes from and down what comes after that.
+  if (arc !== undefined && drawing !== null && direction === "up")
+    select([nodeOf(drawing, arc.source)?.vertex ?? arc.source]);
+  else {
+    const from = selection.at(-1) ?? (arc === undefined ? null : arc.source);
+    const next = drawing === null ? null : walk(drawing, from, direction);
+    if (next !== null) select([next]);
+  }
+  return true;
+}
+
+/** Takes the next vertex to those that are selected. */
+function extend(direction: "up" | "down"): boolean {
+  const drawing = currentDrawing();
+  const { selection, select } = useStudio.getState();
   const next = drawing === null ? null : walk(drawing, selection.at(-1) ?? null, direction);
-  if (next !== null) select([next]);
+  if (next === null) return true;
+  // Back over what was taken last lets it go.
+  select(selection.at(-2) === next ? selection.slice(0, -1) : [...selection.filter((one) => one !== next), next]);
+  return true;
+}
+
+/** Selects an arc that leaves the selected vertex, then the next one: into its bodies first, then on. */
+function selectArc(): boolean {
+  const drawing = currentDrawing();
+  const { arc, selectArc: choose } = useView.getState();
+  if (drawing === null) return false;
+  const last = useStudio.getState().selection.at(-1);
+  const node = last === undefined ? undefined : nodeOf(drawing, last);
+  const source = drawing.layout.arcs.find((one) => one.id === arc)?.source;
+  const owners = last === undefined ? [source ?? "start"] : [node?.vertex ?? last, node?.mark?.vertex.id];
+  const leaving = [...new Set(drawing.layout.arcs.filter((one) => owners.includes(one.source)).map((one) => one.id))];
+  const sorted = [...leaving.filter((id) => !id.endsWith(".next")), ...leaving.filter((id) => id.endsWith(".next"))];
+  const next = sorted[(arc === null ? 0 : sorted.indexOf(arc) + 1) % Math.max(1, sorted.length)];
+  if (next === undefined) return false;
+  choose(next);
   return true;
 }
 
@@ -46,38 +80,41 @@ export function openAdding(): boolean {
   return true;
 }
 
-/** Does what a key means; says whether it meant anything. */
-function press(event: KeyboardEvent): boolean {
-  const { undo, redo } = useStudio.getState();
-  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  if (event.ctrlKey || event.metaKey) {
-    if (key === "z") (event.shiftKey ? redo : undo)();
-    else if (key === "y") redo();
-    else if (key === "d") duplicateSelection();
-    else if (key === "a") selectAll();
-    else if (key === "0") useView.getState().viewport?.home();
-    else return false;
-    return true;
-  }
-  const direction = STEPS[key];
-  if (direction !== undefined && !event.altKey) return step(direction);
-  if (key === "ContextMenu" || (key === "F10" && event.shiftKey)) return openContextMenu();
-  if (key === "w" && !event.altKey) return event.shiftKey ? unwrapSelection() : openWrapping();
-  if (key === "c" && !event.altKey && !event.shiftKey) return toggleFoldOfSelection();
-  if (key === "n" && !event.altKey && !event.shiftKey) return openNote();
-  if (key === "/") return openAdding();
-  if (key === "Delete" || key === "Backspace") return deleteSelection();
-  if (key === "Escape") return escape();
-  if (key === "Enter") return editSelected();
-  const plain = !event.altKey && !event.shiftKey;
-  if (key === "z" && plain) useView.getState().viewport?.zoomToSelection();
-  else if (key === "m" && plain) toggleMinimap();
-  else if (key === "f" && plain) toggleFollowing();
-  else if (key === "+" || key === "=") useView.getState().viewport?.zoomIn();
-  else if (key === "-") useView.getState().viewport?.zoomOut();
-  else return false;
+const yes = (act: (() => void) | undefined): boolean => {
+  act?.();
   return true;
-}
+};
+
+/** Each does what its key means and says whether it meant anything. */
+const ACTIONS: Record<keyof typeof GRAPH_KEYS, () => boolean> = {
+  add: openAdding,
+  up: () => step("up"),
+  down: () => step("down"),
+  left: () => step("left"),
+  right: () => step("right"),
+  arc: selectArc,
+  extendUp: () => extend("up"),
+  extendDown: () => extend("down"),
+  all: () => yes(selectAll),
+  edit: editSelected,
+  note: openNote,
+  earlier: () => shiftSelection(-1),
+  later: () => shiftSelection(1),
+  remove: deleteSelection,
+  duplicate: () => yes(duplicateSelection),
+  wrap: openWrapping,
+  unwrap: unwrapSelection,
+  fold: toggleFoldOfSelection,
+  menu: openContextMenu,
+  zoomSelection: () => yes(useView.getState().viewport?.zoomToSelection),
+  fit: () => yes(useView.getState().viewport?.fit),
+  zoomIn: () => yes(useView.getState().viewport?.zoomIn),
+  zoomOut: () => yes(useView.getState().viewport?.zoomOut),
+  home: () => yes(useView.getState().viewport?.home),
+  minimap: () => yes(toggleMinimap),
+  follow: () => yes(toggleFollowing),
+  nothing: escape,
+};
 
 export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
   useEffect(() => {
@@ -91,7 +128,8 @@ export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
       if (inPalette && !event.ctrlKey && !event.metaKey && event.key !== "Delete" && event.key !== "Backspace") return;
       // A focused button of the canvas keeps its own Enter.
       if (event.key === "Enter" && target.closest("button") !== null) return;
-      if (press(event)) event.preventDefault();
+      const id = keyIn(GRAPH_KEYS, event);
+      if (id !== null && ACTIONS[id]()) event.preventDefault();
     };
     window.addEventListener("keydown", onKey, true);
     return () => {

@@ -68,6 +68,12 @@ export const useView = create<ViewState>((set) => ({
   },
 }));
 
+/** Opens the find panel; what was typed in an open one is there to be typed over. */
+export function openFind(): void {
+  useView.setState({ finding: true });
+  document.querySelector<HTMLInputElement>(".find input")?.select();
+}
+
 export function toggleFollowing(): void {
   useView.setState({ following: !useView.getState().following });
 }

@@ -12,6 +12,9 @@ import { Inspector } from "../inspector/Inspector";
 import { useStudio } from "../model/studio";
 import { Palette } from "../palette/Palette";
 import { ProblemList, ProblemsButton } from "../problems/Problems";
+import { TutorialCards } from "../tutorial/Cards";
+import { useTutorial } from "../tutorial/state";
+import { Tutorials } from "../tutorial/Tutorials";
 import { t } from "../words/words";
 import { Banner } from "./Banner";
 import { Brand } from "./Brand";
@@ -21,7 +24,7 @@ import { hearOfDisk, watchDisk } from "./disk";
 import { begin, complain, openFromComputer, useDocument } from "./document";
 import { EventStrip } from "./EventStrip";
 import { Examples } from "./Examples";
-import { AboutSheet, ShortcutsSheet } from "./HelpSheets";
+import { AboutSheet } from "./HelpSheets";
 import { isKept, keepJournal } from "./journal";
 import { useKeys } from "./keys";
 import { useLayout } from "./layout";
@@ -31,6 +34,7 @@ import { OpenSheet } from "./OpenSheet";
 import { showRunProblems } from "./run-problems";
 import { SaveAsSheet } from "./SaveAsSheet";
 import { Separator } from "./Separator";
+import { ShortcutsSheet } from "./Shortcuts";
 import { Tabs } from "./Tabs";
 import { Title } from "./Title";
 import { TeamStop, Toolbar } from "./Toolbar";
@@ -74,6 +78,18 @@ function carriesFile(event: DragEvent): boolean {
   return event.dataTransfer.types.includes("Files");
 }
 
+/** Under an empty program: ways to learn from others' work. Who follows a tutorial has been told what to do. */
+function EmptyExtras() {
+  const learning = useTutorial(({ tutorial }) => tutorial !== null);
+  if (learning) return null;
+  return (
+    <>
+      <TutorialCards title={t("tutorial.invite")} />
+      <Examples />
+    </>
+  );
+}
+
 function Side() {
   const { sizes, folded } = useLayout();
   // The last open panel of the column takes what the others leave.
@@ -91,7 +107,7 @@ function Side() {
         <Separator edge="inspector" label={t("view.inspector")} along="y" />
       )}
       {folded.code ? null : (
-        <section className="side-part" style={height("code")} aria-label={t("view.code")}>
+        <section className="side-part side-code" style={height("code")} aria-label={t("view.code")}>
           <Code />
         </section>
       )}
@@ -148,8 +164,9 @@ export function App() {
         )}
         <main className="centre" aria-label={t("app.canvas")}>
           <Tabs />
+          <Tutorials />
           <div className="canvas-panel" id="canvas-panel" role="tabpanel" aria-label={t("app.canvas")}>
-            {ready ? <Canvas emptyExtras={<Examples />} /> : null}
+            {ready ? <Canvas emptyExtras={<EmptyExtras />} /> : null}
           </div>
           <ProblemList />
         </main>

@@ -86,6 +86,14 @@ export function MenuBar({ menus }: { menus: MenuPart[] }) {
     else if (event.key === "Escape") {
       setOpen(-1);
       cameFrom.current?.focus();
+    } else if (event.key.length === 1 && !event.ctrlKey && !event.altKey && !event.metaKey) {
+      // A letter opens the next menu that begins with it.
+      const wanted = event.key.toLowerCase();
+      const order = menus.map((_, by) => (index + 1 + by) % menus.length);
+      const found = order.find((one) => menus[one]?.label.toLowerCase().startsWith(wanted) === true);
+      if (found === undefined) return;
+      setAt(found);
+      setOpen(found);
     } else return;
     event.preventDefault();
     event.stopPropagation();

@@ -13,7 +13,7 @@ import { isLive, type RunState, useActiveVertices, useRun, watchedAgent } from "
 import { Icon } from "../theme";
 import { mirrored } from "../words/language";
 import { t } from "../words/words";
-import { reveal } from "./actions";
+import { removeProgramNamed, reveal } from "./actions";
 import { AddProgram } from "./AddProgram";
 import { useRenaming } from "./renaming";
 import { StateShape } from "./StateShape";
@@ -29,6 +29,17 @@ function NameField({ name }: { name: string }) {
     if (command !== null) execute(command);
     stop();
   };
+  // Back to where the name was asked for.
+  useEffect(() => {
+    const before = document.activeElement;
+    return () => {
+      requestAnimationFrame(() => {
+        if (document.activeElement !== document.body) return;
+        if (before instanceof HTMLElement && before.isConnected && before !== document.body) before.focus();
+        else document.querySelector<HTMLElement>('.tabs [aria-selected="true"]')?.focus();
+      });
+    };
+  }, []);
   return (
     <input
       className="tab-name-field"
@@ -157,8 +168,12 @@ export function Tabs() {
       Home: 0,
       End: programs.length - 1,
     };
-    if (event.key === "F2") {
-      useRenaming.setState({ program: activeProgram });
+    if (event.key === "Delete") {
+      event.preventDefault();
+      event.stopPropagation();
+      removeProgramNamed(activeProgram);
+      // Its neighbour's tab has the focus then.
+      requestAnimationFrame(() => list.current?.querySelector<HTMLElement>('[aria-selected="true"]')?.focus());
       return;
     }
     const wanted = steps[event.key];

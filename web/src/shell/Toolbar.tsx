@@ -2,6 +2,7 @@
 import { useStudio } from "../model/studio";
 import { isLive, useRun } from "../run/run";
 import { Icon } from "../theme";
+import { keyFor } from "../reach/key-table";
 import { t } from "../words/words";
 import { pause, run } from "./actions";
 import { RunStatus } from "./RunStatus";
@@ -45,7 +46,7 @@ export function Toolbar() {
       <Tool
         icon="undo-2"
         label={undoLabel === "" ? t("edit.undo") : t("edit.undo-what", { what: undoLabel })}
-        keys="Ctrl+Z"
+        keys={keyFor.page("undo")}
         disabled={!canUndo}
         testId="undo"
         onPress={undo}
@@ -53,7 +54,7 @@ export function Toolbar() {
       <Tool
         icon="redo-2"
         label={redoLabel === "" ? t("edit.redo") : t("edit.redo-what", { what: redoLabel })}
-        keys="Ctrl+Y"
+        keys={keyFor.page("redo")}
         disabled={!canRedo}
         testId="redo"
         onPress={redo}
@@ -64,7 +65,7 @@ export function Toolbar() {
         className="run-button"
         data-testid="run-button"
         disabled={live && !paused}
-        title={`${paused ? t("run.resume") : t("run.run")} (F5)`}
+        title={`${paused ? t("run.resume") : t("run.run")} (${keyFor.page("run")})`}
         onClick={run}
       >
         <Icon name="play" size={16} />
@@ -73,7 +74,7 @@ export function Toolbar() {
       <Tool
         icon="pause"
         label={t("run.pause")}
-        keys="F6"
+        keys={keyFor.page("pause")}
         disabled={status !== "running" && !paused}
         pressed={paused}
         testId="pause-button"
@@ -82,7 +83,7 @@ export function Toolbar() {
       <Tool
         icon="step-forward"
         label={t("run.step")}
-        keys="F10"
+        keys={keyFor.page("step")}
         disabled={!paused}
         testId="step-button"
         onPress={useRun.getState().step}
@@ -90,7 +91,7 @@ export function Toolbar() {
       <Tool
         icon="square"
         label={t("run.stop")}
-        keys="Shift+F5"
+        keys={keyFor.page("stop")}
         disabled={!live}
         testId="stop-button"
         onPress={useRun.getState().stop}
@@ -109,7 +110,7 @@ export function TeamStop() {
       type="button"
       className="team-stop"
       data-testid="team-stop"
-      title={t("stop.label")}
+      title={`${t("stop.label")} (${keyFor.page("stop")})`}
       onClick={useRun.getState().stop}
     >
       <Icon name="octagon-x" size={24} />

@@ -2,6 +2,7 @@
 import { useView } from "../editor/view";
 import type { Command } from "../model/command";
 import { addProgram, removeProgram } from "../model/commands/changePrograms";
+import { moveProgram } from "../model/commands/moveProgram";
 import { useStudio } from "../model/studio";
 import type { Mission, World } from "../model/types";
 import { isLive, useRun } from "../run/run";
@@ -79,6 +80,27 @@ export function nextSpeed(speed: number, by: 1 | -1): number {
   const rank = (one: number) => (one === 0 ? Infinity : one);
   const ordered = by > 0 ? SPEEDS : [...SPEEDS].reverse();
   return ordered.find((one) => (by > 0 ? rank(one) > rank(speed) : rank(one) < rank(speed))) ?? speed;
+}
+
+export function changeSpeed(by: 1 | -1): void {
+  const { speed, setSpeed } = useRun.getState();
+  setSpeed(nextSpeed(speed, by));
+}
+
+/** Opens the program of the neighbouring tab; after the last comes the first. */
+export function goToProgram(by: 1 | -1): void {
+  const { mission, activeProgram, setActiveProgram } = useStudio.getState();
+  const { programs } = mission;
+  const at = programs.findIndex((one) => one.name === activeProgram);
+  const next = programs[(at + by + programs.length) % programs.length];
+  if (next !== undefined) setActiveProgram(next.name);
+}
+
+/** Moves the open program's tab one place on. */
+export function moveActiveProgram(by: 1 | -1): void {
+  const { mission, activeProgram, execute } = useStudio.getState();
+  const command = moveProgram(mission, activeProgram, by);
+  if (command !== null) execute(command);
 }
 
 /** Brings a vertex into view: its program's tab, then the vertex itself. */

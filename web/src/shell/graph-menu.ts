@@ -2,8 +2,9 @@
 import { copySelection, cutSelection, pasteFromMenu } from "../editor/clipboard";
 import { deleteSelection, duplicateSelection } from "../editor/edits";
 import { selectAll } from "../editor/keys";
-import { useView, type Viewport } from "../editor/view";
+import { openFind, type Viewport } from "../editor/view";
 import type { StudioState } from "../model/studio";
+import { keyFor } from "../reach/key-table";
 import { t } from "../words/words";
 import type { MenuEntry } from "./menu-model";
 
@@ -14,7 +15,7 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       kind: "item",
       id: "edit-undo",
       label: undoLabel === "" ? t("edit.undo") : t("edit.undo-what", { what: undoLabel }),
-      keys: "Ctrl+Z",
+      keys: keyFor.page("undo"),
       disabled: !canUndo,
       run: undo,
     },
@@ -22,7 +23,7 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       kind: "item",
       id: "edit-redo",
       label: redoLabel === "" ? t("edit.redo") : t("edit.redo-what", { what: redoLabel }),
-      keys: "Ctrl+Y",
+      keys: keyFor.page("redo"),
       disabled: !canRedo,
       run: redo,
     },
@@ -31,7 +32,7 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       kind: "item",
       id: "edit-cut",
       label: t("edit.cut"),
-      keys: "Ctrl+X",
+      keys: keyFor.clipboard(0),
       disabled: selection.length === 0,
       run: () => void cutSelection(),
     },
@@ -39,7 +40,7 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       kind: "item",
       id: "edit-copy",
       label: t("edit.copy"),
-      keys: "Ctrl+C",
+      keys: keyFor.clipboard(1),
       disabled: selection.length === 0,
       run: () => void copySelection(),
     },
@@ -47,14 +48,14 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       kind: "item",
       id: "edit-paste",
       label: t("edit.paste"),
-      keys: "Ctrl+V",
+      keys: keyFor.clipboard(2),
       run: () => void pasteFromMenu(),
     },
     {
       kind: "item",
       id: "edit-delete",
       label: t("edit.delete"),
-      keys: "Del",
+      keys: keyFor.graph("remove"),
       disabled: selection.length === 0,
       run: () => void deleteSelection(),
     },
@@ -62,7 +63,7 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       kind: "item",
       id: "edit-duplicate",
       label: t("edit.duplicate"),
-      keys: "Ctrl+D",
+      keys: keyFor.graph("duplicate"),
       disabled: selection.length === 0,
       run: () => void duplicateSelection(),
     },
@@ -70,7 +71,7 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       kind: "item",
       id: "edit-select-all",
       label: t("edit.select-all"),
-      keys: "Ctrl+A",
+      keys: keyFor.graph("all"),
       run: selectAll,
     },
     { kind: "line", id: "edit-2" },
@@ -78,27 +79,31 @@ export function editEntries(studio: StudioState): MenuEntry[] {
       kind: "item",
       id: "edit-find",
       label: t("edit.find"),
-      keys: "Ctrl+F",
-      run: () => {
-        useView.setState({ finding: true });
-      },
+      keys: keyFor.page("find"),
+      run: openFind,
     },
   ];
 }
 
 export function viewEntries(viewport: Viewport | null): MenuEntry[] {
-  const item = (id: string, label: string, run: (() => void) | undefined): MenuEntry => ({
+  const item = (
+    id: string,
+    label: string,
+    keys: Parameters<typeof keyFor.graph>[0],
+    run: (() => void) | undefined,
+  ): MenuEntry => ({
     kind: "item",
     id,
     label,
+    keys: keyFor.graph(keys),
     disabled: run === undefined,
     run: run ?? (() => undefined),
   });
   return [
-    item("view-fit", t("view.fit"), viewport?.fit),
-    item("view-selection", t("graph.zoom-selection"), viewport?.zoomToSelection),
-    item("view-home", t("view.home"), viewport?.home),
-    item("view-zoom-in", t("view.zoom-in"), viewport?.zoomIn),
-    item("view-zoom-out", t("view.zoom-out"), viewport?.zoomOut),
+    item("view-fit", t("view.fit"), "fit", viewport?.fit),
+    item("view-selection", t("graph.zoom-selection"), "zoomSelection", viewport?.zoomToSelection),
+    item("view-home", t("view.home"), "home", viewport?.home),
+    item("view-zoom-in", t("view.zoom-in"), "zoomIn", viewport?.zoomIn),
+    item("view-zoom-out", t("view.zoom-out"), "zoomOut", viewport?.zoomOut),
   ];
 }

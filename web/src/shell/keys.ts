@@ -7,8 +7,13 @@ import { useStudio } from "../model/studio";
 import { printSheet } from "../out/print";
 import { fixProblem, walkProblems } from "../problems/walk";
 import { useRun } from "../run/run";
-import { pause, run } from "./actions";
+import { openFind } from "../editor/view";
+import { type KeyRow, keyIn, PAGE_KEYS } from "../reach/key-table";
+import { closeHelp, explain, toggleOutline, useReach } from "../reach/state";
+import { changeSpeed, goToProgram, moveActiveProgram, pause, run } from "./actions";
 import { newMission, save, show, useDocument } from "./document";
+import { useRenaming } from "./renaming";
+import { goToRoom } from "./rooms";
 
 function typing(target: EventTarget | null): boolean {
   return (
@@ -17,25 +22,47 @@ function typing(target: EventTarget | null): boolean {
   );
 }
 
+const ACTIONS: Record<keyof typeof PAGE_KEYS, () => void> = {
+  run,
+  pause,
+  step: () => useRun.getState().step(),
+  stop: () => useRun.getState().stop(),
+  slower: () => changeSpeed(-1),
+  faster: () => changeSpeed(1),
+  create: newMission,
+  open: () => show("open"),
+  save: () => void save(),
+  saveAs: () => show("save-as"),
+  print: printSheet,
+  undo: () => useStudio.getState().undo(),
+  redo: () => useStudio.getState().redo(),
+  find: openFind,
+  nextProblem: () => walkProblems(1),
+  previousProblem: () => walkProblems(-1),
+  fix: fixProblem,
+  nextRoom: () => goToRoom(1),
+  previousRoom: () => goToRoom(-1),
+  nextProgram: () => goToProgram(1),
+  previousProgram: () => goToProgram(-1),
+  programLater: () => moveActiveProgram(1),
+  programEarlier: () => moveActiveProgram(-1),
+  rename: () => useRenaming.setState({ program: useStudio.getState().activeProgram }),
+  addProgram: () => document.querySelector<HTMLElement>(".add-program button")?.click(),
+  outline: toggleOutline,
+  part: explain,
+  shortcuts: () => show("shortcuts"),
+};
+
 /** What a key means here, or null. */
 export function keyMeaning(event: KeyboardEvent): (() => void) | null {
-  const control = event.ctrlKey || event.metaKey;
-  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  if (key === "F5") return event.shiftKey ? () => useRun.getState().stop() : run;
-  if (key === "F6") return pause;
-  if (key === "F8") return () => walkProblems(event.shiftKey ? -1 : 1);
-  if (control && key === ".") return fixProblem;
-  if (key === "F10" && !event.shiftKey) return () => useRun.getState().step();
-  if (control && key === "s") return event.shiftKey ? () => show("save-as") : () => void save();
-  if (control && key === "p" && !event.shiftKey) return printSheet;
-  if (control && key === "o") return () => show("open");
-  if (control && event.altKey && key === "n") return newMission;
-  if (typing(event.target)) return null;
-  if (control && key === "z") return event.shiftKey ? useStudio.getState().redo : useStudio.getState().undo;
-  if (control && key === "y") return useStudio.getState().redo;
-  if (key === "?" && !control) return () => show("shortcuts");
-  if (key === "Escape" && useDocument.getState().overlay !== null) return () => show(null);
-  return null;
+  const id = keyIn(PAGE_KEYS, event);
+  if (id !== null) {
+    const row: KeyRow = PAGE_KEYS[id];
+    return row.typing !== true && typing(event.target) ? null : ACTIONS[id];
+  }
+  if (event.key !== "Escape" || typing(event.target)) return null;
+  if (useReach.getState().explained !== null) return closeHelp;
+  return useDocument.getState().overlay === null ? null : () => show(null);
 }
 
 export function useKeys(): void {

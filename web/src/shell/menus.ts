@@ -6,12 +6,18 @@ import { useMemo } from "react";
 
 import { useView, type Viewport } from "../editor/view";
 import { useStudio } from "../model/studio";
+import { keyFor } from "../reach/key-table";
 import { explain, toggleOutline, useReach } from "../reach/state";
 import { isLive, useRun } from "../run/run";
 import { type ThemeChoice, useTheme } from "../theme";
+import { text } from "../model/texts";
+import type { Tutorial } from "../api/tutorials";
+import { begin as beginTutorial } from "../tutorial/opening";
+import { useTutorial } from "../tutorial/state";
 import { useLanguage } from "../words/language";
 import { type Key, type Language, languageInUse, LANGUAGES, t } from "../words/words";
-import { nextSpeed, pause, removeProgramNamed, run } from "./actions";
+import { changeSpeed, goToProgram, moveActiveProgram, pause, removeProgramNamed, run } from "./actions";
+import { printSheet } from "../out/print";
 import { robotEntries } from "./AddProgram";
 import { downloadMission, downloadProgram, newMission, save, show } from "./document";
 import { editEntries, viewEntries } from "./graph-menu";
@@ -21,13 +27,23 @@ import { useRenaming } from "./renaming";
 
 const line = (id: string): MenuEntry => ({ kind: "line", id });
 
-function fileMenu(program: string, translated: boolean): MenuEntry[] {
+/** What makes files to keep and sheets to print; fetched when somebody wants one: most never do. */
+const pictures = () => import("../out/pictures");
+const images = () => import("../out/images");
+
+function fileMenu(program: string, translated: boolean, several: boolean): MenuEntry[] {
   return [
-    { kind: "item", id: "file-new", label: t("file.new"), keys: "Ctrl+Alt+N", run: newMission },
-    { kind: "item", id: "file-open", label: t("file.open"), keys: "Ctrl+O", run: () => show("open") },
+    { kind: "item", id: "file-new", label: t("file.new"), keys: keyFor.page("create"), run: newMission },
+    { kind: "item", id: "file-open", label: t("file.open"), keys: keyFor.page("open"), run: () => show("open") },
     line("file-1"),
-    { kind: "item", id: "file-save", label: t("file.save"), keys: "Ctrl+S", run: () => void save() },
-    { kind: "item", id: "file-save-as", label: t("file.save-as"), keys: "Ctrl+Shift+S", run: () => show("save-as") },
+    { kind: "item", id: "file-save", label: t("file.save"), keys: keyFor.page("save"), run: () => void save() },
+    {
+      kind: "item",
+      id: "file-save-as",
+      label: t("file.save-as"),
+      keys: keyFor.page("saveAs"),
+      run: () => show("save-as"),
+    },
     line("file-2"),
     { kind: "item", id: "file-download-krt", label: t("file.download-krt"), run: () => void downloadMission() },
     {
@@ -37,20 +53,46 @@ function fileMenu(program: string, translated: boolean): MenuEntry[] {
       disabled: !translated,
       run: downloadProgram,
     },
+    {
+      kind: "item",
+      id: "file-download-kri",
+      label: t("out.download-kri", { name: program }),
+      run: () => void images().then((out) => out.downloadImage()),
+    },
+    {
+      kind: "item",
+      id: "file-download-kra",
+      label: t("out.download-kra", { name: program }),
+      run: () => void images().then((out) => out.downloadListing()),
+    },
     line("file-3"),
-    // Fetched when somebody wants a picture: most never do.
     {
       kind: "item",
       id: "file-export-svg",
       label: t("file.export-svg"),
-      run: () => void import("../out/pictures").then((out) => out.exportSvg()),
+      run: () => void pictures().then((out) => out.exportSvg()),
     },
     {
       kind: "item",
       id: "file-export-png",
       label: t("file.export-png"),
-      run: () => void import("../out/pictures").then((out) => out.exportPng()),
+      run: () => void pictures().then((out) => out.exportPng()),
     },
+    {
+      kind: "item",
+      id: "file-export-pdf",
+      label: t("out.export-pdf"),
+      run: () => void pictures().then((out) => out.exportPdf()),
+    },
+    {
+      kind: "item",
+      id: "file-export-pdf-all",
+      label: t("out.export-pdf-all"),
+      disabled: !several,
+      run: () => void pictures().then((out) => out.exportPdfOfAll()),
+    },
+    line("file-4"),
+    { kind: "item", id: "file-print", label: t("out.print"), keys: keyFor.page("print"), run: printSheet },
   ];
 }
 
@@ -94,7 +136,7 @@ function viewMenu(
       kind: "check",
       id: "view-outline",
       label: t("outline.title"),
-      keys: "F4",
+      keys: keyFor.page("outline"),
       checked: outline,
       run: toggleOutline,
     },
@@ -110,9 +152,10 @@ function programMenu(robots: MenuEntry[], program: string, several: boolean): Me
       kind: "item",
       id: "program-rename",
       label: t("program.rename"),
-      keys: "F2",
+      keys: keyFor.page("rename"),
       run: () => useRenaming.setState({ program }),
     },
+    ...neighbours(several),
     {
       kind: "item",
       id: "program-delete",
@@ -120,6 +163,23 @@ function programMenu(robots: MenuEntry[], program: string, several: boolean): Me
       disabled: !several,
       run: () => removeProgramNamed(program),
     },
+  ];
+}
+
+function neighbours(several: boolean): MenuEntry[] {
+  const entry = (id: string, label: string, keys: string, go: () => void): MenuEntry => ({
+    kind: "item",
+    id: `program-${id}`,
+    label,
+    keys,
+    disabled: !several,
+    run: go,
+  });
+  return [
+    entry("next", t("program.next"), keyFor.page("nextProgram"), () => goToProgram(1)),
+    entry("previous", t("program.previous"), keyFor.page("previousProgram"), () => goToProgram(-1)),
+    entry("later", t("program.later"), keyFor.page("programLater"), () => moveActiveProgram(1)),
+    entry("earlier", t("program.earlier"), keyFor.page("programEarlier"), () => moveActiveProgram(-1)),
   ];
 }
 
@@ -131,25 +191,47 @@ function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
       kind: "item",
       id: "run-run",
       label: paused ? t("run.resume") : t("run.run"),
-      keys: "F5",
+      keys: keyFor.page("run"),
       disabled: live && !paused,
       run,
     },
-    { kind: "item", id: "run-pause", label: t("run.pause"), keys: "F6", disabled: status !== "running", run: pause },
-    { kind: "item", id: "run-step", label: t("run.step"), keys: "F10", disabled: !paused, run: step },
-    { kind: "item", id: "run-stop", label: t("run.stop"), keys: "Shift+F5", disabled: !live, run: stop },
+    {
+      kind: "item",
+      id: "run-pause",
+      label: t("run.pause"),
+      keys: keyFor.page("pause"),
+      disabled: status !== "running",
+      run: pause,
+    },
+    { kind: "item", id: "run-step", label: t("run.step"), keys: keyFor.page("step"), disabled: !paused, run: step },
+    { kind: "item", id: "run-stop", label: t("run.stop"), keys: keyFor.page("stop"), disabled: !live, run: stop },
     { kind: "heading", id: "run-speed", label: t("run.speed") },
-    { kind: "item", id: "run-slower", label: t("run.slower"), run: () => setSpeed(nextSpeed(speed, -1)) },
-    { kind: "item", id: "run-faster", label: t("run.faster"), run: () => setSpeed(nextSpeed(speed, 1)) },
+    { kind: "item", id: "run-slower", label: t("run.slower"), keys: keyFor.page("slower"), run: () => changeSpeed(-1) },
+    { kind: "item", id: "run-faster", label: t("run.faster"), keys: keyFor.page("faster"), run: () => changeSpeed(1) },
     { kind: "radio", id: "run-real-time", label: t("run.real-time"), checked: speed === 1, run: () => setSpeed(1) },
     { kind: "radio", id: "run-as-fast", label: t("run.as-fast"), checked: speed === 0, run: () => setSpeed(0) },
   ];
 }
 
-function helpMenu(): MenuEntry[] {
+function helpMenu(tutorials: readonly Tutorial[]): MenuEntry[] {
+  const usable = tutorials.filter(({ steps }) => steps.length > 0);
   return [
-    { kind: "item", id: "help-part", label: t("help.part"), keys: "F1", run: explain },
-    { kind: "item", id: "help-shortcuts", label: t("help.shortcuts"), keys: "?", run: () => show("shortcuts") },
+    ...(usable.length > 0 ? [{ kind: "heading", id: "help-tutorials", label: t("tutorial.title") } as const] : []),
+    ...usable.map((tutorial): MenuEntry => ({
+      kind: "item",
+      id: `help-tutorial-${tutorial.name}`,
+      label: text(tutorial.label),
+      run: () => void beginTutorial(tutorial),
+    })),
+    ...(usable.length > 0 ? [line("help-1")] : []),
+    { kind: "item", id: "help-part", label: t("help.part"), keys: keyFor.page("part"), run: explain },
+    {
+      kind: "item",
+      id: "help-shortcuts",
+      label: t("help.shortcuts"),
+      keys: keyFor.page("shortcuts"),
+      run: () => show("shortcuts"),
+    },
     { kind: "item", id: "help-about", label: t("help.about"), run: () => show("about") },
   ];
 }
@@ -162,11 +244,12 @@ export function useMenus(): MenuPart[] {
   const folded = useLayout((layout) => layout.folded);
   const outline = useReach((reach) => reach.outline);
   const viewport = useView((view) => view.viewport);
+  const tutorials = useTutorial(({ all }) => all);
   return useMemo(() => {
     const { activeProgram, report, catalogue, mission } = studio;
     const translated = report?.programs.some((program) => program.name === activeProgram) ?? false;
     return [
-      { id: "File", label: t("menu.file"), entries: fileMenu(activeProgram, translated) },
+      { id: "File", label: t("menu.file"), entries: fileMenu(activeProgram, translated, mission.programs.length > 1) },
       { id: "Edit", label: t("menu.edit"), entries: editEntries(studio) },
       { id: "View", label: t("menu.view"), entries: viewMenu(choice, folded, outline, viewport) },
       {
@@ -175,7 +258,7 @@ export function useMenus(): MenuPart[] {
         entries: programMenu(robotEntries(catalogue.robots), activeProgram, mission.programs.length > 1),
       },
       { id: "Run", label: t("menu.run"), entries: runMenu(status, isLive(status), speed) },
-      { id: "Help", label: t("menu.help"), entries: helpMenu() },
+      { id: "Help", label: t("menu.help"), entries: helpMenu(tutorials ?? []) },
     ];
-  }, [studio, status, speed, choice, folded, outline, viewport]);
+  }, [studio, status, speed, choice, folded, outline, viewport, tutorials]);
 }

@@ -1,0 +1,230 @@
+"""Everything by the keyboard: one table of keys, and a way to every entry, tab, tree and tool."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+TRANSPORT = "transport/transport.krt"
+MENUS = ("File", "Edit", "View", "Program", "Run", "Help")
+
+ENTRIES = "() => [...document.querySelectorAll('[role=menu] [role^=menuitem]')].map(one => one.dataset.testid)"
+KEYS = "() => [...document.querySelectorAll('[role=menu] .menu-keys')].map(one => one.textContent)"
+FOCUSED = "() => document.activeElement?.dataset.testid ?? ''"
+
+
+def vertex(studio: Studio, words: str) -> Locator:
+    """The first vertex of the graph that says that."""
+    return studio.page.locator(".vertex", has_text=words).first
+
+
+def walk_menu(studio: Studio) -> set[str]:
+    """Goes once around an open menu with the arrow key; gives what had the focus."""
+    seen: list[str] = []
+    while (here := str(studio.page.evaluate(FOCUSED))) not in seen:
+        seen.append(here)
+        studio.page.keyboard.press("ArrowDown")
+    return set(seen)
+
+
+def listed(studio: Studio) -> tuple[set[str], str]:
+    """Keys and words of the sheet that `?` opens."""
+    studio.at("canvas").focus()
+    studio.page.keyboard.press("?")
+    sheet = studio.at("shortcuts-dialog")
+    expect(sheet).to_be_visible()
+    keys = set(sheet.locator(".keys:not(.keys-paths) kbd").all_inner_texts())
+    words = sheet.inner_text()
+    studio.page.keyboard.press("Escape")
+    expect(sheet).to_have_count(0)
+    return keys, words
+
+
+def test_every_entry_of_every_menu_is_reached_and_its_key_is_in_the_list(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    page = studio.page
+    keys, words = listed(studio)
+    for menu in MENUS:
+        page.keyboard.press("Alt")
+        expect(studio.at("menu-File")).to_be_focused()
+        if menu != "File":
+            page.keyboard.press(menu[0])
+        else:
+            page.keyboard.press("ArrowDown")
+        expect(page.get_by_role("menu")).to_be_visible()
+        entries = set(page.evaluate(ENTRIES))
+        labels = page.locator("[role^=menuitem]:not(:has(.menu-keys)) .menu-label").all_inner_texts()
+        used = page.evaluate(KEYS)
+        assert walk_menu(studio) == entries, menu
+        assert set(used) <= keys, menu
+        assert [label for label in labels if label not in words] == [], menu
+        page.keyboard.press("Escape")
+        page.keyboard.press("Escape")
+        expect(page.get_by_role("menu")).to_have_count(0)
+
+
+def test_every_entry_of_the_context_menus_is_reached(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    page = studio.page
+    keys, _ = listed(studio)
+    for choose in ("Escape", "ArrowDown", "a"):
+        page.keyboard.press(choose)
+        page.keyboard.press("Shift+F10")
+        expect(studio.at("context-menu")).to_be_visible()
+        entries = set(page.evaluate(ENTRIES))
+        assert set(page.evaluate(KEYS)) <= keys, choose
+        assert walk_menu(studio) == entries, choose
+        page.keyboard.press("Escape")
+
+
+NO_WAY = """() => {
+    const roving = '[role=menubar], [role=tablist], [role=tree], [role=menu], [role=listbox], .cm-editor';
+    const byKey = '.fold, .folded, .note-strip, .react-flow__attribution, .chip, .hole, .arc-spot';
+    return [...document.querySelectorAll('button, a[href], input, select, textarea, [role=button], [role=treeitem]')]
+        .filter(one => one.checkVisibility() && !one.disabled && one.tabIndex < 0)
+        .filter(one => one.closest(roving) === null && one.closest(byKey) === null)
+        .map(one => one.outerHTML.slice(0, 120));
+}"""
+
+
+def test_nothing_on_the_page_is_for_the_mouse_alone(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    assert studio.page.evaluate(NO_WAY) == []
+    vertex(studio, "Wheel Advance").click()
+    assert studio.page.evaluate(NO_WAY) == []
+    studio.at("problems").click()
+    studio.page.keyboard.press("Control+f")
+    assert studio.page.evaluate(NO_WAY) == []
+
+
+def test_programs_are_walked_moved_renamed_and_removed(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    keys = studio.page.keyboard
+    tabs = studio.page.get_by_role("tab").filter(has=studio.page.locator(".tab-name"))
+    names = tabs.locator(".tab-name").all_inner_texts()
+    studio.at("canvas").focus()
+    keys.press("Alt+PageDown")
+    expect(studio.at(f"tab-{names[1]}")).to_have_attribute("aria-selected", "true")
+    keys.press("Alt+PageUp")
+    keys.press("Alt+PageUp")
+    expect(studio.at(f"tab-{names[-1]}")).to_have_attribute("aria-selected", "true")
+    keys.press("Alt+PageDown")
+    keys.press("Alt+Shift+PageDown")
+    expect(tabs.locator(".tab-name")).to_have_text([names[1], names[0], *names[2:]])
+    keys.press("Control+z")
+    expect(tabs.locator(".tab-name")).to_have_text(names)
+    keys.press("F2")
+    expect(studio.at("tab-name-field")).to_be_focused()
+    keys.type("driver")
+    keys.press("Enter")
+    expect(studio.at("tab-driver")).to_be_visible()
+    studio.at("tab-driver").focus()
+    keys.press("Delete")
+    expect(studio.at("tab-driver")).to_have_count(0)
+    keys.press("Control+z")
+    expect(studio.at("tab-driver")).to_be_visible()
+    keys.press("Alt+n")
+    expect(studio.at("add-program")).to_have_attribute("aria-expanded", "true")
+
+
+def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
+    studio = open_studio(None)
+    keys = studio.page.keyboard
+    expect(studio.at("first-place")).to_be_visible()
+    studio.at("canvas").focus()
+    keys.press("/")
+    keys.type("repet")
+    keys.press("Enter")
+    studio.expect_code("10*(")
+    # Into the body, by its arc.
+    keys.press("a")
+    expect(studio.page.locator(".arc.is-selected")).to_have_count(1)
+    keys.press("/")
+    keys.type("wait")
+    keys.press("Enter")
+    expect(studio.at("code")).to_contain_text(re.compile(r"10\*\(\s*WAIT\(10\);"))
+    keys.press("Alt+ArrowDown")
+    expect(studio.at("code")).to_contain_text(re.compile(r"10\*\(\s*\);\s*WAIT\(10\);"))
+    keys.press("Alt+ArrowUp")
+    expect(studio.at("code")).to_contain_text(re.compile(r"WAIT\(10\);\s*10\*\("))
+    keys.press("Shift+ArrowDown")
+    expect(studio.page.locator(".vertex.is-selected")).to_have_count(2)
+    keys.press("w")
+    keys.type("while")
+    keys.press("Enter")
+    expect(studio.at("code")).to_contain_text(re.compile(r"\*\[\s*\]\(\s*WAIT\(10\);\s*10\*\("))
+
+
+def test_the_parts_are_walked_and_enter_puts_one_at_the_selection(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    keys = studio.page.keyboard
+    vertex(studio, "Wheel Stop").click()
+    for _ in range(8):
+        if studio.page.evaluate("document.activeElement.closest('.parts') !== null"):
+            break
+        keys.press("F7")
+    row = studio.page.locator(".palette [role=treeitem][tabindex='0']")
+    expect(row).to_be_focused()
+    keys.press("ArrowLeft")
+    expect(row).to_have_attribute("aria-expanded", "false")
+    keys.press("ArrowRight")
+    expect(row).to_have_attribute("aria-expanded", "true")
+    keys.press("/")
+    expect(studio.at("part-find")).to_be_focused()
+    keys.type("wait")
+    keys.press("ArrowDown")
+    keys.press("ArrowDown")
+    keys.press("Enter")
+    expect(studio.at("code")).to_contain_text(re.compile(r"Wheel\.Stop\(\);\s*WAIT\(10\);"))
+
+
+def test_f7_goes_through_the_rooms_and_the_arena_answers_keys(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    keys = studio.page.keyboard
+    studio.at("canvas").focus()
+    rooms: list[str] = []
+    selectors = "'.menubar, .toolbar, .parts, .tabs, .canvas, .side-inspector, .side-code, .side-arena, footer.bottom'"
+    for _ in range(9):
+        rooms.append(studio.page.evaluate(f"document.activeElement.closest({selectors})?.className.split(' ').at(-1)"))
+        keys.press("F7")
+        if rooms.count("canvas") == 2:
+            break
+    assert {"menubar", "toolbar", "parts", "tabs", "canvas", "side-code", "side-arena", "bottom"} <= set(rooms)
+    studio.at("arena-canvas").focus()
+    for key in ("ArrowLeft", "+", "-", "0"):
+        keys.press(key)
+    keys.press("Enter")
+    expect(studio.at("tab-carrier")).to_have_attribute("aria-selected", "true")
+    keys.press("Shift+Enter")
+    keys.press("Shift+Enter")
+    expect(studio.at("tab-carrier")).to_have_attribute("aria-selected", "false")
+
+
+def test_keys_mean_the_same_on_a_keyboard_of_another_script(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    vertex(studio, "Wheel Stop").click()
+    studio.page.evaluate(
+        "document.activeElement.dispatchEvent("
+        "new KeyboardEvent('keydown', { key: 'ن', code: 'KeyN', bubbles: true, cancelable: true }))"
+    )
+    expect(studio.at("note-field")).to_be_focused()
+
+
+def test_speed_follows_its_keys_but_not_while_one_types(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    speed = studio.at("speed")
+    studio.at("canvas").focus()
+    studio.page.keyboard.press(".")
+    expect(speed).to_have_attribute("aria-valuetext", "2×")
+    studio.at("part-find").focus()
+    studio.page.keyboard.press(",")
+    expect(studio.at("part-find")).to_have_value(",")
+    expect(speed).to_have_attribute("aria-valuetext", "2×")
