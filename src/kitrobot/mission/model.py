@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from kitrobot.graph import Program
+from kitrobot.mission.trial import Breakpoint, Failure
 from kitrobot.primitives import Constructor, OwnVariable, Texts
 
 VERSION = 1
@@ -54,7 +55,7 @@ class Mission:
     """A whole mission. `world_href` names a world's file, "" means the empty world; `unknown` is XML kept as it is.
 
     `label` is its title and `help` says in a sentence what happens, each by language, "" for English. `constructors`
-    and `variables` are the parts that it brings along.
+    and `variables` are the parts that it brings along; `breakpoints` and `failures` say how it is tried out.
     """
 
     version: int = VERSION
@@ -66,6 +67,8 @@ class Mission:
     help: Texts = field(default_factory=dict)
     constructors: list[Constructor] = field(default_factory=list)
     variables: list[OwnVariable] = field(default_factory=list)
+    breakpoints: list[Breakpoint] = field(default_factory=list)
+    failures: list[Failure] = field(default_factory=list)
 
     def program(self, name: str) -> Program | None:
         """The program of that name, or None."""

@@ -9,6 +9,7 @@ from kitrobot.graph import PROGRAM, Program
 from kitrobot.mission import rules
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
+from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
 from kitrobot.primitives import OWN, TEXTS, Constructor, Element, OwnVariable, Reader, Tag, did_you_mean, shown
 
 
@@ -57,6 +58,7 @@ _ROOTS = {
         children={
             **TEXTS,
             **OWN,
+            **TRIAL,
             "program": PROGRAM,
             "team": _TEAM,
             "world": Tag(lambda element: _Href(element.required("href")), ("href",)),
@@ -86,6 +88,7 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
     mission.world_href = next((world.href for world in root.found(_Href)), "")
     mission.label, mission.help = root.texts.get("label", {}), root.texts.get("help", {})
     mission.constructors, mission.variables = root.found(Constructor), root.found(OwnVariable)
+    mission.breakpoints, mission.failures = root.found(Breakpoint), root.found(Failure)
     mission.unknown = [str(raw) for raw in root.found(_Unknown)]
     _check(mission, root)
     return migrate(mission), reader.diagnostics
@@ -94,6 +97,7 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
 def _check(mission: Mission, root: Element) -> None:
     """That every agent runs a program of this mission."""
     names = [program.name for program in mission.programs]
+    check_trial([agent.name for agent in mission.team.agents], root)
     for _, team in root.found_at(Team):
         for agent, element in team.found_at(Agent):
             if agent.program and agent.program not in names:

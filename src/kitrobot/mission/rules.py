@@ -16,3 +16,15 @@ GOAL = rule(
     "A goal cannot be understood",
     'A goal says how many boxes a storehouse holds in the end: a whole number, or "all".',
 )
+BREAKPOINT = rule(
+    "mission-breakpoint",
+    Severity.ERROR,
+    "A breakpoint cannot be understood",
+    "A breakpoint names a vertex of a program. Its condition is LLL such as Count.GreaterThan(3).",
+)
+FAILURE = rule(
+    "mission-failure",
+    Severity.WARNING,
+    "A failure happens to nobody",
+    "A failure on schedule names an agent of the team.",
+)

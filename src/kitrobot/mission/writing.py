@@ -14,6 +14,7 @@ from pathlib import Path
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import write_program
 from kitrobot.mission.model import Mission, Team
+from kitrobot.mission.trial import write_breakpoint, write_failure
 from kitrobot.primitives import Texts, attributes, escape_text, write_constructor, write_variable
 
 
@@ -28,6 +29,8 @@ def write_mission(mission: Mission) -> bytes:
     for program in mission.programs:
         lines += write_program(program)
     lines += _team(mission.team)
+    lines += [f"  {write_breakpoint(breakpoint)}" for breakpoint in mission.breakpoints]
+    lines += [f"  {write_failure(failure)}" for failure in mission.failures]
     if mission.world_href:
         lines.append(f"  <world{attributes(('href', mission.world_href))}/>")
     lines += [f"  {raw}" for raw in mission.unknown]

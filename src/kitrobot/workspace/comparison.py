@@ -20,7 +20,7 @@ from kitrobot.mission import NO_PROGRAM, Agent, Goal, Mission, read_mission
 from kitrobot.workspace.files import read_bytes
 from kitrobot.workspace.layout import lay_out_file
 from kitrobot.workspace.outline import PARKED, Outline
-from kitrobot.workspace.own_parts import own_part_differences
+from kitrobot.workspace.own_parts import TOLD_HERE, own_part_differences
 from kitrobot.workspace.problems import ProblemsError
 
 _LONGEST_QUOTE = 60
@@ -57,7 +57,7 @@ def differences(before: Mission, after: Mission) -> list[Difference]:
     found += [Difference(kind, words) for kind, words in own_part_differences(before, after)]
     for field in fields(Mission):
         one, other = getattr(before, field.name), getattr(after, field.name)
-        if field.name not in ("programs", "team", "world_href", "constructors", "variables") and one != other:
+        if field.name not in ("programs", "team", "world_href", *TOLD_HERE) and one != other:
             found.append(Difference("mission", f"the {field.name} of the mission: {_short(one)} → {_short(other)}"))
     return found
 

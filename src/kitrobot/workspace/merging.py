@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from kitrobot.graph import IN, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.mission import Agent, Goal, Mission, Team, save
+from kitrobot.mission import Agent, Breakpoint, Failure, Goal, Mission, Team, save
 from kitrobot.primitives import Constructor, OwnVariable
 from kitrobot.workspace.comparison import read_whole, renamed_programs
 from kitrobot.workspace.files import read_bytes
@@ -72,6 +72,10 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission) -> Merged:
         "constructors": _by_name(
             base.constructors, ours.constructors, theirs.constructors, _own_name, "the own part", choose
         ),
+        "breakpoints": _by_name(
+            base.breakpoints, ours.breakpoints, theirs.breakpoints, _breakpoint_name, "the breakpoint at", choose
+        ),
+        "failures": _by_name(base.failures, ours.failures, theirs.failures, _failure_name, "the failure of", choose),
         "variables": _by_name(base.variables, ours.variables, theirs.variables, _own_name, "the variable", choose),
     }
     rest = {
@@ -115,6 +119,14 @@ def _agent_name(agent: Agent) -> Hashable:
 
 def _goal_name(goal: Goal) -> Hashable:
     return goal.storehouse
+
+
+def _breakpoint_name(breakpoint: Breakpoint) -> Hashable:
+    return (breakpoint.program, breakpoint.vertex, breakpoint.agents)
+
+
+def _failure_name(failure: Failure) -> Hashable:
+    return (failure.agent, failure.at_s)
 
 
 def _own_name(own: Constructor | OwnVariable) -> str:

@@ -36,6 +36,8 @@ export interface StudioState {
   files: Catalogue;
   catalogue: Catalogue;
   world: World | null;
+  /** The name of the world's file that `world` was read for: the mission's, or soon the mission's. */
+  worldOf: string;
   activeProgram: string;
   /** Vertex ids of the active program. */
   selection: string[];
@@ -60,6 +62,8 @@ export interface StudioState {
   markSaved: (path: string, revision: string, name?: string, saving?: Mission) => void;
   /** The parts of the files, which may have changed on disk. */
   loadParts: (files: Catalogue) => void;
+  /** The world of that name, as its file says it now; null when there is none. */
+  loadWorld: (worldOf: string, world: World | null) => void;
 }
 
 const NO_MISSION: Mission = { version: 1, programs: [], agents: [], goals: [], world: "" };
@@ -126,6 +130,7 @@ export const useStudio = create<StudioState>((set, get) => {
     files: NO_PARTS,
     catalogue: NO_PARTS,
     world: null,
+    worldOf: "",
     activeProgram: "",
     selection: [],
     report: null,
@@ -147,6 +152,7 @@ export const useStudio = create<StudioState>((set, get) => {
         files: catalogue,
         catalogue: catalogueOf(catalogue, mission),
         world,
+        worldOf: read.world,
         activeProgram: mission.programs[0]?.name ?? "",
         selection: [],
         report: null,
@@ -215,6 +221,10 @@ export const useStudio = create<StudioState>((set, get) => {
 
     loadParts: (files) => {
       set({ files, catalogue: catalogueOf(files, get().mission) });
+    },
+
+    loadWorld: (worldOf, world) => {
+      set({ worldOf, world });
     },
   };
 });

@@ -141,6 +141,26 @@ export interface OwnVariable {
   variable: RobotObject;
 }
 
+/** Where a run pauses: when one of `agents` (all that run the program where it is empty) comes to the vertex. */
+export interface Breakpoint {
+  program: string;
+  vertex: string;
+  agents?: string[];
+  /** Whether all of them must stand there. */
+  every?: boolean;
+  /** A condition of LLL. */
+  when?: string;
+  /** The first visit that counts. */
+  hits?: number;
+  enabled?: boolean;
+}
+
+export interface ScheduledFailure {
+  agent: string;
+  at_s: number;
+  kind: "fail" | "stall" | "mute" | "revive";
+}
+
 export interface Mission {
   version: 1;
   programs: Program[];
@@ -153,6 +173,9 @@ export interface Mission {
   /** The parts that it brings along (own.ts). */
   constructors?: Constructor[];
   variables?: OwnVariable[];
+  /** How it is tried out. */
+  breakpoints?: Breakpoint[];
+  failures?: ScheduledFailure[];
 }
 
 /** The one right answer to a problem: `text` for its place, and what that is in a graph. */
@@ -248,4 +271,17 @@ export interface MissionFile {
   problems: Problem[];
   world: World | null;
   catalogue: Catalogue;
+  /** The state of the XML files around it. */
+  parts?: string;
+}
+
+/** A world that a mission can take place in; `href` is what the mission calls it, "" for the empty one. */
+export interface WorldEntry {
+  href: string;
+  shipped: boolean;
+  label: Texts;
+  help: Texts;
+  /** Null when its file is no good. */
+  world: World | null;
+  problems: Problem[];
 }

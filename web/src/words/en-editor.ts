@@ -47,6 +47,9 @@ export const EDITOR_EN = {
   "command.add-branch": "Add a branch to {name}",
   "command.remove-branch": "Remove a branch",
   "command.change": "Change to {name}",
+  "command.breakpoint": "Breakpoint at {name}",
+  "command.no-breakpoint": "No breakpoint",
+  "command.failures": "Failures on schedule",
   "command.rename": "Rename {name}",
 
   "paste.empty": "The clipboard is empty. Copy some parts or an LLL text first.",

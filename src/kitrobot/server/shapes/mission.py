@@ -7,7 +7,8 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, BaseModel, Field
 
 from kitrobot.graph import Arc, Note, Program, Vertex
-from kitrobot.mission import Agent, Goal, Mission, Team
+from kitrobot.mission import Agent, Breakpoint, Failure, FailureKind, Goal, Mission, Team
+from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS
 from kitrobot.primitives import MOST_OWN
 from kitrobot.server.shapes.catalogue import ConstructorShape, constructor_shape
 from kitrobot.server.shapes.own import OwnVariableShape, own_constructor, own_variable, own_variable_shape
@@ -77,6 +78,26 @@ class GoalShape(BaseModel):
     stock: Words
 
 
+class BreakpointShape(BaseModel):
+    """Where a run pauses: see `kitrobot.mission.Breakpoint`."""
+
+    program: Words
+    vertex: Words
+    agents: list[Words] = []
+    every: bool = False
+    when: Annotated[Words, Field(max_length=LONGEST_CONDITION)] = ""
+    hits: Annotated[int, Field(ge=1, le=MOST_HITS)] = 1
+    enabled: bool = True
+
+
+class ScheduledFailureShape(BaseModel):
+    """What happens to an agent at so many simulated seconds."""
+
+    agent: Words
+    at_s: Annotated[float, Field(ge=0, le=LONGEST_S, allow_inf_nan=False)]
+    kind: Literal["fail", "stall", "mute", "revive"]
+
+
 class MissionShape(BaseModel):
     """All of a `.krt`; `world` is the name of a world's file, "" for the empty world.
 
@@ -94,6 +115,8 @@ class MissionShape(BaseModel):
     help: dict[Words, Words] = {}
     constructors: Annotated[list[ConstructorShape], Field(max_length=MOST_OWN)] = []
     variables: Annotated[list[OwnVariableShape], Field(max_length=MOST_OWN)] = []
+    breakpoints: Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)] = []
+    failures: Annotated[list[ScheduledFailureShape], Field(max_length=MOST_AGENTS)] = []
 
 
 def mission_shape(mission: Mission) -> MissionShape:
@@ -109,6 +132,21 @@ def mission_shape(mission: Mission) -> MissionShape:
         help=dict(mission.help),
         constructors=[constructor_shape(constructor) for constructor in mission.constructors],
         variables=[own_variable_shape(variable) for variable in mission.variables],
+        breakpoints=[
+            BreakpointShape(
+                program=one.program,
+                vertex=one.vertex,
+                agents=list(one.agents),
+                every=one.every,
+                when=one.when,
+                hits=one.hits,
+                enabled=one.enabled,
+            )
+            for one in mission.breakpoints
+        ],
+        failures=[
+            ScheduledFailureShape(agent=one.agent, at_s=one.at_s, kind=one.kind.value) for one in mission.failures
+        ],
     )
 
 
@@ -125,8 +163,23 @@ def mission_from_shape(shape: MissionShape) -> Mission:
     programs = [_program(program) for program in shape.programs]
     constructors = [own_constructor(constructor) for constructor in shape.constructors]
     variables = [own_variable(variable) for variable in shape.variables]
+    breakpoints = [
+        Breakpoint(one.program, one.vertex, tuple(one.agents), one.every, one.when, one.hits, one.enabled)
+        for one in shape.breakpoints
+    ]
+    failures = [Failure(one.agent, one.at_s, FailureKind(one.kind)) for one in shape.failures]
     return Mission(
-        shape.version, programs, team, shape.world, shape.unknown, shape.label, shape.help, constructors, variables
+        shape.version,
+        programs,
+        team,
+        shape.world,
+        shape.unknown,
+        shape.label,
+        shape.help,
+        constructors,
+        variables,
+        breakpoints,
+        failures,
     )
 
 

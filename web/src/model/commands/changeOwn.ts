@@ -67,7 +67,7 @@ export function changeConstructor(mission: Mission, name: string, made: Construc
   const after = withOwn(mission, list, ownVariables(mission));
   const rename = (element: string) => (element === name ? made.name : element);
   const programs = mission.programs.map((program) => renamed(program, rename));
-  return between(t("command.change", { name }), mission, { ...after, programs });
+  return between(t("command.edit", { name }), mission, { ...after, programs });
 }
 
 /** Without that constructor; vertices made of it stay, as a part that nobody knows. Null when it is not there. */
@@ -100,7 +100,7 @@ export function changeVariable(mission: Mission, robot: string, name: string, ma
   const after = withOwn(mission, ownConstructors(mission), list);
   const rename = (element: string) => (element.startsWith(`${name}.`) ? to + element.slice(name.length) : element);
   const programs = mission.programs.map((program) => (program.robot === robot ? renamed(program, rename) : program));
-  return between(t(to === name ? "command.change" : "command.rename", { name }), mission, { ...after, programs });
+  return between(t(to === name ? "command.edit" : "command.rename", { name }), mission, { ...after, programs });
 }
 
 /** Without that variable; vertices that use it stay, as a part that nobody knows. Null when it is not there. */

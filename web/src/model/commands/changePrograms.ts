@@ -2,6 +2,7 @@
 import { t } from "../../words/words";
 import type { Command } from "../command";
 import type { Mission, Program } from "../types";
+import { breakpointsRenamed } from "./changeTrial";
 
 /** The paper's smallest graph: Start, then Stop. */
 export function emptyProgram(name: string, robot: string): Program {
@@ -37,6 +38,7 @@ export function renameProgram(mission: Mission, name: string, to: string): Comma
     ...mission,
     programs: mission.programs.map((one) => (one.name === name ? { ...one, name: to } : one)),
     agents: mission.agents.map((one) => (one.program === name ? { ...one, program: to } : one)),
+    ...breakpointsRenamed(mission, name, to),
   });
 }
 

@@ -1,0 +1,129 @@
+"""What a mission says about trying it out, both ways: where a run pauses, and what goes wrong when.
+
+A `<breakpoint>` pauses a run when an agent comes to a vertex; a `<failure>` makes an agent fail, stall, lose its radio
+or come back at a moment of simulated time. Both are kept in the `.krt`, so they are there before the run starts and
+travel with it. A breakpoint of a vertex that is gone stays in the file and does nothing.
+
+Left to others: doing it (sim and whoever steers a run).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from enum import StrEnum
+
+from kitrobot.mission import rules
+from kitrobot.primitives import Element, Tag, attributes, did_you_mean, shown
+
+MOST_HITS = 1_000_000
+LONGEST_S = 1_000_000.0
+"""The latest moment of a failure, in simulated seconds."""
+LONGEST_CONDITION = 1_000
+"""Characters of a breakpoint's condition."""
+
+
+@dataclass(frozen=True)
+class Breakpoint:
+    """Where a run pauses.
+
+    `agents` are those it watches, all that run the program when empty; with `every` it pauses only when all of them
+    stand there. `when` is a condition of LLL, tested with what that agent knows; it pauses at the visit number `hits`
+    and at each one after it.
+    """
+
+    program: str
+    vertex: str
+    agents: tuple[str, ...] = ()
+    every: bool = False
+    when: str = ""
+    hits: int = 1
+    enabled: bool = True
+
+
+class FailureKind(StrEnum):
+    """What happens to an agent: it stops for good, misses its ticks, loses its radio, or is well again."""
+
+    FAIL = "fail"
+    STALL = "stall"
+    MUTE = "mute"
+    REVIVE = "revive"
+
+
+@dataclass(frozen=True)
+class Failure:
+    """What happens to an agent, and when, in simulated seconds."""
+
+    agent: str
+    at_s: float
+    kind: FailureKind = FailureKind.FAIL
+
+
+class _Watched(str):
+    """An agent that a breakpoint watches."""
+
+    __slots__ = ()
+
+
+def _watched(element: Element) -> _Watched:
+    return _Watched(element.required("name"))
+
+
+def _breakpoint(element: Element) -> Breakpoint | None:
+    program, vertex = element.required("program"), element.required("vertex")
+    when = element.optional("when")
+    if len(when) > LONGEST_CONDITION:
+        message = f"expected at most {LONGEST_CONDITION} characters in when, found {len(when)}"
+        element.report(rules.BREAKPOINT, message, "when")
+    every, hits = element.flag("every"), element.integer("hits", 1, MOST_HITS, 1)
+    enabled = not element.flag("off")
+    if element.faulty:
+        return None
+    return Breakpoint(program, vertex, tuple(element.found(_Watched)), every, when, hits, enabled)
+
+
+def _failure(element: Element) -> Failure | None:
+    agent = element.required("agent")
+    at_s = element.decimal("at", 0.0, LONGEST_S)
+    kind = FailureKind(element.choice("kind", [kind.value for kind in FailureKind], FailureKind.FAIL.value))
+    return None if element.faulty else Failure(agent, at_s, kind)
+
+
+TRIAL: dict[str, Tag] = {
+    "breakpoint": Tag(
+        _breakpoint,
+        ("program", "vertex", "every", "when", "hits", "off"),
+        {"agent": Tag(_watched, ("name",))},
+        kept_whole=True,
+    ),
+    "failure": Tag(_failure, ("agent", "at", "kind"), kept_whole=True),
+}
+"""Goes among the children of an element with `keep`."""
+
+
+def write_breakpoint(breakpoint: Breakpoint) -> str:
+    """One line without its break."""
+    head = attributes(
+        ("program", breakpoint.program),
+        ("vertex", breakpoint.vertex),
+        ("every", "yes" if breakpoint.every else None),
+        ("when", breakpoint.when or None),
+        ("hits", breakpoint.hits if breakpoint.hits != 1 else None),
+        ("off", None if breakpoint.enabled else "yes"),
+    )
+    watched = "".join(f"<agent{attributes(('name', name))}/>" for name in breakpoint.agents)
+    return f"<breakpoint{head}>{watched}</breakpoint>" if watched else f"<breakpoint{head}/>"
+
+
+def write_failure(failure: Failure) -> str:
+    """One line without its break."""
+    at = f"{failure.at_s:.3f}".rstrip("0").rstrip(".") if math.isfinite(failure.at_s) else "0"
+    return f"<failure{attributes(('agent', failure.agent), ('at', at), ('kind', failure.kind.value))}/>"
+
+
+def check_trial(agents: list[str], root: Element) -> None:
+    """That every failure happens to somebody of the team."""
+    for failure, element in root.found_at(Failure):
+        if failure.agent not in agents:
+            message = f"{shown(failure.agent)}, which is to {failure.kind}, is not in the team"
+            element.report(rules.FAILURE, message, "agent", did_you_mean(failure.agent, agents))

@@ -1,0 +1,73 @@
+/** Breakpoints and failures on schedule: what a mission says about trying it out. */
+import { t } from "../../words/words";
+import type { Command } from "../command";
+import type { Breakpoint, Mission, Program, ScheduledFailure } from "../types";
+
+function between(label: string, before: Mission, after: Mission): Command {
+  return { label, execute: () => after, revert: () => before };
+}
+
+/** The mission with these lists, each left out when it is empty, as in a mission that never had one. */
+function withTrial(
+  mission: Mission,
+  breakpoints: readonly Breakpoint[],
+  failures: readonly ScheduledFailure[],
+): Mission {
+  const { breakpoints: _, failures: __, ...rest } = mission;
+  return {
+    ...rest,
+    ...(breakpoints.length === 0 ? {} : { breakpoints: [...breakpoints] }),
+    ...(failures.length === 0 ? {} : { failures: [...failures] }),
+  };
+}
+
+/** The breakpoint of a vertex, or undefined. */
+export function breakpointAt(mission: Mission, program: string, vertex: string): Breakpoint | undefined {
+  return mission.breakpoints?.find((one) => one.program === program && one.vertex === vertex);
+}
+
+/** Breakpoints whose vertex is there. Those of vertices that are gone go with the next change. */
+function sound(mission: Mission): Breakpoint[] {
+  return (mission.breakpoints ?? []).filter(({ program, vertex }) =>
+    mission.programs.some((one) => one.name === program && one.vertices.some(({ id }) => id === vertex)),
+  );
+}
+
+/** Sets the breakpoint of a vertex, or changes it; null when there is no such vertex. */
+export function setBreakpoint(mission: Mission, made: Breakpoint): Command | null {
+  const there = mission.programs
+    .find((one) => one.name === made.program)
+    ?.vertices.find(({ id }) => id === made.vertex);
+  if (there === undefined) return null;
+  const old = breakpointAt(mission, made.program, made.vertex);
+  const others = sound(mission);
+  const list = old === undefined ? [...others, made] : others.map((one) => (one === old ? made : one));
+  return between(
+    t("command.breakpoint", { name: there.element }),
+    mission,
+    withTrial(mission, list, mission.failures ?? []),
+  );
+}
+
+/** Without the breakpoint of a vertex; null when it has none. */
+export function removeBreakpoint(mission: Mission, program: string, vertex: string): Command | null {
+  const old = breakpointAt(mission, program, vertex);
+  if (old === undefined) return null;
+  const list = sound(mission).filter((one) => one !== old);
+  return between(t("command.no-breakpoint"), mission, withTrial(mission, list, mission.failures ?? []));
+}
+
+/** Other failures on schedule, in the order of time; null when they are the same. */
+export function setFailures(mission: Mission, failures: readonly ScheduledFailure[]): Command | null {
+  const list = [...failures].sort((a, b) => a.at_s - b.at_s);
+  if (JSON.stringify(list) === JSON.stringify(mission.failures ?? [])) return null;
+  return between(t("command.failures"), mission, withTrial(mission, mission.breakpoints ?? [], list));
+}
+
+/** The breakpoints after a program was given another name. */
+export function breakpointsRenamed(mission: Mission, from: Program["name"], to: string): Pick<Mission, "breakpoints"> {
+  if (mission.breakpoints === undefined) return {};
+  return {
+    breakpoints: mission.breakpoints.map((one) => (one.program === from ? { ...one, program: to } : one)),
+  };
+}
