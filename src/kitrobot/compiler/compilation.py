@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.checker import check
 from kitrobot.compiler.graph_rules import UNKNOWN_ELEMENT
-from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lowering import lower
 from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
 from kitrobot.diagnostics import Diagnostic, Source, in_reading_order
@@ -58,18 +58,21 @@ def compile_text(text: str, robot: Robot, name: str = "program.lll") -> Compiled
     return replace(compiled, diagnostics=in_reading_order(parsed.diagnostics + compiled.diagnostics))
 
 
-def compile_program(program: Program, catalogue: Catalogue) -> Compiled:
+def compile_program(program: Program, catalogue: Catalogue, translation: Translation | None = None) -> Compiled:
     """Translates a graph to LLL and compiles it for its robot. Vertices are named in the diagnostics and debug map.
+
+    `translation`: the graph's, where it was made already.
 
     Raises KitRobotError when the catalogue has no such robot.
     """
     with collection_paused():
-        return _compile_program(program, catalogue)
+        return _compile_program(program, catalogue, translation)
 
 
-def _compile_program(program: Program, catalogue: Catalogue) -> Compiled:
+def _compile_program(program: Program, catalogue: Catalogue, translation: Translation | None) -> Compiled:
     robot = catalogue.robot(program.robot)
-    translation = graph_to_lll(program, catalogue)
+    if translation is None:
+        translation = graph_to_lll(program, catalogue)
     source = Source(f"{program.name}.lll", print_program(translation.program))
     if not translation.ok:
         found = check(translation.program, robot, source, program.name)

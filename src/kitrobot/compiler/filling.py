@@ -43,6 +43,12 @@ class Walk(Protocol):
     def deeper(self, vertex: Vertex) -> bool:
         """Goes a level down; False, and reported, where it is one too many."""
 
+    def hole(self, vertex: Vertex, slot: str) -> Hole | None:
+        """The hole that is left where that slot would be filled, if any."""
+
+    def put(self, vertex: Vertex, seq: Seq, more: Seq) -> None:
+        """Adds instructions, and the hole among them, to a body."""
+
     def report(self, rule: Rule, message: str, *vertices: str, help: str = "") -> None:
         """Collects a diagnostic."""
 
@@ -82,13 +88,20 @@ class _Filling:
         assert slot is not None, "a template's holes are its constructor's slots"
         return slot
 
-    def number(self, value: int | Hole) -> int:
+    def number(self, value: int | Hole) -> int | Hole:
         if isinstance(value, int):
             return value
+        left = self.left(value)
+        if left is not None:
+            return left
         slot = self.slot(value)
         text = self.vertex.settings.get(slot.name, slot.default or str(slot.minimum or 0))
         low, high = max(0, slot.minimum or 0), MAX_NUMBER if slot.maximum is None else min(slot.maximum, MAX_NUMBER)
         return self.walk.number(self.vertex, slot.name, text, low, high)
+
+    def left(self, hole: Hole) -> Hole | None:
+        """The hole that the walk leaves in the place of this one."""
+        return self.walk.hole(self.vertex, hole.name)
 
     def filler(self, hole: Hole) -> Vertex | None:
         filler = self.walk.wiring.fills.get((self.vertex.id, hole.name))
@@ -102,6 +115,9 @@ class _Filling:
 
     def condition(self, template: Any) -> Condition:
         if isinstance(template, Hole):
+            left = self.left(template)
+            if left is not None:
+                return left
             vertex = self.filler(template)
             return Call("", "") if vertex is None else self.walk.condition(vertex)
         made: Condition = self.node(template)
@@ -110,11 +126,16 @@ class _Filling:
     def param(self, template: Any) -> Param:
         if not isinstance(template, Hole):
             return Number(template.value) if isinstance(template, Number) else self.node(template)
+        left = self.left(template)
+        if left is not None:
+            return left
         if self.is_filled(template):
             vertex = self.filler(template)
             assert vertex is not None
             return self.walk.read(vertex)
-        return Number(self.number(template))
+        number = self.number(template)
+        assert isinstance(number, int), "what is left open was left above"
+        return Number(number)
 
     def call(self, template: Call) -> Call:
         nests = any(
@@ -130,8 +151,11 @@ class _Filling:
     def is_filled(self, hole: Hole) -> bool:
         return (self.vertex.id, hole.name) in self.walk.wiring.fills
 
-    def action(self, template: Call | Hole) -> Call:
+    def action(self, template: Call | Hole) -> Call | Hole:
         if isinstance(template, Hole):
+            left = self.left(template)
+            if left is not None:
+                return left
             vertex = self.filler(template)
             return Call("", "") if vertex is None else self.walk.read(vertex)
         made: Call = self.node(template)
@@ -142,7 +166,8 @@ class _Filling:
         if not self.walk.deeper(self.vertex):
             return Seq()
         if template.hole is not None and not template.items:
-            seq = self.walk.body(self.vertex, port or template.hole.name)
+            left = self.left(template.hole)
+            seq = self.walk.body(self.vertex, port or template.hole.name) if left is None else Seq(hole=left)
         else:
             seq = self.items(template, port)
         self.walk.depth -= 1
@@ -153,9 +178,9 @@ class _Filling:
         seq = Seq(below=list(template.below))
         for index, item in enumerate([*template.items, None]):
             if template.hole is not None and index == template.hole_at:
-                hole = self.walk.body(self.vertex, port or template.hole.name)
-                seq.items += hole.items
-                seq.below += hole.below
+                left = self.left(template.hole)
+                hole = self.walk.body(self.vertex, port or template.hole.name) if left is None else Seq(hole=left)
+                self.walk.put(self.vertex, seq, hole)
             if item is not None:
                 seq.items.append(self.node(item))
         return seq
@@ -177,6 +202,10 @@ class _Filling:
             if template.hole is None or not self.slot(template.hole).repeat:
                 branches.append(self.body(template))
                 continue
+            left = self.left(template.hole)
+            if left is not None:
+                branches.append(Seq(hole=left))
+                continue
             base = template.hole.name + "."
             ports = sorted(
                 (port for port in self.walk.wiring.ports.get(self.vertex.id, ()) if port.startswith(base)),
@@ -184,7 +213,7 @@ class _Filling:
             )
             for port in ports:
                 body = self.body(template, port)
-                if body.items:
+                if body.items or body.hole is not None:
                     branches.append(body)
                 else:
                     self.walk.notes += body.below

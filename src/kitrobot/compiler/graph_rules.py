@@ -76,3 +76,16 @@ TOO_DEEP = rule(
     "The graph nests too deeply",
     "Bodies, conditions and parameters together may nest 100 levels deep. Split the program into parts.",
 )
+TWO_HOLES = rule(
+    "two-places",
+    Severity.ERROR,
+    "A part of one's own has two places for instructions in one body",
+    "A body of a template has at most one hole for instructions. Instructions in a row can be one place together.",
+)
+OPEN_BREAK = rule(
+    "break-leaves-part",
+    Severity.ERROR,
+    "A Break in a part of one's own leaves a loop outside it",
+    "A part can stand anywhere. A Break in it that leaves the loop around it would leave another loop there, or end "
+    "the program.",
+)

@@ -2,11 +2,15 @@
 
 The walk goes from Start along `next`; a constructor's slots are walked when the constructor is met, and each must come
 back at its `return`. Nothing here knows any one constructor. Vertices leave their id on every node they became.
+
+The walk can leave holes: what stands in a slot of a vertex, or a vertex of a chain itself, then becomes a `Hole` of the
+given name and is not walked. That is how a stretch of a program becomes a template (own_part).
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, cast
 
@@ -20,6 +24,7 @@ from kitrobot.lll import (
     MAX_NUMBER,
     Call,
     Condition,
+    Hole,
     Instr,
     Number,
     Param,
@@ -32,10 +37,14 @@ _WHOLE = re.compile(r"[+-]?[0-9]{1,9}")
 
 @dataclass(frozen=True)
 class Translation:
-    """The program as far as it could be read off the graph, what is wrong with the graph, and how it is wired."""
+    """The program as far as it could be read off the graph, what is wrong with the graph, and how it is wired.
+
+    `stretches`: the instructions in a row that each vertex of a longer template became, those in its hole among them.
+    """
 
     program: Seq
     wiring: Wiring = field(repr=False, compare=False)
+    stretches: dict[str, list[Instr]] = field(repr=False, compare=False, default_factory=dict)
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
     @property
@@ -44,18 +53,37 @@ class Translation:
         return not any(item.is_error for item in self.diagnostics)
 
 
-def graph_to_lll(program: Program, catalogue: Catalogue) -> Translation:
+SlotName = tuple[str, str]
+"""A vertex and a slot or parameter of it; the slot "" is the vertex itself, where it stands in a chain."""
+
+
+def graph_to_lll(program: Program, catalogue: Catalogue, holes: Mapping[SlotName, str] | None = None) -> Translation:
     """Translates a program; the rest of it stays usable where something is wrong.
+
+    Args:
+        program: the graph.
+        catalogue: what its elements mean.
+        holes: the slots that are left open, and the name of the hole in each.
 
     Raises KitRobotError when the catalogue has no such robot.
     """
-    walk = _Walk(program, catalogue)
+    walk = _Walk(program, catalogue, holes or {})
     seq = walk.whole()
-    return Translation(seq, walk.wiring, walk.wiring.found)
+    return Translation(seq, walk.wiring, walk.stretches, walk.wiring.found)
+
+
+def condition_to_lll(
+    program: Program, vertex: str, catalogue: Catalogue, holes: Mapping[SlotName, str]
+) -> tuple[Condition, list[Diagnostic]]:
+    """Translates one vertex of a program as the condition that it is, with holes as in `graph_to_lll`."""
+    walk = _Walk(program, catalogue, holes)
+    return walk.condition(walk.wiring.vertices[vertex]), walk.wiring.found
 
 
 class _Walk:
-    def __init__(self, program: Program, catalogue: Catalogue) -> None:
+    def __init__(self, program: Program, catalogue: Catalogue, holes: Mapping[SlotName, str]) -> None:
+        self.holes = holes
+        self.stretches: dict[str, list[Instr]] = {}
         self.program = program
         self.robot = catalogue.robot(program.robot)
         self.catalogue = catalogue
@@ -152,7 +180,11 @@ class _Walk:
                 )
                 return
             self.visited.add(target.id)
-            seq.items += self.instruction(target)
+            hole = self.hole(target, "") if self.holes else None
+            if hole is not None:
+                self.put(target, seq, Seq(hole=hole))
+            else:
+                self.instruction(seq, target)
             vertex, port = target.id, NEXT
 
     def not_closed(self, vertex: str, port: str, inside: str | None, arc: Arc | None = None) -> None:
@@ -167,33 +199,58 @@ class _Walk:
     def wrong_way(self, arc: Arc, message: str) -> None:
         self.report(rules.WRONG_WAY, message, arc.source, arc.target, help="delete the arc, or draw it anew", arc=arc)
 
+    # -- holes
+
+    def hole(self, vertex: Vertex, slot: str) -> Hole | None:
+        """The hole that is left where that slot of that vertex would be walked."""
+        name = self.holes.get((vertex.id, slot))
+        return None if name is None else Hole(name, vertex=vertex.id)
+
+    def put(self, vertex: Vertex, seq: Seq, more: Seq) -> None:
+        """Adds instructions, and the hole among them, to a body; vertices in a row may share one hole."""
+        if more.hole is not None:
+            at = len(seq.items) + more.hole_at
+            if seq.hole is not None and (seq.hole.name, seq.hole_at) != (more.hole.name, at):
+                message = f"`{seq.hole.name}` and `{more.hole.name}` are two places for instructions in one body"
+                help = "choose one place in a body, or give neighbours the same name"
+                self.report(rules.TWO_HOLES, message, vertex.id, help=help)
+            seq.hole, seq.hole_at = more.hole, at
+        seq.items += more.items
+        seq.below += more.below
+
     # -- vertices
 
-    def instruction(self, vertex: Vertex) -> list[Instr]:
-        """The instructions a vertex in the flow becomes: one, or those of a longer template."""
+    def instruction(self, seq: Seq, vertex: Vertex) -> None:
+        """Adds the instructions a vertex in the flow becomes: one, or those of a longer template."""
         notes, self.notes = self.notes, []
         constructor = self.wiring.constructor(vertex)
-        made: list[Any]
+        row = Seq()
         if constructor is None:
-            made = [self.call(vertex)]
+            row.items.append(self.call(vertex))
         elif constructor.role is not Role.INSTRUCTION or constructor.template is None:
             self.report(
                 rules.WRONG_PLACE,
                 f"`{vertex.id}` ({vertex.element}) cannot stand in the flow as an instruction",
                 vertex.id,
             )
-            made = []
         else:
             filled = fill(self, vertex, constructor)
-            made = list(filled.items) if isinstance(filled, Seq) else [filled]
+            if isinstance(filled, Seq):
+                row = filled
+                self.notes += row.below  # no body ends here, so they go above, as those of conditions do
+                row.below = []
+                self.stretches[vertex.id] = row.items
+            else:
+                row.items.append(filled)
+        made: list[Any] = row.items
         inner, self.notes = self.notes, notes
         if made:
             above = [line for note in vertex.notes if note.at == "" for line in _lines(note.text)]
             made[0].above = above + inner + made[0].above
             after = [" ".join(note.text.split("\n")) for note in vertex.notes if note.at == "after"]
             if after:
-                made[-1].after = " ".join(after).rstrip()
-        return made
+                made[-1].after = " ".join([*filter(None, (made[-1].after,)), *after]).rstrip()
+        self.put(vertex, seq, row)
 
     def call(self, vertex: Vertex) -> Call:
         name, _, method = vertex.element.partition(".")
@@ -220,6 +277,9 @@ class _Walk:
         return call
 
     def parameter(self, vertex: Vertex, parameter: Parameter) -> Param:
+        hole = self.hole(vertex, parameter.name) if self.holes else None
+        if hole is not None:
+            return hole
         filler = self.wiring.fills.get((vertex.id, parameter.name))
         if filler is not None:
             return self.read(self.wiring.vertices[filler])

@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.keeping import Branch, Old, Origin, note
 from kitrobot.compiler.unfilling import Bound, unfill, unfill_all
 from kitrobot.diagnostics import KitRobotError
@@ -36,20 +36,28 @@ def lll_to_graph(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, keep: 
     Raises KitRobotError when no constructor at hand is the inverse of a construct the program uses, or the catalogue
     lacks the robot that `keep` is for.
     """
+    if keep is not None:
+        return redraw(seq, robot, catalogue, name, keep)[0]
+    return _Drawing(Program(name, robot.name), robot, catalogue, Old(None, seq, robot, catalogue)).whole(seq)
+
+
+def redraw(
+    seq: Seq, robot: Robot, catalogue: Catalogue, name: str, keep: Program
+) -> tuple[Program, Translation | None]:
+    """`lll_to_graph` with a graph to keep: the graph, and its translation back, as far as it was made on the way."""
     old = Old(keep, seq, robot, catalogue)
-    if keep is None:
-        return _Drawing(Program(name, robot.name), robot, catalogue, old).whole(seq)
     if old.tree == seq:
         for node, before in zip(nodes(seq), nodes(old.tree), strict=True):
             node.vertex = before.vertex
-        return replace(keep, name=name, robot=robot.name)
-    drawn = Program(name, robot.name)
+        return replace(keep, name=name, robot=robot.name), None
+    drawn, translation = Program(name, robot.name), None
     for notes_anew in (False, True):
         drawn = _Drawing(Program(name, robot.name), robot, catalogue, old, notes_anew=notes_anew).whole(seq)
         old.leave(drawn, loose_only=notes_anew)
-        if graph_to_lll(drawn, catalogue).program == seq:
+        translation = graph_to_lll(drawn, catalogue)
+        if translation.program == seq:
             break
-    return drawn
+    return drawn, translation
 
 
 @dataclass(frozen=True)

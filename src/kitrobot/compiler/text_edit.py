@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.checker import check
-from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.keeping import Old
-from kitrobot.compiler.lll_to_graph import lll_to_graph
+from kitrobot.compiler.lll_to_graph import redraw
 from kitrobot.diagnostics import Diagnostic, Place, Source, in_reading_order
 from kitrobot.graph import Program
 from kitrobot.lll import Seq, nodes, parse
@@ -36,15 +36,17 @@ class Followed:
     """The graph of an edited text (None when there are mistakes in it), and what there is to say about the text.
 
     `spans` are the outermost stretches of each vertex in the text, in reading order; none without a graph.
+    `translation` is the graph's way back to LLL, for who compiles it next; its tree is not the one of the text.
     """
 
     program: Program | None
     spans: list[VertexPlace] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    translation: Translation | None = field(default=None, repr=False, compare=False)
 
 
 def follow_text(program: Program, text: str, catalogue: Catalogue) -> Followed:
-    """Draws a text anew beside the graph it came from; see `lll_to_graph`.
+    """Draws a text anew beside the graph it came from; see `redraw`.
 
     Raises KitRobotError when the catalogue lacks the robot, or the constructors to draw with.
     """
@@ -53,8 +55,8 @@ def follow_text(program: Program, text: str, catalogue: Catalogue) -> Followed:
     found = check(parsed.program, robot, parsed.source, program.name)
     diagnostics = [replace(item, program=program.name) for item in in_reading_order(parsed.diagnostics + found)]
     if parsed.ok and not _news(found, program, robot, catalogue):
-        drawn = lll_to_graph(parsed.program, robot, catalogue, program.name, program)
-        return Followed(drawn, list(_spans(parsed.program, parsed.source)), diagnostics)
+        drawn, translation = redraw(parsed.program, robot, catalogue, program.name, program)
+        return Followed(drawn, list(_spans(parsed.program, parsed.source)), diagnostics, translation)
     old = Old(program, parsed.program, robot, catalogue)
     return Followed(None, [], [_at_vertex(item, parsed.program, parsed.source, old) for item in diagnostics])
 

@@ -3,7 +3,7 @@
 from kitrobot.lll.collection import collection_paused
 from kitrobot.lll.formatting import format_text
 from kitrobot.lll.parser import Parsed, parse, parse_template
-from kitrobot.lll.printer import print_program
+from kitrobot.lll.printer import print_program, print_template
 from kitrobot.lll.tokens import is_name
 from kitrobot.lll.tree import (
     MAX_NESTING,
@@ -64,4 +64,5 @@ __all__ = [
     "parse",
     "parse_template",
     "print_program",
+    "print_template",
 ]

@@ -47,6 +47,15 @@ def print_program(program: Seq) -> str:
     return text
 
 
+def print_template(template: Seq | Instr | Condition) -> str:
+    """The text of a template: instructions as a program, a condition on one line without a line break."""
+    if isinstance(template, (And, Or, Not, Hole)):
+        printer = _Printer()
+        printer.condition(template, 0)
+        return "".join(printer.parts)
+    return print_program(template if isinstance(template, Seq) else Seq([template]))
+
+
 class _Printer:
     def __init__(self) -> None:
         self.parts: list[str] = []
