@@ -1,7 +1,7 @@
 /** The tree of parts that a program is made of: drag one onto the graph, or click it to add it at the selection. */
 import "./palette.css";
 
-import { type KeyboardEvent, useMemo, useRef, useState } from "react";
+import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
 
 import { beginDrag, justDragged } from "../editor/drag";
 import { addPart } from "../editor/edits";
@@ -13,7 +13,8 @@ import { useRun, watchedAgent } from "../run/run";
 import { Icon, Tile } from "../theme";
 import { mirrored } from "../words/language";
 import { t } from "../words/words";
-import { type Folded, type Row, rowsOf } from "./tree";
+import { useReveal } from "./reveal";
+import { type Folded, type Row, rowsOf, unfoldedFor } from "./tree";
 
 export function Palette() {
   const robot = useStudio((state) => programInView(state)?.robot ?? "");
@@ -27,6 +28,23 @@ export function Palette() {
   const rows = useMemo(() => rowsOf(parts, query, folded), [parts, query, folded]);
   const items = rows.filter((row) => row.kind !== "heading");
   const current = items.some((row) => row.key === at) ? at : (items[0]?.key ?? "");
+
+  useEffect(
+    () =>
+      useReveal.subscribe(({ element }) => {
+        const key = `part ${element}`;
+        setQuery("");
+        setFolded((before) => ({ ...before, ...unfoldedFor(parts, element) }));
+        setAt(key);
+        // The row is there once the palette is drawn with it.
+        requestAnimationFrame(() => {
+          const found = tree.current?.querySelector<HTMLElement>(`[data-row="${CSS.escape(key)}"]`);
+          found?.scrollIntoView({ block: "nearest" });
+          found?.focus({ preventScroll: true });
+        });
+      }),
+    [parts],
+  );
 
   const go = (row: Row | undefined) => {
     if (row === undefined) return;

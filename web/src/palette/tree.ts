@@ -53,6 +53,15 @@ export function rowsOf(parts: Parts, query: string, folded: Folded): Row[] {
   ];
 }
 
+/** What has to be unfolded so that a part can be seen. */
+export function unfoldedFor(parts: Parts, element: string): Folded {
+  const shape = parts.all.find((one) => one.element === element);
+  if (shape === undefined) return {};
+  if (shape.object === null) return { [`group ${shape.constructor_?.group ?? ""}`]: false };
+  const { category, name } = shape.object;
+  return { [`section ${category}`]: false, [`object ${category} ${name}`]: false };
+}
+
 function constructorRows(parts: Parts, shown: Shape[], searching: boolean, folded: Folded): Row[] {
   return parts.groups.flatMap((group): Row[] => {
     const members = shown.filter((shape) => group.constructors.some((one) => one === shape.constructor_));

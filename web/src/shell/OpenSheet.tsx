@@ -1,9 +1,11 @@
 /** The missions of the workspace and the examples, and a file of this computer. */
-import { useRef } from "react";
+import { useEffect, useRef } from "react";
 
 import type { MissionEntry } from "../api/client";
 import { Card } from "../gallery/Card";
 import { Icon } from "../theme";
+import { TutorialCards } from "../tutorial/Cards";
+import { lookForTutorials } from "../tutorial/opening";
 import { t } from "../words/words";
 import { openFromComputer, openPath, show, useDocument } from "./document";
 import { useMissions } from "./missions";
@@ -30,6 +32,7 @@ export function OpenSheet() {
   const missions = useMissions();
   const workspace = useDocument((document) => document.session?.workspace ?? "");
   const chooser = useRef<HTMLInputElement>(null);
+  useEffect(() => void lookForTutorials(), []);
   const own = missions?.filter((entry) => !entry.example) ?? [];
   const examples = missions?.filter((entry) => entry.example) ?? [];
   return (
@@ -38,6 +41,7 @@ export function OpenSheet() {
         <p className="sheet-note">{t("open.loading")}</p>
       ) : (
         <div className="open-lists">
+          <TutorialCards title={t("tutorial.title")} broken />
           <h3>{t("open.workspace", { folder: workspace })}</h3>
           {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
           <ul>

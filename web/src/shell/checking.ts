@@ -11,14 +11,18 @@ import { complain, dismissBanner, useDocument } from "./document";
 
 const QUIET_MS = 60;
 
-interface Checker {
-  check: (mission: Mission, path: string, signal: AbortSignal) => Promise<Report>;
-  accept: (report: Report) => void;
+interface Checker<Answer> {
+  check: (mission: Mission, path: string, signal: AbortSignal) => Promise<Answer>;
+  accept: (answer: Answer) => void;
   fail: (cause: unknown) => void;
 }
 
 /** Debounced and newest-wins; the returned function asks for a check. */
-export function makeChecker({ check, accept, fail }: Checker): (mission: Mission, path: string) => void {
+export function makeChecker<Answer = Report>({
+  check,
+  accept,
+  fail,
+}: Checker<Answer>): (mission: Mission, path: string) => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let under: AbortController | null = null;
   return (mission, path) => {
@@ -28,8 +32,8 @@ export function makeChecker({ check, accept, fail }: Checker): (mission: Mission
       const mine = new AbortController();
       under = mine;
       check(mission, path, mine.signal).then(
-        (report) => {
-          if (under === mine) accept(report);
+        (answer) => {
+          if (under === mine) accept(answer);
         },
         (cause: unknown) => {
           if (under === mine && !mine.signal.aborted) fail(cause);

@@ -50,8 +50,10 @@ import Flag from "lucide-react/icons/flag";
 import Flame from "lucide-react/icons/flame";
 import FolderOpen from "lucide-react/icons/folder-open";
 import Gauge from "lucide-react/icons/gauge";
+import Footprints from "lucide-react/icons/footprints";
 import GitFork from "lucide-react/icons/git-fork";
 import Grab from "lucide-react/icons/grab";
+import GraduationCap from "lucide-react/icons/graduation-cap";
 import GripVertical from "lucide-react/icons/grip-vertical";
 import Hand from "lucide-react/icons/hand";
 import Hash from "lucide-react/icons/hash";
@@ -178,8 +180,10 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   flame: Flame,
   "folder-open": FolderOpen,
   gauge: Gauge,
+  footprints: Footprints,
   "git-fork": GitFork,
   grab: Grab,
+  "graduation-cap": GraduationCap,
   "grip-vertical": GripVertical,
   hand: Hand,
   hash: Hash,

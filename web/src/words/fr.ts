@@ -3,6 +3,7 @@ import { EDITOR_FR } from "./fr-editor";
 import { JOURNAL_FR } from "./fr-journal";
 import { OUT_FR } from "./fr-out";
 import { REACH_FR } from "./fr-reach";
+import { TUTORIAL_FR } from "./fr-tutorial";
 import type { Table } from "./words";
 
 export const FR = {
@@ -10,6 +11,7 @@ export const FR = {
   ...JOURNAL_FR,
   ...OUT_FR,
   ...REACH_FR,
+  ...TUTORIAL_FR,
   "app.name": "KitRobot",
   "app.parts": "Pièces",
   "app.canvas": "Graphe du programme",

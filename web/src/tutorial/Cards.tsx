@@ -1,0 +1,72 @@
+/** The tutorials as a row of cards: in the gallery, under an empty program, and in the welcome. */
+import type { Tutorial } from "../api/tutorials";
+import { text } from "../model/texts";
+import { Icon } from "../theme";
+import { Said } from "../words/Said";
+import { t } from "../words/words";
+import { begin } from "./opening";
+import { rememberedProgress } from "./progress";
+import { useTutorial } from "./state";
+import "./tutorial.css";
+
+function state(tutorial: Tutorial): string {
+  const total = tutorial.steps.length;
+  const progress = rememberedProgress(tutorial);
+  if (progress === null) return t("tutorial.count", { count: total });
+  return progress.at >= total ? t("tutorial.all-done") : t("tutorial.at", { number: progress.at + 1, total });
+}
+
+function Card({ tutorial }: { tutorial: Tutorial }) {
+  return (
+    <button
+      type="button"
+      className="tutorial-card"
+      data-testid={`tutorial-card-${tutorial.name}`}
+      onClick={() => void begin(tutorial)}
+    >
+      <span className="tutorial-card-icon">
+        <Icon name={tutorial.icon} size={22} />
+      </span>
+      <span>
+        <strong>{text(tutorial.label)}</strong>
+        <span className="tutorial-card-help">{text(tutorial.help)}</span>
+        <small>{state(tutorial)}</small>
+      </span>
+    </button>
+  );
+}
+
+/** One that has a mistake: its author sees which. */
+function Broken({ tutorial: { name, problems } }: { tutorial: Tutorial }) {
+  const [first] = problems;
+  return (
+    <div className="tutorial-card is-broken" data-testid={`tutorial-card-${name}`}>
+      <span className="tutorial-card-icon">
+        <Icon name="triangle-alert" size={22} />
+      </span>
+      <span>
+        <strong>{name}</strong>
+        <span className="tutorial-card-help">
+          {t("tutorial.broken")}{" "}
+          {first === undefined ? null : <Said text={t("banner.line", { line: first.line, message: first.message })} />}
+        </span>
+      </span>
+    </div>
+  );
+}
+
+export function TutorialCards({ title, broken = false }: { title: string; broken?: boolean }) {
+  const all = useTutorial((found) => found.all);
+  const shown = (all ?? []).filter((one) => broken || one.steps.length > 0);
+  if (shown.length === 0) return null;
+  return (
+    <section className="tutorial-cards" aria-label={t("tutorial.title")}>
+      <h2>{title}</h2>
+      <ul>
+        {shown.map((one) => (
+          <li key={one.name}>{one.steps.length > 0 ? <Card tutorial={one} /> : <Broken tutorial={one} />}</li>
+        ))}
+      </ul>
+    </section>
+  );
+}
