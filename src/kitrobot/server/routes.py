@@ -8,6 +8,7 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, Query, Request
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.lll import collection_paused
 from kitrobot.mission import read_mission, save, write_mission
 from kitrobot.server.shapes import (
     CheckShape,
@@ -118,11 +119,15 @@ def mission_text(wanted: MissionTextShape) -> TextShape:
 @routes.post("/check")
 def check(studio: StudioOf, wanted: CheckShape) -> ReportShape:
     """Looks a mission through: LLL and three-address code of each program, and every problem."""
-    return report_shape(studio.open(mission_from_shape(wanted.mission), wanted.path).check())
+    with collection_paused():
+        return report_shape(studio.open(mission_from_shape(wanted.mission), wanted.path).check())
 
 
 def _file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:
-    _, catalogue = studio.catalogue(studio.folder.folder_of(path))
+    studio.world_file(opened.mission.world_href, path)
+    # Before the files are read: what changes meanwhile is then news.
+    parts = studio.stamp(path)
+    _, catalogue = studio.catalogue(path)
     return MissionFileShape(
         path=path,
         name=opened.name,
@@ -131,4 +136,5 @@ def _file(studio: Studio, opened: OpenMission, path: str, revision: str) -> Miss
         problems=problem_shapes(opened.diagnostics),
         world=world_shape(opened.world) if opened.world is not None else None,
         catalogue=catalogue,
+        parts=parts,
     )

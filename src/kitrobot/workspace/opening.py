@@ -9,20 +9,21 @@ diagnostics keep the places they have in the LLL. Opening reads; `check` looks e
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitrobot.compiler import Compiled, compile_program
+from kitrobot.compiler import Compiled, Translation, compile_program
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.graph import Program, empty_program
 from kitrobot.image import disassemble
 from kitrobot.lll import nodes
 from kitrobot.mission import Agent, Mission, Team, read_mission
 from kitrobot.primitives import Catalogue, load_catalogue
-from kitrobot.workspace.files import read_bytes
+from kitrobot.workspace.carried import CarriedError, carried_mission
+from kitrobot.workspace.files import FileError, read_bytes
 from kitrobot.workspace.places import Places
 from kitrobot.workspace.problems import ProblemsError
 from kitrobot.workspace.robots import find_robot
@@ -96,6 +97,8 @@ class OpenMission:
     sources: tuple[Source, ...] = ()
     text: Source | None = None
     path: Path | None = None
+    translations: Mapping[str, Translation] = field(default_factory=dict, repr=False)
+    """Programs by name that were translated to LLL already."""
 
     @cached_property
     def places(self) -> Places | None:
@@ -130,7 +133,7 @@ class OpenMission:
         """Each program compiled, by name, as far as its robot is at hand."""
         robots = self.catalogue.robots
         return {
-            program.name: compile_program(program, self.catalogue)
+            program.name: compile_program(program, self.catalogue, self.translations.get(program.name))
             for program in self.mission.programs
             if program.robot in robots
         }
@@ -203,18 +206,18 @@ class OpenMission:
 
 
 def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
-    """Opens a `.krt` with what lies beside it.
+    """Opens a `.krt`, or a picture that carries one, with what lies beside it.
 
     Args:
-        path: the file.
+        path: the file. Places in the mission of a picture count in the `.krt` that it carries.
         robot: a robot's name or file, in place of the ones that the programs are for.
 
     Raises:
-        FileError: the file cannot be read.
+        FileError: the file cannot be read, or is a picture without a mission.
         ProblemsError: nothing of the file can be used.
         KitRobotError: there is no such robot.
     """
-    opened = read_mission_data(read_bytes(path), str(path), path.parent)
+    opened = read_mission_data(read_carried(path), str(path), path.parent)
     opened = replace(opened, path=path)
     if robot is not None:
         meant = find_robot(robot, path.parent)
@@ -224,12 +227,31 @@ def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
     return opened
 
 
+def read_carried(path: Path) -> bytes:
+    """The bytes of a `.krt`: the file's own, or those that a picture carries.
+
+    Raises:
+        FileError: the file cannot be read, or is a picture without a mission.
+    """
+    try:
+        return carried_mission(read_bytes(path), str(path))[0]
+    except CarriedError as error:
+        raise FileError(error.message, error.help, path=path) from None
+
+
 def read_mission_data(
-    data: bytes, name: str, folder: Path, *, catalogue: Catalogue | None = None, within: Path | None = None
+    data: bytes,
+    name: str,
+    folder: Path,
+    *,
+    catalogue: Catalogue | None = None,
+    within: Path | None = None,
+    before: Sequence[Path] = (),
 ) -> OpenMission:
     """Opens the bytes of a `.krt`; robots, constructors and the world are looked for in `folder` too.
 
-    `within`: a folder that the world's file must not lead out of by a link.
+    `within`: a folder that the world's file must not lead out of by a link; `before`: folders in which the world is
+    looked for first, each of which it must not lead out of.
 
     Raises:
         ProblemsError: nothing of it can be used.
@@ -238,15 +260,21 @@ def read_mission_data(
     text = Source(name, data.decode("utf-8-sig", errors="replace"))
     if mission is None:
         raise ProblemsError(f"`{name}` cannot be opened", "", tuple(diagnostics), (text,))
-    opened = _open(mission, name, folder, catalogue, Places(text), within)
+    opened = _open(mission, name, folder, catalogue, Places(text), within, before)
     return replace(opened, diagnostics=(*diagnostics, *opened.diagnostics), sources=(text, *opened.sources), text=text)
 
 
 def with_mission(
-    mission: Mission, folder: Path, *, name: str, catalogue: Catalogue | None = None, within: Path | None = None
+    mission: Mission,
+    folder: Path,
+    *,
+    name: str,
+    catalogue: Catalogue | None = None,
+    within: Path | None = None,
+    before: Sequence[Path] = (),
 ) -> OpenMission:
-    """Opens a mission that is no file (yet), with what lies in `folder`; `within` as in `read_mission_data`."""
-    return _open(mission, name, folder, catalogue, None, within)
+    """Opens a mission that is no file (yet), with what lies in `folder`; the rest as in `read_mission_data`."""
+    return _open(mission, name, folder, catalogue, None, within, before)
 
 
 def new_mission() -> Mission:
@@ -266,13 +294,12 @@ def _open(
     catalogue: Catalogue | None,
     places: Places | None,
     within: Path | None = None,
+    before: Sequence[Path] = (),
 ) -> OpenMission:
     common = catalogue if catalogue is not None else load_catalogue([folder])
     known = common.extended(mission.constructors, mission.variables)
     own = tuple(known.problems[len(common.problems) :])
-    path = find_world(mission.world_href, [folder])
-    if path is not None and within is not None and not _is_within(path, within):
-        path = None
+    path = world_file(mission.world_href, [*before, folder], [*before, within] if within is not None else None)
     if path is None:
         place = (places.world or Place(name)) if places is not None else None
         found = NO_WORLD(f"there is no world `{mission.world_href}`", place, help=f"put its file into `{folder.name}`")
@@ -283,9 +310,16 @@ def _open(
     return OpenMission(name, mission, known, world, (*own, *diagnostics), (source,))
 
 
-def _is_within(path: Path, folder: Path) -> bool:
+def world_file(href: str, folders: Sequence[Path], within: Sequence[Path] | None) -> Path | None:
+    """The file of a mission's world: in one of the folders, the first one first, or shipped; None when there is none.
+
+    `within`: a link that leads out of all of these is not followed.
+    """
+    path = find_world(href, folders)
+    if path is None or within is None:
+        return path
     real = path.resolve()
-    return folder.resolve() in real.parents or SHIPPED.resolve() in real.parents
+    return path if any(folder.resolve() in real.parents for folder in (*within, SHIPPED)) else None
 
 
 def _spans(compiled: Compiled) -> Iterable[Span]:

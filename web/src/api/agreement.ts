@@ -4,7 +4,7 @@
  * What the server sends must fit the page's types, what the page sends must fit the server's. Nothing here is ever run.
  */
 import type * as server from "./generated";
-import type { MissionEntry, Saved, Session } from "./client";
+import type { Made, MissionEntry, Saved, Session } from "./client";
 import type { Fragment, Mission, MissionFile, Report } from "./types";
 import type { RunMessage, RunRequest } from "./wire";
 
@@ -17,6 +17,7 @@ export type Received = [
   Fits<Report, server.Report>,
   Fits<Fragment, server.Fragment>,
   Fits<Saved, server.Saved>,
+  Fits<Made, server.Image>,
   Fits<RunMessage, server.RunMessage>,
 ];
 

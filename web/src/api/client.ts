@@ -39,6 +39,14 @@ export interface Followed {
   program: Program | null;
   spans: SpanEntry[];
   problems: Problem[];
+  /** What the whole mission is with that program; null without one. */
+  report: Report | null;
+}
+
+/** What a program without errors becomes: the bytes of its image, in base64, and their listing. */
+export interface Made {
+  image: string;
+  listing: string;
 }
 
 export interface Saved {
@@ -117,14 +125,16 @@ export const api = {
   saveMission: (path: string, revision: string, mission: Mission) =>
     ask<Saved>("mission", { method: "PUT", json: { path, revision, mission } }),
   missionText: (mission: Mission) => ask<{ text: string }>("mission/text", { method: "POST", json: { mission } }),
+  image: (mission: Mission, path: string, program: string) =>
+    ask<Made>("image", { method: "POST", json: { mission, path, program } }),
   /** `own` is what the mission brings along: the text may speak of it. */
   fragment: (text: string, robot: string, path: string, own: Pick<Mission, "constructors" | "variables"> = {}) =>
     ask<Fragment>("fragment", {
       method: "POST",
       json: { text, robot, path, constructors: own.constructors ?? [], variables: own.variables ?? [] },
     }),
-  follow: (mission: Mission, path: string, program: string, text: string, signal: AbortSignal) =>
-    ask<Followed>("text", { method: "POST", json: { mission, path, program, text }, signal }),
+  follow: (mission: Mission, path: string, program: string, text: string) =>
+    ask<Followed>("text", { method: "POST", json: { mission, path, program, text } }),
   check: (mission: Mission, path: string, signal?: AbortSignal) =>
     ask<Report>("check", { method: "POST", json: { mission, path }, ...(signal === undefined ? {} : { signal }) }),
 };

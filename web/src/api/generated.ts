@@ -34,6 +34,17 @@ export interface Arc {
   at: string;
 }
 
+/** Where a run pauses: see `kitrobot.mission.Breakpoint`. */
+export interface Breakpoint {
+  program: string;
+  vertex: string;
+  agents?: string[];
+  every?: boolean;
+  when?: string;
+  hits?: number;
+  enabled?: boolean;
+}
+
 /** Every word that programs can be made of, and what was wrong with the files that hold them. */
 export interface Catalogue {
   groups: Group[];
@@ -123,14 +134,22 @@ export interface Failure {
   problems?: Problem[];
 }
 
+/** The one right answer: `text` for the place, and what that is in a graph. */
+export interface Fix {
+  text: string;
+  kind: "text" | "element" | "setting" | "unset" | "unwrap";
+  name: string;
+}
+
 /**
  * The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes. `problems`
- * have their places in the text that was sent.
+ * have their places in the text that was sent. `report` is the mission looked through with that program.
  */
 export interface Followed {
   program: Program | null;
   spans: SpanEntry[];
   problems: Problem[];
+  report: Report | null;
 }
 
 /** Unsaved work that nobody wants. */
@@ -174,6 +193,19 @@ export interface Group {
 export interface HelloMessage {
   type: "hello";
   tab: string;
+}
+
+/** A program without errors, compiled: the bytes of its `.kri` in base64, and the text of its `.kra`. */
+export interface Image {
+  image: string;
+  listing: string;
+}
+
+/** Which program of a mission is to become an image; `path` is where the mission lies, "" for nowhere. */
+export interface ImageAsk {
+  mission: Mission;
+  path: string;
+  program: string;
 }
 
 /** A whole journal, to take the place of the one that the page writes; without records there is none any more. */
@@ -242,6 +274,8 @@ export interface Mission {
   help?: Record<string, string>;
   constructors?: Constructor[];
   variables?: OwnVariable[];
+  breakpoints?: Breakpoint[];
+  failures?: ScheduledFailure[];
 }
 
 /**
@@ -259,7 +293,10 @@ export interface MissionEntry {
   picture: Picture | null;
 }
 
-/** A mission opened; `revision` names the content that was read, "" when there is no file yet. */
+/**
+ * A mission opened; `revision` names the content that was read, "" when there is no file yet. `parts` names the state
+ * of the XML files around it, as `NewsMessage` does.
+ */
 export interface MissionFile {
   path: string;
   name: string;
@@ -268,6 +305,7 @@ export interface MissionFile {
   problems: Problem[];
   world: World | null;
   catalogue: Catalogue;
+  parts?: string;
 }
 
 /** A mission to be written out, unsaved. */
@@ -275,12 +313,16 @@ export interface MissionText {
   mission: Mission;
 }
 
-/** What is on disk for the page's mission ("" when nothing is), and how many other pages have it open. */
+/**
+ * What is on disk for the page's mission ("" when nothing is), and how many other pages have it open. `parts` names the
+ * state of the XML files that the mission depends on: robots, constructors, its world.
+ */
 export interface NewsMessage {
   type: "news";
   path: string;
   revision: string;
   others: number;
+  parts: string;
 }
 
 /** A comment of the user. */
@@ -307,6 +349,23 @@ export interface Parameter {
   help: Record<string, string>;
 }
 
+/** What the files around a mission hold; `stamp` names their state, as `parts` of `NewsMessage` does. */
+export interface Parts {
+  stamp: string;
+  catalogue: Catalogue;
+}
+
+/**
+ * A file that was put beside a mission: its name there, and the names that it brings along. `known` tells that the very
+ * same file was there already.
+ */
+export interface PartsFile {
+  file: string;
+  kind: "robot" | "constructors" | "world";
+  names: string[];
+  known: boolean;
+}
+
 /** Stand still. */
 export interface PauseRequest {
   type: "pause";
@@ -317,6 +376,13 @@ export interface Picture {
   program: Program;
   world: World | null;
   agents: string[];
+}
+
+/** Something of the page that a step points at; `inner` is a setting or slot of a vertex, or "". */
+export interface Point {
+  kind: "part" | "vertex" | "button" | "panel" | "program";
+  name: string;
+  inner: string;
 }
 
 /** A diagnostic; lines and columns count from 1 and are 0 where there is no file. */
@@ -333,6 +399,7 @@ export interface Problem {
   program: string;
   vertices: string[];
   arcs: [string, string, string, string][];
+  fix?: Fix | null;
 }
 
 /** The mission has errors and was not started. */
@@ -423,6 +490,13 @@ export interface Save {
 export interface Saved {
   path: string;
   revision: string;
+}
+
+/** What happens to an agent at so many simulated seconds. */
+export interface ScheduledFailure {
+  agent: string;
+  at_s: number;
+  kind: "fail" | "stall" | "mute" | "revive";
 }
 
 /** A numbered stretch of a road, by the distance along it. */
@@ -560,6 +634,56 @@ export interface TickMessage {
   events: RunEvent[];
 }
 
+/** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */
+export interface Tutorial {
+  name: string;
+  start: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  icon: string;
+  steps: TutorialStep[];
+  problems: Problem[];
+}
+
+/** For each step, whether the programs are as it wants them. */
+export interface TutorialFit {
+  fits: boolean[];
+}
+
+/** One step. `asks`: the program has to be in some way; `events`: one of these has to happen meanwhile. */
+export interface TutorialStep {
+  label: Record<string, string>;
+  help: Record<string, string>;
+  hint: Record<string, string>;
+  points: Point[];
+  asks: boolean;
+  events: string[];
+}
+
+/** A mission, opened from `path`, to be held against a tutorial. */
+export interface TutorialWatch {
+  tutorial: string;
+  mission: Mission;
+  path: string;
+}
+
+/**
+ * A variable that a person wants for a kind of robot; `was` is the name of the one that it takes the place of.
+ * `variables` are those of the mission already; min, max and initial of a truth are not looked at but `initial` != 0.
+ */
+export interface VariableAsk {
+  path: string;
+  variables: OwnVariable[];
+  robot: string;
+  was?: string;
+  name: string;
+  type: "integer" | "boolean";
+  min: number;
+  max: number;
+  initial: number;
+  shared: boolean;
+}
+
 /** A program element; `unknown` is XML of the file inside it that nobody knows, kept word for word. */
 export interface Vertex {
   id: string;
@@ -588,6 +712,21 @@ export interface World {
   docks: Dock[];
   storehouses: Storehouse[];
   starts: StartPose[];
+}
+
+/** A world that a mission can take place in; `href` is what the mission calls it, "" for the empty one. */
+export interface WorldEntry {
+  href: string;
+  shipped: boolean;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  world: World | null;
+  problems: Problem[];
+}
+
+/** The world of a mission: None when its file is not there, or is no world. */
+export interface WorldFile {
+  world: World | null;
 }
 
 export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsMessage | ErrorMessage;

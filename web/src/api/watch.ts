@@ -11,6 +11,8 @@ export interface News {
   revision: string;
   /** How many other pages have this mission open. */
   others: number;
+  /** The state of the XML files that the mission depends on. */
+  parts: string;
 }
 
 type Message = { type: "hello"; tab: string } | ({ type: "news" } & News);

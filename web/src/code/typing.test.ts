@@ -7,6 +7,7 @@ import { useStudio } from "../model/studio";
 import { CARRIER, missionOf } from "../model/testing/missions";
 import type { Problem, Program } from "../model/types";
 import { showMistakes } from "./mistakes";
+import { isChecked } from "../shell/checked";
 import { changeBetween } from "./TextEditor";
 import { sharing } from "./program-change";
 import { connectTyping, isUnfinished, setFocused, typeText, useTyping } from "./typing";
@@ -24,6 +25,11 @@ function withNote(program: Program, text: string): Program {
 }
 
 let answers: Map<string, Followed | Error>;
+const asked = vi.fn((text: string): Promise<Followed> => {
+  const answer = answers.get(text);
+  if (answer === undefined || answer instanceof Error) return Promise.reject(answer ?? new Error(text));
+  return Promise.resolve(answer);
+});
 let ends: (() => void)[];
 
 const now = () => useStudio.getState().mission.programs.find((one) => one.name === NAME);
@@ -35,11 +41,12 @@ async function type(text: string, answer: Followed | Error): Promise<void> {
   await vi.advanceTimersByTimeAsync(200);
 }
 
-const right = (program: Program): Followed => ({ program, spans: [], problems: [] });
-const wrong: Followed = { program: null, spans: [], problems: [mistake] };
+const right = (program: Program): Followed => ({ program, spans: [], problems: [], report: null });
+const wrong: Followed = { program: null, spans: [], problems: [mistake], report: null };
 
 beforeEach(() => {
   vi.useFakeTimers();
+  asked.mockClear();
   answers = new Map();
   useStudio.getState().openMission({
     ...{ path: "a.krt", name: "a.krt", revision: "", problems: [], world: null },
@@ -47,14 +54,7 @@ beforeEach(() => {
     catalogue: { groups: [], robots: [], problems: [] },
   });
   useStudio.getState().setReport({ programs: [], problems: [] });
-  ends = [
-    connectTyping((_mission, _path, _program, text) => {
-      const answer = answers.get(text);
-      if (answer === undefined || answer instanceof Error) return Promise.reject(answer ?? new Error(text));
-      return Promise.resolve(answer);
-    }),
-    showMistakes(),
-  ];
+  ends = [connectTyping((_mission, _path, _program, text) => asked(text)), showMistakes()];
   setFocused(NAME, true);
 });
 
@@ -138,15 +138,30 @@ describe("typing", () => {
     expect(now()).toBe(other);
   });
 
-  it("of an overtaken text is never taken", async () => {
-    answers.set("one", right(withNote(CARRIER, "1")));
-    answers.set("two", wrong);
+  it("of an overtaken text is never taken, and the newest is asked for next", async () => {
+    let answer: (followed: Followed) => void = () => undefined;
+    asked.mockImplementationOnce(() => new Promise((resolve) => (answer = resolve)));
     typeText(NAME, "one", BEFORE);
     await vi.advanceTimersByTimeAsync(10);
+    answers.set("three", wrong);
     typeText(NAME, "two", BEFORE);
-    await vi.advanceTimersByTimeAsync(200);
+    typeText(NAME, "three", BEFORE);
+    await vi.advanceTimersByTimeAsync(10);
+    expect(asked.mock.calls.map(([text]) => text)).toEqual(["one"]);
+    answer(right(withNote(CARRIER, "1")));
+    await vi.advanceTimersByTimeAsync(10);
+    expect(asked.mock.calls.map(([text]) => text)).toEqual(["one", "three"]);
     expect(now()).toBe(CARRIER);
     expect(draft()?.right).toBe(false);
+  });
+
+  it("brings the report with it, which is about the mission with the new program", async () => {
+    const report = { programs: [], problems: [mistake] };
+    await type("report", { ...right(withNote(CARRIER, "R")), report });
+    expect(useStudio.getState().report).toBe(report);
+    expect(isChecked(useStudio.getState().mission)).toBe(true);
+    useStudio.getState().undo();
+    expect(isChecked(useStudio.getState().mission)).toBe(false);
   });
 });
 

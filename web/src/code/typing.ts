@@ -2,7 +2,7 @@
  * What a person types into the code panel, and the graph that follows it.
  *
  * A draft is a program's text while it is not (or not laid out as) what the server prints. Each change asks the server for
- * the graph of it, a moment later and newest-wins; a text without mistakes becomes one command, and commands of one burst
+ * the graph of it and the report of the mission with it, one question at a time and newest-wins; a text without mistakes becomes one command, and commands of one burst
  * join. A text with mistakes leaves the graph alone. A draft goes with the program object it was typed over: when that is
  * replaced by another edit the draft ends, and when undo brings a program back whose text was typed, so does its text.
  */
@@ -12,11 +12,9 @@ import { ApiError, type Followed } from "../api/client";
 import { replaceProgram } from "../model/command";
 import { useStudio } from "../model/studio";
 import type { Mission, Problem, Program, SpanEntry } from "../model/types";
+import { acceptReport } from "../shell/checked";
 import { t } from "../words/words";
 import { sharing } from "./program-change";
-
-/** Long enough to take the keys of one fast word together, short enough to feel like at once. */
-const QUIET_MS = 40;
 
 export interface Draft {
   text: string;
@@ -38,17 +36,13 @@ interface Typing {
 
 export const useTyping = create<Typing>(() => ({ drafts: {} }));
 
-export type Ask = (
-  mission: Mission,
-  path: string,
-  program: string,
-  text: string,
-  signal: AbortSignal,
-) => Promise<Followed>;
+export type Ask = (mission: Mission, path: string, program: string, text: string) => Promise<Followed>;
 
 const typed = new WeakMap<Program, { text: string; spans: SpanEntry[] }>();
-const timers = new Map<string, ReturnType<typeof setTimeout>>();
-let under: AbortController | null = null;
+/** Programs whose text the server has not seen yet. */
+const wanted = new Set<string>();
+let timer: ReturnType<typeof setTimeout> | undefined;
+let asking = false;
 let focused = false;
 let ask: Ask = () => Promise.reject(new Error("not connected"));
 
@@ -71,32 +65,37 @@ export function typeText(name: string, text: string, before: { text: string; spa
   if (draft === undefined) typed.set(program, before);
   const old = draft ?? { right: true, problems: [] };
   put(name, { ...old, text, program, waiting: true, spans: [], failure: "" });
-  clearTimeout(timers.get(name));
-  timers.set(
-    name,
-    setTimeout(() => void follow(name), QUIET_MS),
-  );
+  wanted.add(name);
+  // After the letter is on the screen.
+  timer ??= setTimeout(() => void next(), 0);
+}
+
+async function next(): Promise<void> {
+  timer = undefined;
+  while (!asking) {
+    const [name] = wanted;
+    if (name === undefined) return;
+    wanted.delete(name);
+    asking = true;
+    await follow(name);
+    asking = false;
+  }
 }
 
 async function follow(name: string): Promise<void> {
   const draft = useTyping.getState().drafts[name];
   if (draft === undefined) return;
   const { mission, file } = useStudio.getState();
-  under?.abort();
-  const mine = new AbortController();
-  under = mine;
   try {
-    const followed = await ask(mission, file.path, name, draft.text, mine.signal);
-    take(name, draft, followed);
+    take(name, draft, await ask(mission, file.path, name, draft.text), mission);
   } catch (cause) {
-    if (mine.signal.aborted) return;
     const failure = cause instanceof ApiError ? `${cause.message} ${cause.help}`.trim() : String(cause);
     const now = useTyping.getState().drafts[name];
     if (now?.text === draft.text) put(name, { ...now, right: false, waiting: false, problems: [], failure });
   }
 }
 
-function take(name: string, asked: Draft, followed: Followed): void {
+function take(name: string, asked: Draft, followed: Followed, mission: Mission): void {
   const now = useTyping.getState().drafts[name];
   if (now === undefined || now.text !== asked.text || now.program !== asked.program) return;
   const answered = { ...now, waiting: false, spans: followed.spans, problems: followed.problems, failure: "" };
@@ -108,9 +107,9 @@ function take(name: string, asked: Draft, followed: Followed): void {
   typed.set(program, { text: asked.text, spans: followed.spans });
   put(name, { ...answered, program, right: true });
   if (program === asked.program) return;
-  useStudio
-    .getState()
-    .execute({ ...replaceProgram(t("code.edit-text"), asked.program, program), joins: `text ${name}` });
+  const { mission: before, execute } = useStudio.getState();
+  execute({ ...replaceProgram(t("code.edit-text"), asked.program, program), joins: `text ${name}` });
+  if (before === mission && followed.report !== null) acceptReport(followed.report, useStudio.getState().mission);
 }
 
 /** The editor was entered or left. Left with a text that is right, it shows the one true layout again. */
@@ -135,7 +134,7 @@ export function connectTyping(asking: Ask): () => void {
     for (const [name, draft] of Object.entries(useTyping.getState().drafts)) {
       const program = state.mission.programs.find((one) => one.name === name);
       if (program === draft.program) continue;
-      clearTimeout(timers.get(name));
+      wanted.delete(name);
       const known = program === undefined || !focused ? undefined : typed.get(program);
       if (program === undefined || known === undefined) put(name, null);
       else put(name, { ...known, program, right: true, waiting: false, problems: [], failure: "" });
@@ -149,8 +148,9 @@ export function connectTyping(asking: Ask): () => void {
   return () => {
     off();
     offTyping();
-    for (const timer of timers.values()) clearTimeout(timer);
-    under?.abort();
+    clearTimeout(timer);
+    timer = undefined;
+    wanted.clear();
     useTyping.setState({ drafts: {} });
   };
 }

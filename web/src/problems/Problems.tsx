@@ -4,6 +4,7 @@ import { useEffect, useMemo, useRef } from "react";
 import type { Problem } from "../api/types";
 import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
+import { useBehind } from "../shell/checked";
 import { useDocument } from "../shell/document";
 import { Icon } from "../theme";
 import { Said } from "../words/Said";
@@ -27,6 +28,7 @@ function useProblems(): Problem[] {
 export function ProblemsButton() {
   const problems = useProblems();
   const open = useProblemList((list) => list.open);
+  const busy = useBehind();
   const errors = problems.some((problem) => problem.severity === "error");
   return (
     <button
@@ -35,6 +37,7 @@ export function ProblemsButton() {
       data-testid="problems"
       aria-expanded={open}
       aria-controls="problem-list"
+      aria-busy={busy}
       title={`${t("problems.count", { count: problems.length })} (F8)`}
       onClick={() => useProblemList.setState({ open: !open })}
     >

@@ -63,8 +63,10 @@ describe("a fix of the graph", () => {
 describe("a fix of a text that is being written", () => {
   it("changes the text at the place of the problem", async () => {
     const missing = problem({ kind: "text", name: "", text: ";" }, { line: 2, column: 5, end_line: 2, end_column: 5 });
-    const answers = [{ program: null, spans: [], problems: [missing] }];
-    const end = connectTyping(() => Promise.resolve(answers[0] ?? { program: null, spans: [], problems: [] }));
+    const answers = [{ program: null, spans: [], report: null, problems: [missing] }];
+    const end = connectTyping(() =>
+      Promise.resolve(answers[0] ?? { program: null, spans: [], report: null, problems: [] }),
+    );
     setFocused("p", true);
     typeText("p", "a.b()\nc.d()", { text: "", spans: [] });
     await expect.poll(() => useTyping.getState().drafts["p"]?.waiting).toBe(false);

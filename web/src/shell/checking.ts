@@ -1,45 +1,61 @@
 /**
- * Keeps the report fresh: every change of the mission is checked by the server a moment later.
+ * Keeps the report fresh: every change of the mission is checked by the server at once.
  *
- * Of answers only the newest counts: a question that was overtaken is called off and its answer dropped. While the server
+ * One question is asked at a time; while it is under way the newest change waits. Of answers only the newest counts: one that
+ * was overtaken is dropped. A change whose report came with it (a typed text) is not asked about again. While the server
  * cannot be reached the last report stands, one banner says so, and the next change asks again.
  */
 import { api } from "../api/client";
 import type { Mission, Report } from "../api/types";
 import { useStudio } from "../model/studio";
+import { acceptReport, forgetReport, isChecked } from "./checked";
 import { complain, dismissBanner, useDocument } from "./document";
 
-const QUIET_MS = 60;
+/** A question that takes longer than this is called off when there is a newer one. */
+const PATIENCE_MS = 3000;
 
 interface Checker<Answer> {
   check: (mission: Mission, path: string, signal: AbortSignal) => Promise<Answer>;
-  accept: (answer: Answer) => void;
+  accept: (answer: Answer, mission: Mission) => void;
   fail: (cause: unknown) => void;
+  /** Whether nobody need ask about that mission. */
+  known?: (mission: Mission) => boolean;
 }
 
-/** Debounced and newest-wins; the returned function asks for a check. */
+/** One at a time and newest-wins; the returned function asks for a check. */
 export function makeChecker<Answer = Report>({
   check,
   accept,
   fail,
+  known,
 }: Checker<Answer>): (mission: Mission, path: string) => void {
+  let wanted: { mission: Mission; path: string } | null = null;
   let timer: ReturnType<typeof setTimeout> | undefined;
-  let under: AbortController | null = null;
+  let under: { controller: AbortController; begun_ms: number } | null = null;
+
+  const next = () => {
+    timer = undefined;
+    if (under !== null && performance.now() - under.begun_ms > PATIENCE_MS) under.controller.abort();
+    if (under !== null || wanted === null) return;
+    const { mission, path } = wanted;
+    wanted = null;
+    if (known?.(mission) === true) return;
+    const controller = new AbortController();
+    under = { controller, begun_ms: performance.now() };
+    const answered = (tell: () => void) => {
+      under = null;
+      if (wanted === null) tell();
+      else next();
+    };
+    check(mission, path, controller.signal).then(
+      (answer) => answered(() => accept(answer, mission)),
+      (cause: unknown) => answered(() => fail(cause)),
+    );
+  };
   return (mission, path) => {
-    clearTimeout(timer);
-    timer = setTimeout(() => {
-      under?.abort();
-      const mine = new AbortController();
-      under = mine;
-      check(mission, path, mine.signal).then(
-        (answer) => {
-          if (under === mine) accept(answer);
-        },
-        (cause: unknown) => {
-          if (under === mine && !mine.signal.aborted) fail(cause);
-        },
-      );
-    }, QUIET_MS);
+    wanted = { mission, path };
+    // Edits of one moment are one question, and the picture of the edit is not kept waiting by it.
+    timer ??= setTimeout(next, 0);
   };
 }
 
@@ -48,8 +64,9 @@ export function keepChecking(): () => void {
   let complained = false;
   const request = makeChecker({
     check: api.check,
-    accept: (report) => {
-      useStudio.getState().setReport(report);
+    known: isChecked,
+    accept: (report, mission) => {
+      acceptReport(report, mission);
       if (complained) dismissBanner();
       complained = false;
     },
@@ -64,7 +81,10 @@ export function keepChecking(): () => void {
   };
   again();
   const offMission = useStudio.subscribe((state, before) => {
-    if (state.mission !== before.mission) again();
+    // Robots, constructors or the world are other ones: what was said of the mission may be wrong now.
+    const others = state.files !== before.files || state.world !== before.world;
+    if (others) forgetReport();
+    if (others || state.mission !== before.mission) again();
   });
   const offReady = useDocument.subscribe((state, before) => {
     if (state.ready && !before.ready) again();

@@ -46,22 +46,35 @@ describe("the checker", () => {
     expect(accept).toHaveBeenCalledTimes(1);
   });
 
-  it("drops an answer that was overtaken", async () => {
+  it("asks one question at a time, and drops an answer that was overtaken", async () => {
     const answers: ((report: Report) => void)[] = [];
     const check = vi.fn(() => new Promise<Report>((resolve) => answers.push(resolve)));
-    const accept = vi.fn<(report: Report) => void>();
+    const accept = vi.fn<(report: Report, mission: Mission) => void>();
     const ask = makeChecker({ check, accept, fail: vi.fn() });
-    ask(MISSION, "");
+    ask(MISSION, "first");
     await vi.advanceTimersByTimeAsync(100);
-    ask(MISSION, "");
+    for (const path of ["second", "third"]) ask(MISSION, path);
     await vi.advanceTimersByTimeAsync(100);
-    answers[1]?.(report("new"));
+    expect(check.mock.calls.map((given: unknown[]) => given[1])).toEqual(["first"]);
     answers[0]?.(report("old"));
+    await vi.advanceTimersByTimeAsync(1);
+    expect(check.mock.calls.map((given: unknown[]) => given[1])).toEqual(["first", "third"]);
+    answers[1]?.(report("new"));
     await vi.advanceTimersByTimeAsync(1);
     expect(accept.mock.calls.map(([one]) => one.programs[0]?.lll)).toEqual(["new"]);
   });
 
-  it("says a failure, but not that of a question it called off", async () => {
+  it("does not ask about what is known", async () => {
+    const check = vi.fn().mockResolvedValue(report("a"));
+    const ask = makeChecker({ check, accept: vi.fn(), fail: vi.fn(), known: (mission) => mission === MISSION });
+    ask(MISSION, "");
+    await vi.advanceTimersByTimeAsync(100);
+    ask({ ...MISSION }, "");
+    await vi.advanceTimersByTimeAsync(100);
+    expect(check).toHaveBeenCalledTimes(1);
+  });
+
+  it("says a failure, but not that of a question that was overtaken, and asks on", async () => {
     const failures: ((cause: Error) => void)[] = [];
     const check = vi.fn(() => new Promise<Report>((_, reject) => failures.push(reject)));
     const fail = vi.fn<(cause: unknown) => void>();
@@ -69,11 +82,14 @@ describe("the checker", () => {
     ask(MISSION, "");
     await vi.advanceTimersByTimeAsync(100);
     ask(MISSION, "");
+    failures[0]?.(new Error("overtaken"));
     await vi.advanceTimersByTimeAsync(100);
-    failures[0]?.(new Error("called off"));
     failures[1]?.(new Error("gone"));
     await vi.advanceTimersByTimeAsync(1);
     expect(fail.mock.calls).toEqual([[new Error("gone")]]);
+    ask(MISSION, "");
+    await vi.advanceTimersByTimeAsync(1);
+    expect(check).toHaveBeenCalledTimes(3);
   });
 });
 

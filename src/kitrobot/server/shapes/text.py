@@ -6,7 +6,7 @@ from pydantic import BaseModel
 
 from kitrobot.server.shapes.mission import MissionShape, ProgramShape
 from kitrobot.server.shapes.problem import ProblemShape
-from kitrobot.server.shapes.report import SpanEntryShape
+from kitrobot.server.shapes.report import ReportShape, SpanEntryShape
 
 
 class TextEditShape(BaseModel):
@@ -21,9 +21,10 @@ class TextEditShape(BaseModel):
 class FollowedShape(BaseModel):
     """The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes.
 
-    `problems` have their places in the text that was sent.
+    `problems` have their places in the text that was sent. `report` is the mission looked through with that program.
     """
 
     program: ProgramShape | None
     spans: list[SpanEntryShape]
     problems: list[ProblemShape]
+    report: ReportShape | None
