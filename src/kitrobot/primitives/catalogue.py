@@ -41,11 +41,15 @@ _FIRST_ELEMENT = re.compile(rb"(?:\s|(?><\?.*?\?>)|(?><!--.*?-->))*+<([A-Za-z]+)
 
 @dataclass
 class Catalogue:
-    """What programs can be made of. `groups` is in the order of the palette; `constructors` follows it."""
+    """What programs can be made of. `groups` is in the order of the palette; `constructors` follows it.
+
+    `robot_files` says which file a robot is from, by its name.
+    """
 
     robots: dict[str, Robot] = field(default_factory=dict)
     groups: list[Group] = field(default_factory=list)
     problems: list[Diagnostic] = field(default_factory=list)
+    robot_files: dict[str, Path] = field(default_factory=dict)
 
     @cached_property
     def constructors(self) -> dict[str, Constructor]:
@@ -83,7 +87,7 @@ class Catalogue:
                 problems.append(rules.OWN_VARIABLE(f"{robot.name} has a {variable.variable.name} already"))
             else:
                 robots[robot.name] = added
-        return Catalogue(robots, groups, problems)
+        return Catalogue(robots, groups, problems, self.robot_files)
 
     def robot(self, name_or_path: str | Path) -> Robot:
         """The robot of that name, or of that `.robot.xml` file.
@@ -143,6 +147,7 @@ class _Loading:
 
     def __init__(self) -> None:
         self.robots: dict[str, Robot] = {}
+        self.robot_files: dict[str, Path] = {}
         self.groups: dict[str, Group] = {}
         self.constructors: dict[str, tuple[Constructor, Place]] = {}
         self.problems: list[Diagnostic] = []
@@ -175,6 +180,7 @@ class _Loading:
             if robot is None:
                 return []
             self.robots[robot.name] = robot
+            self.robot_files[robot.name] = path
             return [f"the robot {robot.name}"]
         if root != b"constructors" and not path.name.lower().endswith("constructors.xml"):
             return []
@@ -206,7 +212,7 @@ class _Loading:
             for name, group in self.groups.items()
             if members[name]
         ]
-        return Catalogue(self.robots, groups, self.problems)
+        return Catalogue(self.robots, groups, self.problems, self.robot_files)
 
 
 def _read(path: Path) -> tuple[bytes | None, Diagnostic | None]:

@@ -15,7 +15,9 @@ from starlette.exceptions import HTTPException
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server import pages
 from kitrobot.server.fragments import routes as fragment_routes
+from kitrobot.server.image_routes import image_routes
 from kitrobot.server.journal_routes import journal_routes
+from kitrobot.server.parts_routes import parts_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
 from kitrobot.server.security import Guard
@@ -59,6 +61,8 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
     app.include_router(run_routes)
     app.include_router(journal_routes)
     app.include_router(text_routes)
+    app.include_router(parts_routes)
+    app.include_router(image_routes)
     app.include_router(tutorial_routes)
     app.add_exception_handler(KitRobotError, _failed)
     app.add_exception_handler(OSError, _disk_failed)

@@ -29,10 +29,10 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.server.studio import Studio
 from kitrobot.translation import said
-from kitrobot.workspace import Difference, Journal, differences
+from kitrobot.workspace import Difference, Journal, MissionNameError, differences
 
-LOOK_S = 1.0
-"""How often a tab's file is looked at."""
+LOOK_S = 0.5
+"""How often a tab's files are looked at."""
 
 journal_routes = APIRouter(
     prefix="/api",
@@ -117,10 +117,9 @@ async def watch(socket: WebSocket) -> None:
         await socket.send_text(HelloMessage(tab=tab).model_dump_json())
         told: object = None
         while not closed.done():
-            news = await asyncio.to_thread(studio.journals.news, tab)
-            if news != told:
-                told = news
-                message = NewsMessage(path=news.path, revision=news.revision, others=news.others)
+            message = await asyncio.to_thread(_news, studio, tab)
+            if message != told:
+                told = message
                 await socket.send_text(message.model_dump_json())
             await asyncio.wait({closed}, timeout=LOOK_S)
     except (WebSocketDisconnect, RuntimeError):
@@ -130,6 +129,15 @@ async def watch(socket: WebSocket) -> None:
         with contextlib.suppress(asyncio.CancelledError, Exception):
             await closed
         studio.journals.leave(tab)
+
+
+def _news(studio: Studio, tab: str) -> NewsMessage:
+    news = studio.journals.news(tab)
+    try:
+        parts = studio.stamp(news.path)
+    except MissionNameError:
+        parts = ""  # a journal may be of a mission whose name leads nowhere any more
+    return NewsMessage(path=news.path, revision=news.revision, others=news.others, parts=parts)
 
 
 async def _until_closed(socket: WebSocket) -> None:

@@ -7,6 +7,8 @@ from many threads.
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
 import threading
 from collections.abc import Iterable
 from pathlib import Path
@@ -15,11 +17,22 @@ from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
-from kitrobot.workspace import Journals, MissionFolder, OpenMission, Tutorials, read_mission_data, with_mission
+from kitrobot.workspace import (
+    Journals,
+    MissionFolder,
+    OpenMission,
+    Tutorials,
+    read_mission_data,
+    with_mission,
+    world_file,
+)
+from kitrobot.world import EMPTY
 
-Stamp = tuple[tuple[str, int, int], ...]
+Stamp = tuple[tuple[str, int, int, int], ...]
 MOST_KEPT = 16
 """Folders whose catalogue is kept."""
+MOST_WORLDS = 1000
+"""Missions of which it is known which world they are in."""
 
 
 class Studio:
@@ -33,50 +46,71 @@ class Studio:
         self.gallery = Gallery()
         self.tutorials = Tutorials(self.folder)
         self._lock = threading.Lock()
-        self._kept: dict[Path, tuple[Stamp, Catalogue, CatalogueShape]] = {}
+        self._kept: dict[tuple[Path, ...], tuple[Stamp, Catalogue, CatalogueShape]] = {}
+        self._worlds: dict[str, Path] = {}
 
-    def catalogue(self, folder: Path) -> tuple[Catalogue, CatalogueShape]:
-        """The robots and constructors for the missions of a folder, and the same as it travels."""
-        stamp = _stamp((SHIPPED, config_folder(), folder))
+    def catalogue(self, path: str) -> tuple[Catalogue, CatalogueShape]:
+        """The robots and constructors for a mission, and the same as it travels."""
+        folders = self.folder.folders_of(path)
+        stamp = _stamp((SHIPPED, config_folder(), *folders))
         with self._lock:
-            kept = self._kept.get(folder)
+            kept = self._kept.get(folders)
         if kept is not None and kept[0] == stamp:
             return kept[1], kept[2]
-        catalogue = load_catalogue([folder])
+        catalogue = load_catalogue(folders)
         shape = catalogue_shape(catalogue)
         with self._lock:
             if len(self._kept) >= MOST_KEPT:
                 self._kept.clear()
-            self._kept[folder] = (stamp, catalogue, shape)
+            self._kept[folders] = (stamp, catalogue, shape)
         return catalogue, shape
+
+    def stamp(self, path: str) -> str:
+        """A name for the state of the XML files that a mission depends on: another one when one of them changed."""
+        with self._lock:
+            world = self._worlds.get(path)
+        stamp = _stamp((SHIPPED, config_folder(), *self.folder.folders_of(path)), world)
+        return hashlib.sha256(repr(stamp).encode(errors="surrogateescape")).hexdigest()[:20]
+
+    def world_file(self, href: str, path: str) -> Path | None:
+        """The file of a mission's world; from now on it belongs to what the mission depends on."""
+        folders = self.folder.folders_of(path)
+        found = world_file(href, folders[::-1], [*folders, self.folder.root_of(path)])
+        with self._lock:
+            if len(self._worlds) >= MOST_WORLDS:
+                self._worlds.clear()
+            self._worlds[path] = found or folders[-1] / (href or EMPTY)
+        return found
 
     def open(self, mission: Mission, path: str) -> OpenMission:
         """A mission that the page sent, among the files of the folder it was opened from."""
-        folder = self.folder.folder_of(path)
-        catalogue, _ = self.catalogue(folder)
+        folder, *own = self.folder.folders_of(path)
+        catalogue, _ = self.catalogue(path)
         within = self.folder.root_of(path)
-        return with_mission(mission, folder, name=path or "mission.krt", catalogue=catalogue, within=within)
+        self.world_file(mission.world_href, path)
+        return with_mission(mission, folder, name=path or "mission.krt", catalogue=catalogue, within=within, before=own)
 
     def parts_of(self, mission: Mission, path: str) -> Catalogue:
         """The robots and constructors for a mission that the page sent: of the files, and those it brings along."""
-        catalogue, _ = self.catalogue(self.folder.folder_of(path))
+        catalogue, _ = self.catalogue(path)
         return catalogue.extended(mission.constructors, mission.variables)
 
     def read(self, data: bytes, name: str, path: str) -> OpenMission:
         """A mission's file, opened among the files of the folder that it is in."""
-        folder = self.folder.folder_of(path)
-        catalogue, _ = self.catalogue(folder)
-        return read_mission_data(data, name, folder, catalogue=catalogue, within=self.folder.root_of(path))
+        folder, *own = self.folder.folders_of(path)
+        catalogue, _ = self.catalogue(path)
+        return read_mission_data(data, name, folder, catalogue=catalogue, within=self.folder.root_of(path), before=own)
 
 
-def _stamp(folders: Iterable[Path]) -> Stamp:
-    """What changes when an XML file of the folders changes."""
-    found = []
+def _stamp(folders: Iterable[Path], also: Path | None = None) -> Stamp:
+    """What changes when an XML file of the folders changes, or the file `also`, or when one comes or goes."""
+    paths: list[Path] = [] if also is None else [also]
     for folder in folders:
-        try:
-            for path in sorted(folder.glob("*.xml")):
-                state = path.stat()
-                found.append((str(path), state.st_mtime_ns, state.st_size))
-        except OSError:
-            continue
+        with contextlib.suppress(OSError):
+            paths += sorted(folder.glob("*.xml"))
+    found = []
+    for path in paths:
+        with contextlib.suppress(OSError):
+            state = path.stat()
+            found.append((str(path), state.st_mtime_ns, state.st_ino, state.st_size))
     return tuple(found)

@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
     from kitrobot.workspace.carried import CarriedError, carried_mission
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.comparison import CompareError, Difference, compare_files, differences, text_differences
@@ -42,13 +43,17 @@ if TYPE_CHECKING:
         open_mission,
         read_mission_data,
         with_mission,
+        world_file,
     )
     from kitrobot.workspace.problems import ProblemsError, with_help, written_out
     from kitrobot.workspace.robots import find_robot
     from kitrobot.workspace.running import Run, Timing
     from kitrobot.workspace.tutorials import FoundTutorial, Tutorials, watched
+    from kitrobot.workspace.variables import VariableError, WantedVariable, make_variable
+    from kitrobot.workspace.worlds import FoundWorld, read_world_file, worlds_at_hand
 
 _ROOMS = {
+    "adding": ("AddedParts", "PartsFileError", "add_parts"),
     "carried": ("CarriedError", "carried_mission"),
     "checking": ("FileReport", "check_file"),
     "conversion": ("ConversionError", "Converted", "convert"),
@@ -74,15 +79,19 @@ _ROOMS = {
         "open_mission",
         "read_mission_data",
         "with_mission",
+        "world_file",
     ),
     "problems": ("ProblemsError", "with_help", "written_out"),
     "robots": ("find_robot",),
     "running": ("Run", "Timing"),
+    "variables": ("VariableError", "WantedVariable", "make_variable"),
+    "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
     "tutorials": ("FoundTutorial", "Tutorials", "watched"),
 }
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
 
 __all__ = [
+    "AddedParts",
     "CarriedError",
     "Change",
     "Claimed",
@@ -98,6 +107,7 @@ __all__ = [
     "Form",
     "FormError",
     "FoundTutorial",
+    "FoundWorld",
     "Inputs",
     "Journal",
     "JournalError",
@@ -111,6 +121,7 @@ __all__ = [
     "News",
     "NoProgramError",
     "OpenMission",
+    "PartsFileError",
     "ProblemsError",
     "ProgramReport",
     "ReadOnlyError",
@@ -119,6 +130,9 @@ __all__ = [
     "Span",
     "Timing",
     "Tutorials",
+    "VariableError",
+    "WantedVariable",
+    "add_parts",
     "carried_mission",
     "check_file",
     "compare_files",
@@ -132,6 +146,7 @@ __all__ = [
     "lay_out_file",
     "load_executable",
     "look_alike",
+    "make_variable",
     "merge_files",
     "merge_missions",
     "new_mission",
@@ -139,12 +154,15 @@ __all__ = [
     "read_inputs",
     "read_journal",
     "read_mission_data",
+    "read_world_file",
     "revision_of",
     "state_folder",
     "text_differences",
     "watched",
     "with_help",
     "with_mission",
+    "world_file",
+    "worlds_at_hand",
     "write_journal",
     "written_out",
 ]

@@ -40,6 +40,9 @@ UNUSABLE = rule(
 _FIRST_ELEMENT = re.compile(
     r"(?:\s|(?><\?.*?\?>)|(?><!--.*?-->)|(?><!DOCTYPE[^>\[]*(?:\[.*?\])?\s*>))*+<([A-Za-z][\w.-]*)", re.DOTALL
 )
+_BEGINNING = 100_000
+"""Characters among which the first element is looked for."""
+
 _READERS = ("robot", "world", "constructors", "tutorial")
 _LINE = re.compile(r"^.*?:([0-9]+): (.*)$", re.DOTALL)
 
@@ -54,6 +57,12 @@ class FileReport:
     notes: tuple[str, ...] = ()
 
 
+def first_element(text: str) -> str:
+    """The name of the first element of an XML text, "" when there is none near its beginning."""
+    first = _FIRST_ELEMENT.match(text[:_BEGINNING])
+    return first.group(1) if first else ""
+
+
 def check_file(path: Path, robot: Robot | None = None) -> FileReport:
     """Looks a file through; `robot` is the one that an LLL text is for. Never raises because of the file."""
     try:
@@ -66,7 +75,7 @@ def check_file(path: Path, robot: Robot | None = None) -> FileReport:
 
 def _check(path: Path, robot: Robot | None) -> FileReport:
     match path.suffix.lower():
-        case ".krt":
+        case ".krt" | ".svg" | ".png" | ".pdf":
             return _mission(path)
         case ".lll":
             return _text(path, robot)
@@ -137,7 +146,7 @@ def _among_others(path: Path, found: list[Diagnostic]) -> list[Diagnostic]:
 def _xml(path: Path) -> FileReport:
     data, name = read_bytes(path), str(path)
     source = Source(name, data.decode("utf-8-sig", errors="replace"))
-    first = _FIRST_ELEMENT.match(source.text[:100_000])
+    first = _FIRST_ELEMENT.match(source.text[:_BEGINNING])
     kind = first.group(1) if first else ""
     lower = path.name.lower()
     if kind == "kitrobot":

@@ -127,6 +127,15 @@ class MissionFolder:
         """
         return self.path_of(name).parent if name else self.root
 
+    def own_folder_of(self, name: str) -> Path:
+        """The folder that files for a mission may be put into: its own, or `root` for an example, which is read-only."""
+        return self.root if name.startswith(EXAMPLE) else self.folder_of(name)
+
+    def folders_of(self, name: str) -> tuple[Path, ...]:
+        """Where robots, constructors and worlds of a mission are looked for; a later folder wins."""
+        folder, own = self.folder_of(name), self.own_folder_of(name)
+        return (folder,) if folder == own else (folder, own)
+
     def root_of(self, name: str) -> Path:
         """The folder that a mission's files must not lead out of: ours, or that of the examples."""
         return self.examples if name.startswith(EXAMPLE) else self.root
@@ -151,15 +160,29 @@ class MissionFolder:
         """
         if name.startswith(EXAMPLE):
             raise ReadOnlyError("an example cannot be changed", "save the mission under a name of your own")
-        return _Hold(self, self.path_of(name), name, revision)
+        return _Hold(self, self.path_of(name), f"a mission `{name}`", name, revision)
+
+    def hold_beside(self, name: str, file: str, revision: str) -> _Hold:
+        """The same for a file with parts for a mission, such as a robot's, in its `own_folder_of`.
+
+        Raises:
+            MissionNameError: the mission's name leads to no mission, or the file's out of its folder.
+            ConflictError: the file is not what it was.
+        """
+        folder = self.own_folder_of(name)
+        path = folder / file
+        if PurePosixPath(file).name != file or _ON_WINDOWS.search(file) or folder != path.resolve().parent:
+            raise MissionNameError(f"`{file[:80]}` is no name of a file in this folder", "give the file another name")
+        return _Hold(self, path, f"a file `{file}`", file, revision)
 
 
 class _Hold:
     """The lock of a folder around one save."""
 
-    def __init__(self, folder: MissionFolder, path: Path, name: str, revision: str) -> None:
+    def __init__(self, folder: MissionFolder, path: Path, what: str, name: str, revision: str) -> None:
         self._folder = folder
         self._path = path
+        self._what = what
         self._name = name
         self._revision = revision
 
@@ -169,7 +192,7 @@ class _Hold:
         try:
             now = revision_of(read_bytes(self._path)) if self._path.exists() else ""
             if now != self._revision:
-                raise _conflict(self._name, self._revision, now)
+                raise _conflict(self._what, self._name, self._revision, now)
             return self._path
         except BaseException:
             lock.release()
@@ -184,9 +207,9 @@ def revision_of(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()[:20]
 
 
-def _conflict(name: str, before: str, now: str) -> ConflictError:
+def _conflict(what: str, name: str, before: str, now: str) -> ConflictError:
     if not before:
-        sentence, help = f"there is a mission `{name}` already", "choose another name, or save again to replace it"
+        sentence, help = f"there is {what} already", "choose another name, or save again to replace it"
     elif not now:
         sentence, help = f"the file of `{name}` was removed meanwhile", "save again to write it anew"
     else:

@@ -44,7 +44,10 @@ class MissionEntryShape(BaseModel):
 
 
 class MissionFileShape(BaseModel):
-    """A mission opened; `revision` names the content that was read, "" when there is no file yet."""
+    """A mission opened; `revision` names the content that was read, "" when there is no file yet.
+
+    `parts` names the state of the XML files around it, as `NewsMessage` does.
+    """
 
     path: str
     name: str
@@ -53,6 +56,7 @@ class MissionFileShape(BaseModel):
     problems: list[ProblemShape]
     world: WorldShape | None
     catalogue: CatalogueShape
+    parts: str = ""
 
 
 class SaveShape(BaseModel):

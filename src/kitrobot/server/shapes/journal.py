@@ -97,12 +97,16 @@ class HelloMessage(_Message):
 
 
 class NewsMessage(_Message):
-    """What is on disk for the page's mission ("" when nothing is), and how many other pages have it open."""
+    """What is on disk for the page's mission ("" when nothing is), and how many other pages have it open.
+
+    `parts` names the state of the XML files that the mission depends on: robots, constructors, its world.
+    """
 
     type: Literal["news"] = "news"
     path: str
     revision: str
     others: int
+    parts: str
 
 
 WATCH_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (HelloMessage, NewsMessage)

@@ -1,0 +1,103 @@
+"""The requests about parts: the files beside a mission as they are now, files that a person adds, new variables."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, cast
+
+from fastapi import APIRouter, Depends, Query, Request
+
+from kitrobot.primitives import ValueType
+from kitrobot.server.shapes import ConflictShape, FailureShape, problem_shapes, world_shape
+from kitrobot.server.shapes.own import OwnVariableShape, own_variable, own_variable_shape
+from kitrobot.server.shapes.parts import (
+    PartsFileShape,
+    PartsShape,
+    VariableAskShape,
+    WorldEntryShape,
+    WorldFileShape,
+)
+from kitrobot.server.studio import Studio
+from kitrobot.workspace import (
+    FoundWorld,
+    WantedVariable,
+    add_parts,
+    make_variable,
+    read_world_file,
+    worlds_at_hand,
+)
+
+LONGEST_NAME = 1000
+
+parts_routes = APIRouter(
+    prefix="/api",
+    responses={
+        "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."},
+        409: {"model": ConflictShape, "description": "There is another file of that name."},
+    },
+)
+
+
+def _studio(request: Request) -> Studio:
+    studio = request.app.state.studio
+    assert isinstance(studio, Studio)
+    return studio
+
+
+async def _body(request: Request) -> bytes:
+    return await request.body()
+
+
+StudioOf = Annotated[Studio, Depends(_studio)]
+Name = Annotated[str, Query(max_length=LONGEST_NAME)]
+
+
+@parts_routes.get("/catalogue")
+def catalogue(studio: StudioOf, path: Name) -> PartsShape:
+    """The robots and constructors of the files around a mission, as they are now."""
+    stamp = studio.stamp(path)
+    return PartsShape(stamp=stamp, catalogue=studio.catalogue(path)[1])
+
+
+@parts_routes.get("/world")
+def world(studio: StudioOf, path: Name, href: Name) -> WorldFileShape:
+    """A world of a mission, as its file is now."""
+    file = studio.world_file(href, path)
+    found = read_world_file(file)[0] if file is not None else None
+    return WorldFileShape(world=world_shape(found) if found is not None else None)
+
+
+@parts_routes.get("/worlds")
+def worlds(studio: StudioOf, path: Name) -> list[WorldEntryShape]:
+    """The worlds that a mission can take place in."""
+    return [_world(found) for found in worlds_at_hand(studio.folder.folders_of(path)[::-1])]
+
+
+@parts_routes.post("/parts")
+def parts(
+    studio: StudioOf, data: Annotated[bytes, Depends(_body)], path: Name, file: Name, over: Name = ""
+) -> PartsFileShape:
+    """Puts a file with a robot, constructors or a world beside a mission."""
+    added = add_parts(studio.folder, path, file, data, over)
+    kind = cast('Literal["robot", "constructors", "world"]', added.kind)
+    return PartsFileShape(file=added.file, kind=kind, names=list(added.names), known=added.known)
+
+
+@parts_routes.post("/variable")
+def variable(studio: StudioOf, wanted: VariableAskShape) -> OwnVariableShape:
+    """A variable with everything that the page needs of it, or why it cannot be."""
+    own = [own_variable(one) for one in wanted.variables]
+    asked = WantedVariable(wanted.name, ValueType(wanted.type), wanted.min, wanted.max, wanted.initial, wanted.shared)
+    made = make_variable(studio.catalogue(wanted.path)[0], own, wanted.robot, asked, wanted.was)
+    return own_variable_shape(made)
+
+
+def _world(found: FoundWorld) -> WorldEntryShape:
+    world = found.world
+    return WorldEntryShape(
+        href=found.href,
+        shipped=found.shipped,
+        label=dict(world.label) if world is not None else {},
+        help=dict(world.help) if world is not None else {},
+        world=world_shape(world) if world is not None else None,
+        problems=problem_shapes(found.problems),
+    )

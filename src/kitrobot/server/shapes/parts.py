@@ -1,0 +1,68 @@
+"""Parts that come and go beside a mission, on the wire: files with robots, constructors, worlds, and new variables."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, Field
+
+from kitrobot.primitives import MOST_OWN
+from kitrobot.server.shapes.catalogue import CatalogueShape
+from kitrobot.server.shapes.mission import Words
+from kitrobot.server.shapes.own import OwnVariableShape
+from kitrobot.server.shapes.problem import ProblemShape
+from kitrobot.server.shapes.world import WorldShape
+
+
+class PartsShape(BaseModel):
+    """What the files around a mission hold; `stamp` names their state, as `parts` of `NewsMessage` does."""
+
+    stamp: str
+    catalogue: CatalogueShape
+
+
+class WorldFileShape(BaseModel):
+    """The world of a mission: None when its file is not there, or is no world."""
+
+    world: WorldShape | None
+
+
+class WorldEntryShape(BaseModel):
+    """A world that a mission can take place in; `href` is what the mission calls it, "" for the empty one."""
+
+    href: str
+    shipped: bool
+    label: dict[str, str]
+    help: dict[str, str]
+    world: WorldShape | None
+    problems: list[ProblemShape]
+
+
+class PartsFileShape(BaseModel):
+    """A file that was put beside a mission: its name there, and the names that it brings along.
+
+    `known` tells that the very same file was there already.
+    """
+
+    file: str
+    kind: Literal["robot", "constructors", "world"]
+    names: list[str]
+    known: bool
+
+
+class VariableAskShape(BaseModel):
+    """A variable that a person wants for a kind of robot; `was` is the name of the one that it takes the place of.
+
+    `variables` are those of the mission already; min, max and initial of a truth are not looked at but `initial` != 0.
+    """
+
+    path: Words
+    variables: Annotated[list[OwnVariableShape], Field(max_length=MOST_OWN)]
+    robot: Words
+    was: Words = ""
+    name: Words
+    type: Literal["integer", "boolean"]
+    min: int
+    max: int
+    initial: int
+    shared: bool

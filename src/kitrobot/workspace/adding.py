@@ -1,0 +1,107 @@
+"""Files that a person puts beside a mission: a robot, constructors, a world.
+
+What is taken in can be read as XML of its kind; mistakes inside are told by whoever reads it there, with file and line,
+and can be mended there. What cannot be read at all, or is of another kind, is refused and nothing changes.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.primitives import read_constructors, read_robot
+from kitrobot.workspace.checking import first_element
+from kitrobot.workspace.files import write_atomic
+from kitrobot.workspace.folder import ConflictError, MissionFolder, MissionNameError, revision_of
+from kitrobot.world import read_world
+
+LARGEST_PARTS_BYTES = 4 * 1024 * 1024
+"""Far more than any robot; a film given by mistake is refused."""
+
+_ENDINGS = {"robot": ".robot.xml", "constructors": ".xml", "world": ".world.xml"}
+_UNREADABLE = ("xml-not-well-formed", "xml-encoding", "xml-forbidden", "xml-too-deep", "xml-too-large")
+_OTHER_KINDS = {"kitrobot": "a mission", "tutorial": "a tutorial"}
+
+
+class PartsFileError(KitRobotError):
+    """A file holds no parts that can be taken in."""
+
+
+@dataclass(frozen=True)
+class AddedParts:
+    """What came in: the file's name, what it is, the names in it, and whether the same file was there already."""
+
+    file: str
+    kind: str
+    names: tuple[str, ...]
+    known: bool
+
+
+def add_parts(folder: MissionFolder, mission: str, file: str, data: bytes, over: str = "") -> AddedParts:
+    """Puts a file into the folder where a mission's parts are looked for.
+
+    Args:
+        folder: the missions.
+        mission: the name of the mission, "" for a new one; the parts of an example go into the folder of missions.
+        file: the file's name.
+        data: what is in it.
+        over: the revision of the file that may be replaced, "" when none may.
+
+    Raises:
+        PartsFileError: it holds no robot, no constructors and no world, or cannot be read.
+        MissionNameError: it has a name that no file may have.
+        ConflictError: there is a file of that name with something else in it.
+        FileError: it could not be written.
+    """
+    shown = PurePosixPath(unicodedata.normalize("NFC", file)).name.strip()
+    if not shown.removesuffix(".xml").strip("."):
+        raise MissionNameError(f"`{shown}` is no name of a file", "give the file another name")
+    if len(data) > LARGEST_PARTS_BYTES:
+        limit = LARGEST_PARTS_BYTES // (1024 * 1024)
+        raise PartsFileError(f"`{shown[:80]}` is larger than {limit} MB", "no file of robots or worlds is that large")
+    kind, names = _looked_through(shown, data)
+    wanted = shown if shown.lower().endswith(".xml") else f"{shown}.xml"
+    if kind in ("robot", "world") and not wanted.lower().endswith(_ENDINGS[kind]):
+        wanted = wanted[: -len(".xml")] + _ENDINGS[kind]
+    hold = folder.hold_beside(mission, wanted, over)
+    try:
+        with hold as path:
+            write_atomic(path, data)
+    except ConflictError as error:
+        if error.revision != revision_of(data):
+            raise
+        return AddedParts(wanted, kind, names, True)
+    return AddedParts(wanted, kind, names, False)
+
+
+def _looked_through(file: str, data: bytes) -> tuple[str, tuple[str, ...]]:
+    """The kind of a file and the names that it brings along."""
+    kind = first_element(data.decode("utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig", "replace"))
+    names: list[str] = []
+    if kind == "robot":
+        robot, problems = read_robot(data, file)
+        names = [robot.name] if robot is not None else []
+    elif kind == "world":
+        world, problems = read_world(data, file)
+        names = [world.name] if world is not None else []
+    elif kind == "constructors":
+        groups, problems = read_constructors(data, file)
+        names = [constructor.name for group in groups for constructor in group.constructors]
+    else:
+        raise _refusal(file, kind)
+    for problem in problems:
+        if problem.code in _UNREADABLE:
+            raise PartsFileError(f"`{file[:80]}` cannot be read: {problem.message}", problem.help, (problem,))
+    return kind, tuple(names)
+
+
+def _refusal(file: str, kind: str) -> PartsFileError:
+    if kind in _OTHER_KINDS:
+        message = f"`{file[:80]}` is {_OTHER_KINDS[kind]}"
+        return PartsFileError(message, "give its name the ending .krt and open it" if kind == "kitrobot" else "")
+    found = f"begins with <{kind[:40]}>" if kind else "is no XML"
+    return PartsFileError(
+        f"`{file[:80]}` {found}, so it holds no parts", "files of parts begin with <robot>, <constructors> or <world>"
+    )

@@ -1,0 +1,139 @@
+"""Variables that a person gives a robot: whether they make sense, in words for somebody who just typed them."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.lll import is_name
+from kitrobot.primitives import (
+    LARGEST_VALUE,
+    MOST_OWN,
+    Catalogue,
+    Category,
+    OwnVariable,
+    Robot,
+    RobotObject,
+    ValueType,
+    read_own,
+    write_variable,
+)
+
+LONGEST_NAME = 100
+
+_KINDS = {
+    Category.ACTUATOR: "an actuator",
+    Category.SENSOR: "a sensor",
+    Category.VARIABLE: "a variable",
+    Category.SYSTEM: "a part",
+}
+
+
+class VariableError(KitRobotError):
+    """A variable cannot be as it is wanted."""
+
+
+@dataclass(frozen=True)
+class WantedVariable:
+    """What a person typed; of a truth only `initial` counts, as 0 or not."""
+
+    name: str
+    type: ValueType
+    minimum: int
+    maximum: int
+    initial: int
+    shared: bool
+
+
+def make_variable(
+    catalogue: Catalogue, own: Sequence[OwnVariable], robot: str, wanted: WantedVariable, was: str = ""
+) -> OwnVariable:
+    """The variable that was wanted, with its methods.
+
+    Args:
+        catalogue: what the files hold.
+        own: the variables that the mission has already.
+        robot: the kind of robot that it is for.
+        wanted: what it is to be.
+        was: the variable in whose place it comes, "" for a new one.
+
+    Raises:
+        KitRobotError: there is no such robot.
+        VariableError: it cannot be; the message says why.
+    """
+    kind = catalogue.robot(robot)
+    before = (
+        next((one.variable for one in own if (one.robot, one.variable.name) == (robot, was)), None) if was else None
+    )
+    if was and before is None:
+        raise _not_ours(catalogue, kind, was)
+    if not was and len(own) >= MOST_OWN:
+        raise VariableError(f"a mission has at most {MOST_OWN} variables of its own", "remove one that nobody uses")
+    name = unicodedata.normalize("NFC", wanted.name).strip()
+    others = [one.variable.name for one in own if one.robot == robot and one.variable.name != was]
+    _check_name(kind, others, name)
+    is_number = wanted.type is ValueType.INTEGER
+    if is_number:
+        _check_numbers(wanted)
+    variable = RobotObject(
+        name,
+        Category.VARIABLE,
+        (),
+        type=wanted.type,
+        minimum=wanted.minimum if is_number else 0,
+        maximum=wanted.maximum if is_number else 1,
+        initial=wanted.initial if is_number else int(wanted.initial != 0),
+        shared=wanted.shared,
+        icon=before.icon if before is not None else "",
+        # A label says what the variable was called.
+        label=before.label if before is not None and before.name == name else {},
+        help=before.help if before is not None else {},
+    )
+    made, problems = read_own(write_variable(OwnVariable(robot, variable)), "variable")
+    if not isinstance(made, OwnVariable):
+        raise VariableError(problems[0].message, problems[0].help)
+    return made
+
+
+def _not_ours(catalogue: Catalogue, robot: Robot, name: str) -> VariableError:
+    file = catalogue.robot_files.get(robot.name)
+    if file is None or not any(part.name == name for part in robot.objects):
+        return VariableError(f"`{name}` is no variable of this mission", "it may have been removed meanwhile")
+    return VariableError(
+        f"`{name}` belongs to the robot {robot.name} itself",
+        f"it is in the file `{file.name}` and can be changed there",
+    )
+
+
+def _check_name(robot: Robot, others: Sequence[str], name: str) -> None:
+    if not name:
+        raise VariableError("the variable has no name yet", "type one, such as Trips")
+    if not is_name(name) or len(name) > LONGEST_NAME:
+        raise VariableError(
+            f"a variable cannot be called `{name[:40]}`",
+            f"a name is one word of letters, digits and _ that begins with a letter, with at most {LONGEST_NAME} signs;"
+            " WAIT and BREAK are taken",
+        )
+    part = next((part for part in robot.objects if part.name == name), None)
+    if part is not None:
+        what = _KINDS[part.category]
+        raise VariableError(f"`{name}` is {what} of the robot {robot.name} already", "choose another name")
+    if name in others:
+        raise VariableError(f"there is a variable `{name}` already", "choose another name")
+
+
+def _check_numbers(wanted: WantedVariable) -> None:
+    low, high, initial = wanted.minimum, wanted.maximum, wanted.initial
+    for number in (low, high, initial):
+        if abs(number) > LARGEST_VALUE:
+            raise VariableError(
+                f"{number} is too large for a robot", f"numbers go from {-LARGEST_VALUE} to {LARGEST_VALUE}"
+            )
+    if low > high:
+        raise VariableError(f"a range from {low} to {high} holds no number", "put the smaller number first")
+    if not low <= initial <= high:
+        raise VariableError(
+            f"the variable cannot begin at {initial}", f"its numbers go from {low} to {high}; choose one of them"
+        )
