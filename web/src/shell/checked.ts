@@ -12,6 +12,11 @@ export function acceptReport(report: Report, mission: Mission): void {
   useStudio.getState().setReport(report);
 }
 
+/** The report may be wrong about its mission, since something around it changed. */
+export function forgetReport(): void {
+  useChecked.setState({ mission: null });
+}
+
 /** Whether the report is about that very mission. */
 export function isChecked(mission: Mission): boolean {
   return useStudio.getState().report !== null && useChecked.getState().mission === mission;
