@@ -26,6 +26,15 @@ def vertex(studio: Studio, words: str) -> Locator:
     return studio.page.locator(".vertex", has_text=words).first
 
 
+def add(studio: Studio, words: str, key: str = "/") -> None:
+    """Types to add a part: the key, some letters, Enter."""
+    studio.page.keyboard.press(key)
+    expect(studio.at("add-find")).to_be_focused()
+    studio.page.keyboard.type(words)
+    studio.page.keyboard.press("Enter")
+    expect(studio.at("add-find")).to_have_count(0)
+
+
 def walk_menu(studio: Studio) -> set[str]:
     """Goes once around an open menu with the arrow key; gives what had the focus."""
     seen: list[str] = []
@@ -138,18 +147,16 @@ def test_programs_are_walked_moved_renamed_and_removed(open_studio: OpenStudio) 
 def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     studio = open_studio(None)
     keys = studio.page.keyboard
+    keys.press("Control+Alt+n")
     expect(studio.at("first-place")).to_be_visible()
+    expect(studio.at("code")).to_contain_text("Your program appears here")
     studio.at("canvas").focus()
-    keys.press("/")
-    keys.type("repet")
-    keys.press("Enter")
+    add(studio, "repet")
     studio.expect_code("10*(")
     # Into the body, by its arc.
     keys.press("a")
     expect(studio.page.locator(".arc.is-selected")).to_have_count(1)
-    keys.press("/")
-    keys.type("wait")
-    keys.press("Enter")
+    add(studio, "wait")
     expect(studio.at("code")).to_contain_text(re.compile(r"10\*\(\s*WAIT\(10\);"))
     keys.press("Alt+ArrowDown")
     expect(studio.at("code")).to_contain_text(re.compile(r"10\*\(\s*\);\s*WAIT\(10\);"))
@@ -157,9 +164,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     expect(studio.at("code")).to_contain_text(re.compile(r"WAIT\(10\);\s*10\*\("))
     keys.press("Shift+ArrowDown")
     expect(studio.page.locator(".vertex.is-selected")).to_have_count(2)
-    keys.press("w")
-    keys.type("while")
-    keys.press("Enter")
+    add(studio, "while", "w")
     expect(studio.at("code")).to_contain_text(re.compile(r"\*\[\s*\]\(\s*WAIT\(10\);\s*10\*\("))
 
 
