@@ -6,6 +6,7 @@ from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.compiler.own_part import Chosen, Look, Offered, Part, PartError, make_part, offer_part
 from kitrobot.compiler.part_offers import Offer
+from kitrobot.compiler.part_reading import PartText, draw_template, read_part
 from kitrobot.compiler.selection import SelectionError
 from kitrobot.compiler.text_edit import Followed, VertexPlace, follow_text
 
@@ -18,6 +19,7 @@ __all__ = [
     "Offered",
     "Part",
     "PartError",
+    "PartText",
     "SelectionError",
     "Translation",
     "VertexPlace",
@@ -25,9 +27,11 @@ __all__ = [
     "compile_lll",
     "compile_program",
     "compile_text",
+    "draw_template",
     "follow_text",
     "graph_to_lll",
     "lll_to_graph",
     "make_part",
     "offer_part",
+    "read_part",
 ]

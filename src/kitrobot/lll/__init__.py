@@ -29,7 +29,7 @@ from kitrobot.lll.tree import (
     Wait,
     While,
 )
-from kitrobot.lll.walk import bodies, children, nodes
+from kitrobot.lll.walk import bodies, children, nodes, without_comments
 
 __all__ = [
     "MAX_NESTING",
@@ -65,4 +65,5 @@ __all__ = [
     "parse_template",
     "print_program",
     "print_template",
+    "without_comments",
 ]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeVar
 
 from kitrobot.lll.tree import (
     And,
     Call,
     Conditional,
     Event,
+    Instruction,
     Interrupt,
     Node,
     Not,
@@ -30,6 +31,19 @@ def nodes(root: Node) -> list[Node]:
         found.append(node)
         waiting += reversed(children(node))
     return found
+
+
+Tree = TypeVar("Tree", bound=Node)
+
+
+def without_comments(root: Tree) -> Tree:
+    """The same tree, whose comments are taken away in place."""
+    for node in nodes(root):
+        if isinstance(node, Instruction):
+            node.above, node.after = [], None
+        elif isinstance(node, Seq):
+            node.below = []
+    return root
 
 
 def bodies(node: Node) -> list[Seq]:

@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import And, Not, Or, is_name
+from kitrobot.lll import And, Not, Or, is_name, print_template, without_comments
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
 from kitrobot.primitives.robot import LARGEST_VALUE
@@ -96,7 +96,10 @@ def _slot(element: Element) -> Slot:
 
 def _code(element: Element) -> _Code:
     template = read_template(element)
-    return _Code(" ".join(element.text.split()) if len(element.text) <= LONGEST_CODE else "", template)
+    text = element.text if len(element.text) <= LONGEST_CODE else ""
+    if "#" in text and template is not None:  # a comment would swallow what comes after it on one line
+        text = print_template(without_comments(template))
+    return _Code(" ".join(text.split()), template)
 
 
 def _check_holes(constructor: Element, element: Element, template: Template) -> None:
