@@ -98,7 +98,8 @@ function isIndoors({ x_mm, y_mm }: World["starts"][number], { storehouses }: Wor
   );
 }
 
-function WorldPicture({ world, agents }: { world: World; agents: readonly string[] }) {
+/** A world from above, with those who start in it. */
+export function WorldPicture({ world, agents }: { world: World; agents: readonly string[] }) {
   const { width_mm: width, height_mm: height } = world;
   const size = Math.max(135, width * ROBOT_PART);
   const path = (points: [number, number][], closed: boolean) =>

@@ -22,7 +22,8 @@ function useProblems(): Problem[] {
   const report = useStudio((studio) => studio.report);
   const ofFile = useDocument((document) => document.fileProblems);
   const ofRun = useRun((run) => run.problems);
-  return useMemo(() => orderProblems(report, [...ofFile, ...ofRun]), [report, ofFile, ofRun]);
+  const ofParts = useStudio((studio) => studio.files.problems);
+  return useMemo(() => orderProblems(report, [...ofFile, ...ofRun, ...ofParts]), [report, ofFile, ofRun, ofParts]);
 }
 
 export function ProblemsButton() {
@@ -54,7 +55,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
   useEffect(() => {
     if (current) button.current?.scrollIntoView({ block: "nearest" });
   }, [current]);
-  const place = problem.program !== "" ? problem.program : problem.file;
+  const place = problem.program !== "" ? problem.program : (problem.file.split(/[\\/]/).at(-1) ?? "");
   return (
     <li className="problem-row">
       <button
@@ -86,7 +87,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
         </span>
         <span className="problem-place">
           {place}
-          {problem.line > 0 && problem.program !== "" ? `:${String(problem.line)}` : ""}
+          {problem.line > 0 ? `:${String(problem.line)}` : ""}
         </span>
         <code className="problem-code">{problem.code}</code>
       </button>

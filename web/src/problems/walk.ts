@@ -11,6 +11,7 @@ import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
 import { reveal } from "../shell/actions";
 import { useDocument } from "../shell/document";
+import { openTeam, teamPlace } from "../team/view";
 import { applyFix, canFix } from "./fixes";
 
 const RANK = { error: 0, warning: 1, hint: 2 } as const;
@@ -34,13 +35,16 @@ interface ProblemList {
 export const useProblemList = create<ProblemList>(() => ({ open: false, at: -1 }));
 
 export function problemsNow(): Problem[] {
-  const others = [...useDocument.getState().fileProblems, ...useRun.getState().problems];
-  return orderProblems(useStudio.getState().report, others);
+  const { files, report } = useStudio.getState();
+  const others = [...useDocument.getState().fileProblems, ...useRun.getState().problems, ...files.problems];
+  return orderProblems(report, others);
 }
 
 /** Shows where a problem is: the tab of its program, its vertices selected. */
 export function goTo(problem: Problem): void {
   const { mission } = useStudio.getState();
+  const place = teamPlace(problem, mission);
+  if (place !== null) openTeam(place);
   const program = mission.programs.find((one) => one.name === problem.program);
   if (program === undefined) return;
   const ends = problem.arcs.flatMap(([from, , to]) => [from, to]);

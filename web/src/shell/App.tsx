@@ -11,17 +11,22 @@ import { Canvas } from "../editor/Canvas";
 import { Inspector } from "../inspector/Inspector";
 import { useStudio } from "../model/studio";
 import { Palette } from "../palette/Palette";
+import { keepWorld } from "../parts/files";
+import { takeFiles } from "../parts/take";
 import { ProblemList, ProblemsButton } from "../problems/Problems";
+import { TeamPanel } from "../team/TeamTab";
+import { keepTeamView, useTeam } from "../team/view";
 import { TutorialCards } from "../tutorial/Cards";
 import { useTutorial } from "../tutorial/state";
 import { Tutorials } from "../tutorial/Tutorials";
+import { NarrowTabs, useNarrow } from "../reach/Narrow";
 import { t } from "../words/words";
 import { Banner } from "./Banner";
 import { Brand } from "./Brand";
 import { keepChecking } from "./checking";
 import { DifferenceSheet } from "./DifferenceSheet";
 import { hearOfDisk, watchDisk } from "./disk";
-import { begin, complain, openFromComputer, useDocument } from "./document";
+import { begin, complain, useDocument } from "./document";
 import { EventStrip } from "./EventStrip";
 import { Examples } from "./Examples";
 import { AboutSheet } from "./HelpSheets";
@@ -52,7 +57,11 @@ function useDocumentFlow(): void {
   useEffect(() => {
     const offJournal = keepJournal(complain, hearOfDisk);
     const offDisk = watchDisk();
+    const offWorld = keepWorld();
+    const offTeam = keepTeamView();
     return () => {
+      offWorld();
+      offTeam();
       offJournal();
       offDisk();
     };
@@ -128,19 +137,21 @@ export function App() {
   const { sizes, folded } = useLayout();
   const ready = useDocument((document) => document.ready);
   const overlay = useDocument((document) => document.overlay);
+  const room = useNarrow((narrow) => narrow.room);
+  const team = useTeam((state) => state.open);
   const side = !(folded.inspector && folded.code && folded.arena);
 
   return (
     <div
       className="studio"
+      data-room={room ?? "graph"}
       onDragOver={(event) => {
         if (carriesFile(event)) event.preventDefault();
       }}
       onDrop={(event) => {
         if (!carriesFile(event)) return;
         event.preventDefault();
-        const file = event.dataTransfer.files[0];
-        if (file !== undefined) openFromComputer(file);
+        void takeFiles([...event.dataTransfer.files]);
       }}
     >
       <header className="head">
@@ -165,8 +176,17 @@ export function App() {
         <main className="centre" aria-label={t("app.canvas")}>
           <Tabs />
           <Tutorials />
-          <div className="canvas-panel" id="canvas-panel" role="tabpanel" aria-label={t("app.canvas")}>
-            {ready ? <Canvas emptyExtras={<EmptyExtras />} /> : null}
+          <div className="centre-panel">
+            <div
+              className="canvas-panel"
+              id="canvas-panel"
+              role="tabpanel"
+              aria-label={t("app.canvas")}
+              data-covered={team}
+            >
+              {ready ? <Canvas emptyExtras={<EmptyExtras />} /> : null}
+            </div>
+            {ready ? <TeamPanel /> : null}
           </div>
           <ProblemList />
         </main>
@@ -181,6 +201,7 @@ export function App() {
         <ProblemsButton />
         <EventStrip />
       </footer>
+      <NarrowTabs />
       {overlay === "open" ? <OpenSheet /> : null}
       {overlay === "save-as" ? <SaveAsSheet /> : null}
       {overlay === "shortcuts" ? <ShortcutsSheet /> : null}

@@ -11,6 +11,8 @@ import { renameProgram } from "../model/commands/changePrograms";
 import { programInView, useStudio } from "../model/studio";
 import { isLive, type RunState, useActiveVertices, useRun, watchedAgent } from "../run/run";
 import { Icon } from "../theme";
+import { closeTeam, openTeam, useTeam } from "../team/view";
+import { TeamTab } from "../team/TeamTab";
 import { mirrored } from "../words/language";
 import { t } from "../words/words";
 import { removeProgramNamed, reveal } from "./actions";
@@ -68,7 +70,8 @@ function stateShown(run: RunState, program: string): AgentActivity {
 }
 
 function Tab({ name, onKey }: { name: string; onKey: (event: KeyboardEvent) => void }) {
-  const active = useStudio((studio) => studio.activeProgram === name);
+  const team = useTeam((state) => state.open);
+  const active = useStudio((studio) => studio.activeProgram === name) && !team;
   const count = useStudio((studio) => studio.mission.agents.filter((agent) => agent.program === name).length);
   const errors = useStudio((studio) =>
     studio.report?.problems.some((one) => one.program === name && one.severity === "error"),
@@ -85,7 +88,10 @@ function Tab({ name, onKey }: { name: string; onKey: (event: KeyboardEvent) => v
       aria-selected={active}
       aria-controls="canvas-panel"
       tabIndex={active ? 0 : -1}
-      onClick={() => useStudio.getState().setActiveProgram(name)}
+      onClick={() => {
+        closeTeam();
+        useStudio.getState().setActiveProgram(name);
+      }}
       onDoubleClick={() => useRenaming.setState({ program: name })}
       onKeyDown={onKey}
     >
@@ -154,21 +160,23 @@ export function Tabs() {
   const programs = useStudio((studio) => studio.mission.programs);
   const activeProgram = useStudio((studio) => studio.activeProgram);
   const renaming = useRenaming((state) => state.program);
+  const team = useTeam((state) => state.open);
   const list = useRef<HTMLDivElement>(null);
   useEffect(() => {
     list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: "nearest", inline: "nearest" });
-  }, [activeProgram]);
+  }, [activeProgram, team]);
 
   const onKey = (event: KeyboardEvent) => {
-    const at = programs.findIndex((program) => program.name === activeProgram);
+    // The team's tab is the last one.
+    const at = team ? programs.length : programs.findIndex((program) => program.name === activeProgram);
     const on = mirrored() ? -1 : 1;
     const steps: Record<string, number> = {
       ArrowLeft: at - on,
       ArrowRight: at + on,
       Home: 0,
-      End: programs.length - 1,
+      End: programs.length,
     };
-    if (event.key === "Delete") {
+    if (event.key === "Delete" && !team) {
       event.preventDefault();
       event.stopPropagation();
       removeProgramNamed(activeProgram);
@@ -179,8 +187,14 @@ export function Tabs() {
     const wanted = steps[event.key];
     if (wanted === undefined) return;
     event.preventDefault();
-    const next = programs[(wanted + programs.length) % programs.length];
-    if (next === undefined) return;
+    const tabs = programs.length + 1;
+    const next = programs[(wanted + tabs) % tabs];
+    if (next === undefined) {
+      openTeam();
+      list.current?.querySelector<HTMLElement>("[data-team]")?.focus();
+      return;
+    }
+    closeTeam();
     useStudio.getState().setActiveProgram(next.name);
     list.current?.querySelector<HTMLElement>(`[data-program="${CSS.escape(next.name)}"]`)?.focus();
   };
@@ -192,6 +206,7 @@ export function Tabs() {
           {programs.map(({ name }) =>
             renaming === name ? <NameField key={name} name={name} /> : <Tab key={name} name={name} onKey={onKey} />,
           )}
+          <TeamTab onKey={onKey} />
         </div>
       </div>
       <AddProgram />

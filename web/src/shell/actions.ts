@@ -6,6 +6,9 @@ import { moveProgram } from "../model/commands/moveProgram";
 import { useStudio } from "../model/studio";
 import type { Mission, World } from "../model/types";
 import { isLive, useRun } from "../run/run";
+import { closeTeam, openTeam } from "../team/view";
+import { t } from "../words/words";
+import { dismissBanner, useDocument } from "./document";
 
 export function run(): void {
   const { status, start, resume } = useRun.getState();
@@ -64,6 +67,15 @@ export function addProgramFor(robot: string): void {
   if (added === null) return;
   execute(added.command);
   setActiveProgram(added.name);
+  if (useStudio.getState().mission.agents.some((agent) => agent.program === added.name)) return;
+  const message = t("team.no-free-start", { name: added.name });
+  const open = () => {
+    dismissBanner();
+    openTeam();
+  };
+  useDocument.setState({
+    banner: { kind: "note", message, help: "", actions: [{ label: t("team.open"), run: open }] },
+  });
 }
 
 export function removeProgramNamed(name: string): void {
@@ -93,6 +105,7 @@ export function goToProgram(by: 1 | -1): void {
   const { programs } = mission;
   const at = programs.findIndex((one) => one.name === activeProgram);
   const next = programs[(at + by + programs.length) % programs.length];
+  closeTeam();
   if (next !== undefined) setActiveProgram(next.name);
 }
 
@@ -105,6 +118,7 @@ export function moveActiveProgram(by: 1 | -1): void {
 
 /** Brings a vertex into view: its program's tab, then the vertex itself. */
 export function reveal(program: string, vertices: string[]): void {
+  closeTeam();
   const { setActiveProgram, select } = useStudio.getState();
   setActiveProgram(program);
   const [first] = vertices;

@@ -7,16 +7,18 @@ import { create } from "zustand";
 
 import type { News } from "../api/watch";
 import { useStudio } from "../model/studio";
+import { hearOfParts } from "../parts/files";
 import { t } from "../words/words";
 import { fileName, loadFromDisk, question, showDifference, useDocument } from "./document";
 
-export const useDisk = create<News>(() => ({ path: "", revision: "", others: 0 }));
+export const useDisk = create<News>(() => ({ path: "", revision: "", others: 0, parts: "" }));
 
 /** A revision that is not worth a word: the person was asked, or it is what our own save has just replaced. */
 let settled = "";
 
 export function hearOfDisk(news: News): void {
   useDisk.setState(news);
+  hearOfParts(news);
   offer();
 }
 

@@ -11,6 +11,7 @@ import { type Claimed, journalApi, type Left } from "../api/journal";
 import type { MissionFile, Problem } from "../api/types";
 import { isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
+import { holdParts } from "../parts/files";
 import { useRun } from "../run/run";
 import { type Key, sentence, t } from "../words/words";
 import { download } from "./download";
@@ -126,6 +127,7 @@ function resume(file: MissionFile, claimed: Claimed | null): void {
   openWith(back?.history ?? null);
   useRun.getState().reset();
   useStudio.getState().openMission(back === null ? file : { ...file, revision: back.revision }, back?.history);
+  holdParts(file.parts ?? "");
   set({ ready: true, banner: null, overlay: null, fileProblems: file.problems });
   if (!unsaved) return;
   const help = t(claimed?.damaged === true ? "journal.back-damaged" : "journal.back-help");

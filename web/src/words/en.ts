@@ -2,6 +2,7 @@ import { EDITOR_EN } from "./en-editor";
 import { JOURNAL_EN } from "./en-journal";
 import { OUT_EN } from "./en-out";
 import { REACH_EN } from "./en-reach";
+import { TEAM_EN } from "./en-team";
 import { TUTORIAL_EN } from "./en-tutorial";
 
 /** English: the complete table, whose keys every other language has. */
@@ -10,6 +11,7 @@ export const EN = {
   ...JOURNAL_EN,
   ...OUT_EN,
   ...REACH_EN,
+  ...TEAM_EN,
   ...TUTORIAL_EN,
   "app.name": "KitRobot",
   "app.parts": "Parts",

@@ -3,6 +3,7 @@ import { EDITOR_FR } from "./fr-editor";
 import { JOURNAL_FR } from "./fr-journal";
 import { OUT_FR } from "./fr-out";
 import { REACH_FR } from "./fr-reach";
+import { TEAM_FR } from "./fr-team";
 import { TUTORIAL_FR } from "./fr-tutorial";
 import type { Table } from "./words";
 
@@ -11,6 +12,7 @@ export const FR = {
   ...JOURNAL_FR,
   ...OUT_FR,
   ...REACH_FR,
+  ...TEAM_FR,
   ...TUTORIAL_FR,
   "app.name": "KitRobot",
   "app.parts": "Pièces",

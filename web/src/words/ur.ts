@@ -3,6 +3,7 @@ import { EDITOR_UR } from "./ur-editor";
 import { JOURNAL_UR } from "./ur-journal";
 import { OUT_UR } from "./ur-out";
 import { REACH_UR } from "./ur-reach";
+import { TEAM_UR } from "./ur-team";
 import { TUTORIAL_UR } from "./ur-tutorial";
 import type { Table } from "./words";
 
@@ -11,6 +12,7 @@ export const UR = {
   ...JOURNAL_UR,
   ...OUT_UR,
   ...REACH_UR,
+  ...TEAM_UR,
   ...TUTORIAL_UR,
   "app.name": "KitRobot",
   "app.parts": "پرزے",

@@ -1,0 +1,80 @@
+/**
+ * Adds, changes, copies, moves and removes agents of the team.
+ *
+ * An agent without a start of its own starts at the place of its name; whoever renames it leaves it where it is.
+ */
+import { t } from "../../words/words";
+import type { Command } from "../command";
+import type { Agent, Mission } from "../types";
+
+function withAgents(label: string, before: Mission, agents: Agent[]): Command {
+  const after = { ...before, agents };
+  return { label, execute: () => after, revert: () => before };
+}
+
+function has(mission: Mission, name: string): boolean {
+  return mission.agents.some((agent) => agent.name === name);
+}
+
+/** Where an agent starts: the name of a start of the world. */
+export function startOf(agent: Agent): string {
+  return agent.start === "" ? agent.name : agent.start;
+}
+
+/** The agent at that start, said in the shortest way. */
+function startingAt(agent: Agent, start: string): Agent {
+  return { ...agent, start: start === agent.name ? "" : start };
+}
+
+/** A new agent at the end; null when the name is taken or empty. */
+export function addAgent(mission: Mission, name: string, program: string, start: string): Command | null {
+  if (name === "" || has(mission, name)) return null;
+  const agent = startingAt({ name, program, start: "" }, start === "" ? name : start);
+  return withAgents(t("command.add", { name }), mission, [...mission.agents, agent]);
+}
+
+/** The agent with another program; null when that is none, or the one it has. */
+export function giveProgram(mission: Mission, at: number, program: string): Command | null {
+  const agent = mission.agents[at];
+  if (agent === undefined || agent.program === program) return null;
+  if (!mission.programs.some((one) => one.name === program)) return null;
+  return withAgents(t("command.edit", { name: agent.name }), mission, mission.agents.with(at, { ...agent, program }));
+}
+
+/** The agent at another start of the world; null when it starts there already. */
+export function giveStart(mission: Mission, at: number, start: string): Command | null {
+  const agent = mission.agents[at];
+  if (agent === undefined || start === "" || startOf(agent) === start) return null;
+  const label = t("command.edit", { name: agent.name });
+  return withAgents(label, mission, mission.agents.with(at, startingAt(agent, start)));
+}
+
+/** The agent under another name, at the place where it was; null when that name is taken or empty. */
+export function renameAgent(mission: Mission, at: number, name: string): Command | null {
+  const agent = mission.agents[at];
+  if (agent === undefined || name === "" || has(mission, name)) return null;
+  const renamed = startingAt({ ...agent, name }, startOf(agent));
+  return withAgents(t("command.rename", { name: agent.name }), mission, mission.agents.with(at, renamed));
+}
+
+/** Another agent like that one, behind it, under a name and at a start of its own. */
+export function copyAgent(mission: Mission, at: number, name: string, start: string): Command | null {
+  const agent = mission.agents[at];
+  if (agent === undefined || name === "" || has(mission, name)) return null;
+  const copy = startingAt({ ...agent, name }, start);
+  return withAgents(t("command.add", { name }), mission, mission.agents.toSpliced(at + 1, 0, copy));
+}
+
+/** The agent at another place of the list; null when it is there. */
+export function moveAgent(mission: Mission, at: number, to: number): Command | null {
+  const agent = mission.agents[at];
+  if (agent === undefined || to === at || to < 0 || to >= mission.agents.length) return null;
+  const agents = mission.agents.toSpliced(at, 1).toSpliced(to, 0, agent);
+  return withAgents(t("command.move", { name: agent.name }), mission, agents);
+}
+
+export function removeAgent(mission: Mission, at: number): Command | null {
+  const agent = mission.agents[at];
+  if (agent === undefined) return null;
+  return withAgents(t("command.delete", { name: agent.name }), mission, mission.agents.toSpliced(at, 1));
+}

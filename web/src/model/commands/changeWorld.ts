@@ -1,0 +1,19 @@
+/** Lets the mission take place in another world. */
+import { t } from "../../words/words";
+import type { Command } from "../command";
+import type { Mission } from "../types";
+
+/** What a mission calls the empty world when it says it. */
+const EMPTY = "empty.world.xml";
+
+/** Whether two missions' words for a world mean the same one. */
+export function sameWorld(one: string, other: string): boolean {
+  return (one || EMPTY) === (other || EMPTY);
+}
+
+/** `world` is the name of its file, "" for the empty one; null when the mission is there already. */
+export function changeWorld(mission: Mission, world: string): Command | null {
+  if (sameWorld(mission.world, world)) return null;
+  const after = { ...mission, world };
+  return { label: t("command.world"), execute: () => after, revert: () => mission };
+}

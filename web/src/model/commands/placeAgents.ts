@@ -1,0 +1,18 @@
+/** Puts agents that have no start in the world on starts where nobody is. */
+import { t } from "../../words/words";
+import type { Command } from "../command";
+import type { Mission } from "../types";
+import { startOf } from "./changeAgents";
+
+/** `starts` are those of the world; null when nobody needs one, or none is free. */
+export function placeAgents(mission: Mission, starts: readonly string[]): Command | null {
+  const taken = new Set(mission.agents.map(startOf));
+  const free = starts.filter((start) => !taken.has(start));
+  const agents = mission.agents.map((agent) => {
+    const start = starts.includes(startOf(agent)) ? undefined : free.shift();
+    return start === undefined ? agent : { ...agent, start: start === agent.name ? "" : start };
+  });
+  if (agents.every((agent, at) => agent === mission.agents[at])) return null;
+  const after = { ...mission, agents };
+  return { label: t("command.place"), execute: () => after, revert: () => mission };
+}

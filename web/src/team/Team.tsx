@@ -1,0 +1,39 @@
+/**
+ * The team in the place of the canvas: who takes part, what for, and where.
+ *
+ * A chunk of its own, fetched when somebody opens the tab.
+ */
+import { useEffect, useRef } from "react";
+
+import { t } from "../words/words";
+import { About } from "./About";
+import { Agents } from "./Agents";
+import { Goals } from "./Goals";
+import "./team.css";
+import { useTeam } from "./view";
+import { Worlds } from "./Worlds";
+
+const FIRST = { agent: "agent-start", goal: "goal-house", world: "" } as const;
+
+export default function Team() {
+  const wanted = useTeam((team) => team.wanted);
+  const root = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (wanted === null) return;
+    const { what, at } = wanted;
+    const field = what === "world" ? ".team-worlds input" : `[data-testid="${FIRST[what]}-${String(at)}"]`;
+    const found = root.current?.querySelector<HTMLElement>(field);
+    found?.scrollIntoView({ block: "center" });
+    found?.focus();
+  }, [wanted]);
+  return (
+    <div className="team" id="team-panel" role="tabpanel" aria-label={t("team.tab")} data-testid="team" ref={root}>
+      <div className="team-body">
+        <Agents />
+        <Goals />
+        <Worlds />
+        <About />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,64 @@
+/**
+ * Whether the team is shown in the place of a program, and what in it is asked for.
+ *
+ * Undo and redo show what they change: the team for the team, the program for a program.
+ */
+import { create } from "zustand";
+
+import { useStudio } from "../model/studio";
+import type { Mission, Problem } from "../model/types";
+
+export interface Wanted {
+  what: "agent" | "goal" | "world";
+  at: number;
+}
+
+export const useTeam = create<{ open: boolean; wanted: Wanted | null }>(() => ({ open: false, wanted: null }));
+
+export function openTeam(wanted: Wanted | null = null): void {
+  useTeam.setState({ open: true, wanted });
+}
+
+export function closeTeam(): void {
+  if (useTeam.getState().open) useTeam.setState({ open: false, wanted: null });
+}
+
+const OF_TEAM = ["agents", "goals", "world", "label", "help"] as const satisfies (keyof Mission)[];
+/** Codes of what is wrong with the team and its world. */
+const CODES =
+  /^(?:mission|run)-(?:same-name|no-start|no-storehouse|no-world|no-program|too-many-agents|no-agent|start|device|goal)$/;
+
+/** What of the team a problem is about; null when it is about something else. */
+export function teamPlace(problem: Problem, mission: Mission): Wanted | null {
+  if (problem.program !== "" || !CODES.test(problem.code)) return null;
+  if (problem.code === "mission-no-world") return { what: "world", at: 0 };
+  const names = (name: string) => problem.message.includes(`\`${name}\``);
+  if (problem.code === "mission-no-storehouse" || problem.code.endsWith("-goal")) {
+    return {
+      what: "goal",
+      at: Math.max(
+        mission.goals.findIndex((goal) => names(goal.storehouse)),
+        0,
+      ),
+    };
+  }
+  return {
+    what: "agent",
+    at: Math.max(
+      mission.agents.findIndex((agent) => names(agent.name)),
+      0,
+    ),
+  };
+}
+
+/** Follows the document; the returned function ends that. */
+export function keepTeamView(): () => void {
+  return useStudio.subscribe((state, before) => {
+    if (state.activeProgram !== before.activeProgram) closeTeam();
+    const { kind } = state.change;
+    if (state.change === before.change || (kind !== "undo" && kind !== "redo")) return;
+    const [now, then] = [state.mission, before.mission];
+    if (OF_TEAM.some((part) => now[part] !== then[part]) && now.programs === then.programs) openTeam();
+    else if (now.programs !== then.programs) closeTeam();
+  });
+}
