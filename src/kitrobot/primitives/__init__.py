@@ -10,6 +10,7 @@ from kitrobot.primitives.own_xml import (
     OwnVariable,
     read_own,
     write_constructor,
+    write_constructors,
     write_variable,
 )
 from kitrobot.primitives.robot import (
@@ -78,5 +79,6 @@ __all__ = [
     "shape",
     "shown",
     "write_constructor",
+    "write_constructors",
     "write_variable",
 ]

@@ -10,6 +10,7 @@ Left to others: who holds them (mission), and what they mean (catalogue).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.diagnostics import Diagnostic
@@ -103,6 +104,14 @@ def write_constructor(constructor: Constructor, indent: str = "  ") -> list[str]
     else:
         inside.append(f"<code>{escape_text(constructor.code)}</code>")
     return [f"{indent}<constructor{head}>", *(f"{indent}  {line}" for line in inside), f"{indent}</constructor>"]
+
+
+def write_constructors(constructors: Sequence[Constructor]) -> bytes:
+    """A constructors file with these parts in one group, which any folder of parts can hold."""
+    label = "".join(_texts("label", OWN_LABEL))
+    head = ['<constructors version="1">', f"  <group{attributes(('name', OWN_GROUP), ('colour', 'action'))}>{label}"]
+    lines = [line for constructor in constructors for line in write_constructor(constructor, "    ")]
+    return ("\n".join([*head, *lines, "  </group>", "</constructors>"]) + "\n").encode()
 
 
 def write_variable(own: OwnVariable, indent: str = "  ") -> list[str]:

@@ -17,6 +17,7 @@ from kitrobot.server import pages
 from kitrobot.server.fragments import routes as fragment_routes
 from kitrobot.server.image_routes import image_routes
 from kitrobot.server.journal_routes import journal_routes
+from kitrobot.server.own_part_routes import own_part_routes
 from kitrobot.server.parts_routes import parts_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
@@ -61,6 +62,7 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
     app.include_router(run_routes)
     app.include_router(journal_routes)
     app.include_router(text_routes)
+    app.include_router(own_part_routes)
     app.include_router(parts_routes)
     app.include_router(image_routes)
     app.include_router(tutorial_routes)

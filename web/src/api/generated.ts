@@ -58,6 +58,17 @@ export interface Check {
   path: string;
 }
 
+/** An offer that becomes a slot under that name; numbers with one name become one slot. */
+export interface Chosen {
+  vertex: string;
+  slot: string;
+  name: string;
+  min?: number | null;
+  max?: number | null;
+  default?: string | null;
+  unit?: string | null;
+}
+
 /** The page opened a mission; `journal` is the one it had before, or chose, "" for any that was left on it. */
 export interface Claim {
   tab: string;
@@ -331,6 +342,29 @@ export interface Note {
   at: string;
 }
 
+/** What could be left open. `inside`: the offer that holds it; `is_open`: nothing fills it, so it has to be. */
+export interface Offer {
+  vertex: string;
+  slot: string;
+  kind: "flow" | "condition" | "value" | "number" | "text" | "action";
+  name: string;
+  label: Record<string, string>;
+  inside: Place | null;
+  is_open: boolean;
+  value: string;
+  min: number;
+  max: number;
+  unit: string;
+}
+
+/** What a selection offers; `problems` are in it while nothing is left open. */
+export interface Offered {
+  role: "instruction" | "condition" | "branch";
+  vertices: string[];
+  offers: Offer[];
+  problems: Problem[];
+}
+
 /** A variable that the mission adds to every robot of a kind. */
 export interface OwnVariable {
   robot: string;
@@ -347,6 +381,53 @@ export interface Parameter {
   unit: string;
   label: Record<string, string>;
   help: Record<string, string>;
+}
+
+/** The part, its LLL, and the program with a vertex of it in the selection's place. */
+export interface Part {
+  constructor: Constructor;
+  lll: string;
+  program: Program;
+  vertex: string;
+}
+
+/** The parts of a mission as a constructors file. */
+export interface PartFile {
+  constructors: Constructor[];
+}
+
+/**
+ * The part (None while there are mistakes) and its LLL in the one true layout. `drawing` is its template as a graph,
+ * whose holes are named `{name}`; problems have their places in the code as it was sent, those on line 0 are about the
+ * rest.
+ */
+export interface PartRead {
+  constructor: Constructor | null;
+  lll: string;
+  drawing: Program | null;
+  problems: Problem[];
+}
+
+/** A part of that mission as a person has edited it, for a robot; its code may have mistakes. */
+export interface PartText {
+  mission: Mission;
+  path: string;
+  robot: string;
+  constructor: Constructor;
+}
+
+/** A selection that is to be a part. */
+export interface PartWish {
+  mission: Mission;
+  path: string;
+  program: string;
+  vertices: string[];
+  name: string;
+  icon?: string;
+  colour?: "loop" | "choice" | "parallel" | "action" | "test" | "team";
+  label?: Record<string, string>;
+  help?: Record<string, string>;
+  chosen: Chosen[];
 }
 
 /** What the files around a mission hold; `stamp` names their state, as `parts` of `NewsMessage` does. */
@@ -376,6 +457,12 @@ export interface Picture {
   program: Program;
   world: World | null;
   agents: string[];
+}
+
+/** A slot or parameter of a vertex; the slot "" is the vertex itself. */
+export interface Place {
+  vertex: string;
+  slot: string;
 }
 
 /** Something of the page that a step points at; `inner` is a setting or slot of a vertex, or "". */
@@ -504,6 +591,14 @@ export interface Section {
   sign: number;
   from_mm: number;
   to_mm: number;
+}
+
+/** Some vertices of a program; `path` is the mission's file, "" for a new one. */
+export interface Selected {
+  mission: Mission;
+  path: string;
+  program: string;
+  vertices: string[];
 }
 
 /** What the page starts with: the mission to open, and the name of the folder that missions are in. */

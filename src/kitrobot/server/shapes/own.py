@@ -70,7 +70,12 @@ def own_variable(shape: OwnVariableShape) -> OwnVariable:
 
 @lru_cache(KEPT)
 def _constructor(text: str) -> Constructor:
-    shape = ConstructorShape.model_validate_json(text)
+    wanted = raw_constructor(ConstructorShape.model_validate_json(text))
+    return _read(write_constructor(wanted), Constructor, f"the part `{wanted.name}`")
+
+
+def raw_constructor(shape: ConstructorShape) -> Constructor:
+    """What a shape says, unread: it may make no sense."""
     slots = [
         Slot(
             slot.name,
@@ -87,7 +92,7 @@ def _constructor(text: str) -> Constructor:
         for slot in shape.slots
     ]
     adds = (shape.adds.constructor, shape.adds.slot) if shape.adds is not None else None
-    wanted = Constructor(
+    return Constructor(
         shape.name,
         "",
         shape.colour,
@@ -100,7 +105,6 @@ def _constructor(text: str) -> Constructor:
         shape.label,
         shape.help,
     )
-    return _read(write_constructor(wanted), Constructor, f"the part `{shape.name}`")
 
 
 @lru_cache(KEPT)

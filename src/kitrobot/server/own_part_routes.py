@@ -1,0 +1,114 @@
+"""The requests behind parts of one's own: a selection is saved as one, a part is edited, all are shared as a file."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import APIRouter, Depends, Request
+
+from kitrobot.compiler import Look, draw_template, make_part, offer_part, read_part
+from kitrobot.graph import Program
+from kitrobot.lll import print_template
+from kitrobot.mission import Mission
+from kitrobot.primitives import Catalogue, write_constructors
+from kitrobot.server.shapes import FailureShape, TextShape, mission_from_shape, mission_shape, problem_shapes
+from kitrobot.server.shapes.catalogue import constructor_shape
+from kitrobot.server.shapes.mission import ProgramShape
+from kitrobot.server.shapes.own import OwnPartError, own_constructor, raw_constructor
+from kitrobot.server.shapes.part import (
+    LONGEST_PART,
+    OfferedShape,
+    PartFileShape,
+    PartReadShape,
+    PartShape,
+    PartTextShape,
+    PartWishShape,
+    SelectedShape,
+    chosen_from_shape,
+    offer_shape,
+)
+from kitrobot.server.studio import Studio
+from kitrobot.workspace import NoProgramError
+
+MOST_PROBLEMS = 100
+
+own_part_routes = APIRouter(
+    prefix="/api", responses={"4XX": {"model": FailureShape, "description": "Why it could not be done."}}
+)
+
+
+def _studio(request: Request) -> Studio:
+    studio = request.app.state.studio
+    assert isinstance(studio, Studio)
+    return studio
+
+
+StudioOf = Annotated[Studio, Depends(_studio)]
+
+
+@own_part_routes.post("/part/offer")
+def part_offer(studio: StudioOf, wanted: SelectedShape) -> OfferedShape:
+    """What a selection offers to be left open when it becomes a part."""
+    program, catalogue = _of(studio, wanted)
+    offered = offer_part(program, wanted.vertices, catalogue)
+    return OfferedShape(
+        role=offered.role.value,
+        vertices=list(offered.selection.chain),
+        offers=[offer_shape(one) for one in offered.offers],
+        problems=problem_shapes(offered.diagnostics[:MOST_PROBLEMS]),
+    )
+
+
+@own_part_routes.post("/part")
+def part(studio: StudioOf, wanted: PartWishShape) -> PartShape:
+    """Makes the part of a selection, and puts a vertex of it in the selection's place."""
+    program, catalogue = _of(studio, wanted)
+    look = Look(wanted.name, wanted.icon, wanted.colour, wanted.label, wanted.help)
+    made = make_part(program, wanted.vertices, look, [chosen_from_shape(one) for one in wanted.chosen], catalogue)
+    template = made.constructor.template
+    assert template is not None, "a part that is made has a template"
+    return PartShape(
+        constructor=constructor_shape(made.constructor),
+        lll=print_template(template),
+        program=_program_shape(made.program),
+        vertex=made.vertex,
+    )
+
+
+@own_part_routes.post("/part/read")
+def part_read(studio: StudioOf, wanted: PartTextShape) -> PartReadShape:
+    """Reads a part as it was edited: what became of it, or its mistakes."""
+    if len(wanted.constructor.code) > LONGEST_PART:
+        raise OwnPartError(
+            f"this part has {len(wanted.constructor.code)} characters, and a part has at most {LONGEST_PART}",
+            "make several smaller parts of it",
+        )
+    mission = mission_from_shape(wanted.mission)
+    catalogue = studio.parts_of(mission, wanted.path)
+    robot = catalogue.robot(wanted.robot)
+    read = read_part(raw_constructor(wanted.constructor), robot)
+    drawing = None if read.constructor is None else draw_template(read.constructor, robot, catalogue)
+    return PartReadShape(
+        constructor=None if read.constructor is None else constructor_shape(read.constructor),
+        lll=read.lll,
+        drawing=None if drawing is None else _program_shape(drawing),
+        problems=problem_shapes(read.diagnostics[:MOST_PROBLEMS]),
+    )
+
+
+@own_part_routes.post("/part/file")
+def part_file(wanted: PartFileShape) -> TextShape:
+    """Parts as a constructors file, for a download."""
+    return TextShape(text=write_constructors([own_constructor(one) for one in wanted.constructors]).decode())
+
+
+def _of(studio: Studio, wanted: SelectedShape) -> tuple[Program, Catalogue]:
+    mission = mission_from_shape(wanted.mission)
+    program = next((one for one in mission.programs if one.name == wanted.program), None)
+    if program is None:
+        raise NoProgramError(f"the mission holds no program `{wanted.program}`", "load the page again")
+    return program, studio.parts_of(mission, wanted.path)
+
+
+def _program_shape(program: Program) -> ProgramShape:
+    return mission_shape(Mission(programs=[program])).programs[0]
