@@ -85,7 +85,14 @@ def test_a_damaged_or_hostile_svg_is_refused(data: bytes) -> None:
 
 def test_ten_thousand_comments_before_nothing_cost_nothing() -> None:
     data = b"<!---->" * 10_000
-    assert carried_mission(data, "a.svg") == (data, "a.svg")
+    assert carried_mission(data, "a.krt") == (data, "a.krt")
+
+
+@pytest.mark.parametrize("data", [b"", KRT, b"<!---->" * 10_000, b"GIF89a", b"%PDX-1.7"])
+@pytest.mark.parametrize("name", ["a.svg", "folder/a.PNG", "a.pdf"])
+def test_what_only_calls_itself_a_picture_is_refused(data: bytes, name: str) -> None:
+    with pytest.raises(CarriedError, match="not the picture|is empty"):
+        carried_mission(data, name)
 
 
 def test_an_svg_nested_a_hundred_thousand_deep_costs_nothing() -> None:

@@ -3,6 +3,7 @@ import { Fragment, StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 
 import { token } from "./api/token";
+import { preparePrinting } from "./out/print";
 import { Reach } from "./reach/Reach";
 import { App } from "./shell/App";
 import { installTheme } from "./theme";
@@ -26,6 +27,7 @@ function Spoken() {
 
 token();
 installTheme();
+preparePrinting();
 void installLanguage().then(() => {
   createRoot(root).render(
     <StrictMode>

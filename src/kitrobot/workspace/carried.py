@@ -1,8 +1,9 @@
-"""A mission carried inside a picture: the studio's SVG and PNG of a graph hold the whole `.krt`, so they open like one.
+"""A mission carried inside a picture: the studio's SVG, PNG and PDF of a graph hold the whole `.krt` and open like it.
 
 SVG: the text of `<metadata id="kitrobot-mission">`. PNG: an iTXt chunk, uncompressed, with the keyword
-`kitrobot-mission`. Pictures come from anywhere: what is taken out is bounded, checked as far as the picture's own form
-can be checked, and read as carefully as any `.krt` after that. Left to others: reading the mission.
+`kitrobot-mission`. PDF: an attached file, found by `carried_pdf`. Pictures come from anywhere: what is taken out is
+bounded, checked as far as the picture's own form can be checked, and read as carefully as any `.krt` after that. Left
+to others: reading the mission.
 """
 
 from __future__ import annotations
@@ -18,8 +19,11 @@ from defusedxml import DefusedXmlException
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import MAX_BYTES
+from kitrobot.workspace.carried_pdf import MAGIC, PdfError, mission_in_pdf
 
 KEYWORD = "kitrobot-mission"
+PICTURES = (".pdf", ".png", ".svg")
+"""Endings of the pictures that the studio makes."""
 _PNG = b"\x89PNG\r\n\x1a\n"
 _SVG = re.compile(
     rb"\A(?:\xef\xbb\xbf)?(?>\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>)*<svg[\s>/]", re.DOTALL
@@ -33,6 +37,11 @@ class CarriedError(KitRobotError):
     """A picture that holds no mission, or is damaged."""
 
 
+def is_picture(name: str) -> bool:
+    """Whether a file's name says that it is a picture which can carry a mission."""
+    return PurePath(name).suffix.lower() in PICTURES
+
+
 def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
     """The `.krt` inside a picture, and its name as a mission; anything else comes back as it is.
 
@@ -41,8 +50,15 @@ def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
     """
     if data.startswith(_PNG):
         found = _in_png(data, name)
+    elif data.startswith(MAGIC):
+        found = _in_pdf(data, name)
     elif _SVG.match(data[:_LOOKED_AT]):
         found = _in_svg(data, name)
+    elif is_picture(name):
+        raise CarriedError(
+            f"`{name}` is not the picture that its name promises" if data else f"`{name}` is empty",
+            "get the picture once more, or open the mission's own `.krt`",
+        )
     else:
         return data, name
     if not found:
@@ -70,6 +86,24 @@ def _in_png(data: bytes, name: str) -> bytes:
         if kind == b"iTXt" and body.startswith(start):
             return body[len(start) :]
         at += 12 + length
+
+
+_PDF_SENTENCES = {
+    "damaged": ("is damaged, so no mission can be taken out of it", "get the PDF once more"),
+    "locked": (
+        "is locked with a password, so no mission can be taken out of it",
+        "open the PDF as the studio exported it, before it was locked",
+    ),
+    "large": ("holds more than any PDF of the studio", "open the mission's own `.krt`"),
+}
+
+
+def _in_pdf(data: bytes, name: str) -> bytes:
+    try:
+        return mission_in_pdf(data)
+    except PdfError as error:
+        sentence, help = _PDF_SENTENCES[error.kind]
+        raise CarriedError(f"`{name}` {sentence}", help) from None
 
 
 class _Metadata(ContentHandler):

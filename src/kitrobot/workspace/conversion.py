@@ -2,6 +2,9 @@
 
     .krt → .lll .kri .kra      .lll → .krt .kri .kra      .kri → .kra      .kra → .kri
 
+A picture of the studio that carries a mission (.svg, .png, .pdf) goes where a `.krt` goes, and to the `.krt` itself;
+pictures are made by the studio only.
+
 Going down, every pass of the compiler has its say; nothing is written when one finds an error that the form cannot
 bear. An image keeps no names, so there is no way up from it. The file that is read is never written to.
 """
@@ -13,11 +16,11 @@ from pathlib import Path
 
 from kitrobot.compiler import check, compile_program, compile_text, graph_to_lll, lll_to_graph
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
-from kitrobot.graph import Program
 from kitrobot.image import Image, disassemble
 from kitrobot.lll import is_name, parse, print_program
-from kitrobot.mission import save
+from kitrobot.mission import Mission, save
 from kitrobot.primitives import Robot, load_catalogue
+from kitrobot.workspace.carried import is_picture
 from kitrobot.workspace.files import read_text, same_file, write_atomic
 from kitrobot.workspace.forms import Form, form_of
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
@@ -62,21 +65,22 @@ class Converted:
 
 @dataclass(frozen=True)
 class _Made:
-    """The bytes of the new form, or a program for a mission; None when there are errors."""
+    """The bytes of the new form, or a mission; None when there are errors."""
 
     data: bytes | None
     diagnostics: list[Diagnostic]
     sources: tuple[Source, ...] = ()
-    program: Program | None = None
+    mission: Mission | None = None
 
 
 def convert(source: Path, target: Path, *, program: str | None = None, robot: str | None = None) -> Converted:
     """Turns the program in `source` into the form that the name of `target` tells, and writes it there.
 
     Args:
-        source: the file to read.
+        source: the file to read; a picture that carries a mission is read as that mission.
         target: the file to write.
-        program: which program of a mission with several; or what to call the one that is made for a mission.
+        program: which program of a mission with several; or what to call the one that is made for a mission. A mission
+            that is taken out of a picture keeps them all.
         robot: the robot's name or file; needed for an LLL text, and in place of the mission's own otherwise.
 
     Raises:
@@ -84,8 +88,14 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
         ConversionError: there is no way between these forms, or they are the same file.
         KitRobotError: a file cannot be read or written, a robot or program is not there.
     """
-    form, wanted = form_of(source), form_of(target)
-    if form is wanted:
+    if is_picture(target.name):
+        raise ConversionError(
+            f"`{target}` would be a picture, and pictures are drawn by the studio",
+            "open the mission in the studio and choose Export in the menu File",
+        )
+    carried = is_picture(source.name)
+    form, wanted = Form.MISSION if carried else form_of(source), form_of(target)
+    if form is wanted and not carried:
         raise ConversionError(
             f"`{source}` and `{target}` are both {form.words}", f"give B another ending: {_ways(form)}"
         )
@@ -96,18 +106,26 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
         )
     if same_file(source, target):
         raise ConversionError(f"`{target}` is the file that would be read", "choose another name for B")
-    if form is Form.MISSION:
+    if form is wanted:
+        made = _out_of_picture(source)
+    elif form is Form.MISSION:
         made = _from_mission(source, wanted, program, robot)
     elif form is Form.TEXT:
         made = _from_text(source, target, wanted, program, robot)
     else:
         made = _from_image(source, form)
-    if made.program is not None:
-        save(target, mission_of(made.program))
+    if made.mission is not None:
+        save(target, made.mission)
     elif made.data is not None:
         write_atomic(target, made.data)
-    written = made.program is not None or made.data is not None
+    written = made.mission is not None or made.data is not None
     return Converted(target, written, tuple(made.diagnostics), made.sources)
+
+
+def _out_of_picture(source: Path) -> _Made:
+    """The mission as it is, mistakes and all: a picture must not be the only place that has it."""
+    opened = open_mission(source)
+    return _Made(None, list(opened.diagnostics), opened.sources, opened.mission)
 
 
 def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | None) -> _Made:
@@ -145,7 +163,7 @@ def _from_text(source: Path, target: Path, wanted: Form, name: str | None, word:
         return _Made(None, found, (text,))
     catalogue = load_catalogue([source.parent])
     program = lll_to_graph(parsed.program, robot, catalogue, name or _program_name(target))
-    return _Made(None, found + _robot_elsewhere(robot, target), (text,), program)
+    return _Made(None, found + _robot_elsewhere(robot, target), (text,), mission_of(program))
 
 
 def _from_image(source: Path, form: Form) -> _Made:

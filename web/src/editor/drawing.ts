@@ -25,7 +25,11 @@ const made = new WeakMap<Program, Drawing>();
 /** The drawing of the program in view, or null while nothing is open. */
 export function drawingOf(state: StudioState): Drawing | null {
   const program = programInView(state);
-  if (program === undefined) return null;
+  return program === undefined ? null : drawProgram(state, program);
+}
+
+/** The drawing of any program of the open mission. */
+export function drawProgram(state: StudioState, program: Program): Drawing {
   const parts = partsOf(state.catalogue, program.robot);
   const known = made.get(program);
   const language = languageInUse();

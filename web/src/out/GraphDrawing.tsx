@@ -2,22 +2,29 @@
  * The graph of a program as one SVG that stands alone: the layout of the canvas, colours written out, text as text.
  *
  * Colours are those of `ink.ts`. Letters are squeezed or stretched to the width that the layout counted with, so
- * that nothing leaves its box where Inter is not installed.
+ * that nothing leaves its box where Inter is not installed. Where the page runs from right to left, so does what stands in
+ * a vertex, as on the canvas; the flow is the same.
  */
 import { type Box, boxWidth, type Chip, chipWidth, chipOf, type Face } from "../model/face";
 import { headPath, type Layout, type LayoutNode, NOTE, roundedPath } from "../model/layout";
 import { textWidth } from "../model/measure";
 import { Icon } from "../theme";
+import { mirrored } from "../words/language";
 import { t } from "../words/words";
 import { token } from "./ink";
 
 const FONT = "'Inter Variable', Inter, system-ui, sans-serif";
-const MARGIN = 32;
+/** What a drawing has around the graph, in px. */
+export const MARGIN = 32;
 const TILE = 28;
 /** Letters whose width the layout knows. */
 const KNOWN = /^[\x20-\x7e]*$/;
+/** Letters of scripts that run from right to left, and lines that begin with one. */
+const RIGHT_TO_LEFT = /[\u0590-\u08ff\ufb1d-\ufdff\ufe70-\ufefc]/;
+const BEGINS_RIGHT_TO_LEFT = /^\P{L}*[\u0590-\u08ff\ufb1d-\ufdff\ufe70-\ufefc]/u;
 
 interface TextProps {
+  /** The left side of the room that the layout gave it. */
   x: number;
   y: number;
   size: number;
@@ -28,18 +35,36 @@ interface TextProps {
 
 function Text({ x, y, size, bold = false, colour, children }: TextProps) {
   const width = textWidth(children, size, bold);
+  const runsLeft = RIGHT_TO_LEFT.test(children) && (mirrored() || BEGINS_RIGHT_TO_LEFT.test(children));
   return (
     <text
-      x={x}
+      x={mirrored() ? x + width : x}
       y={y + size * 0.36}
       fontSize={size}
       fontWeight={bold ? 600 : 400}
+      direction={runsLeft ? "rtl" : "ltr"}
+      textAnchor={runsLeft === mirrored() ? "start" : "end"}
       fill={token(colour)}
-      {...(KNOWN.test(children) && width > 0 ? { textLength: width, lengthAdjust: "spacingAndGlyphs" } : {})}
+      {...(KNOWN.test(children) && width > 0
+        ? { textLength: width, lengthAdjust: "spacingAndGlyphs" }
+        : { "data-room": width })}
     >
       {children}
     </text>
   );
+}
+
+/** Places inside of what reaches from `x` over `w`, turned around where the page is. */
+function turned(x: number, w: number) {
+  const rtl = mirrored();
+  return {
+    /** The left side of something that is `width` wide and would begin at `left`. */
+    box: (left: number, width: number) => (rtl ? 2 * x + w - left - width : left),
+    /** The same for a line of text. */
+    text: (left: number, words: string, size: number, bold = false) => {
+      return rtl ? 2 * x + w - left - textWidth(words, size, bold) : left;
+    },
+  };
 }
 
 /** Where things of these widths begin, one after the other. */
@@ -61,11 +86,12 @@ function ChipDrawing({ chip, x, y }: { chip: Chip; x: number; y: number }) {
   let left = x + 8;
   if (chip.icon !== "") left += 21;
   while (words.length > 1 && left + textWidth(words, 14, true) > x + width) words = `${words.slice(0, -2)}…`;
+  const at = turned(x, width);
   return (
     <>
       <rect x={x} y={y - 14} width={width} height={28} rx={6} fill={token("test-tint")} stroke={token("test-field")} />
-      {chip.icon === "" ? null : <Sign name={chip.icon} x={x + 8} y={y} size={15} colour="test-word" />}
-      <Text x={left} y={y} size={14} bold colour="test-word">
+      {chip.icon === "" ? null : <Sign name={chip.icon} x={at.box(x + 8, 15)} y={y} size={15} colour="test-word" />}
+      <Text x={at.text(left, words, 14, true)} y={y} size={14} bold colour="test-word">
         {words}
       </Text>
     </>
@@ -82,6 +108,8 @@ function BoxDrawing({ box, x, y, colour }: { box: Box; x: number; y: number; col
   const parts = all.filter(([words]) => words !== "");
   const widths = parts.map(([words, bold]) => textWidth(words, 14, bold));
   const lefts = places(x + 9, widths, 4);
+  // Latin words and numbers keep their order among themselves.
+  const at = parts.some(([words]) => RIGHT_TO_LEFT.test(words)) ? turned(x, boxWidth(box)) : null;
   return (
     <>
       <rect
@@ -94,7 +122,14 @@ function BoxDrawing({ box, x, y, colour }: { box: Box; x: number; y: number; col
         stroke={token(`${own}-field`)}
       />
       {parts.map(([words, bold], index) => (
-        <Text key={index} x={lefts[index] ?? 0} y={y} size={14} bold={bold} colour={bold ? `${own}-word` : "muted"}>
+        <Text
+          key={index}
+          x={at === null ? (lefts[index] ?? 0) : at.text(lefts[index] ?? 0, words, 14, bold)}
+          y={y}
+          size={14}
+          bold={bold}
+          colour={bold ? `${own}-word` : "muted"}
+        >
           {words}
         </Text>
       ))}
@@ -115,6 +150,14 @@ function outline(x: number, y: number, w: number, h: number): string {
     .join(" ");
 }
 
+/** The places of an object's name and of what it does, which follow each other from `left`. */
+function names({ object, name }: Face, left: number, at: ReturnType<typeof turned>): [number, number] {
+  const gap = object === "" ? 0 : textWidth(object, 15) + 5;
+  if (RIGHT_TO_LEFT.test(object + name)) return [at.text(left, object, 15), at.text(left + gap, name, 15, true)];
+  const begin = at.box(left, gap + textWidth(name, 15, true));
+  return [begin, begin + gap];
+}
+
 function VertexDrawing({ node }: { node: LayoutNode }) {
   const { x, y, w, h, kind, colour, face, block } = node;
   const hexagon = kind === "hexagon";
@@ -126,6 +169,8 @@ function VertexDrawing({ node }: { node: LayoutNode }) {
   const widths = face.boxes.map(boxWidth);
   const all = widths.reduce((sum, width) => sum + width + 6, -6);
   const boxes = places(x + w - (hexagon ? 22 : 8) - all, widths, 6);
+  const at = turned(x, w);
+  const [first, second] = names(face, tile + TILE + 10, at);
   return (
     <>
       {hexagon ? (
@@ -133,24 +178,37 @@ function VertexDrawing({ node }: { node: LayoutNode }) {
       ) : (
         <rect x={x} y={y} width={w} height={h} rx={6} {...line} />
       )}
-      <rect x={tile} y={middle - TILE / 2} width={TILE} height={TILE} rx={6} fill={token(`${colour}-tile`)} />
-      <Sign name={block?.shape.icon ?? ""} x={tile + 5.5} y={middle} size={17} colour={`${colour}-on-tile`} />
+      <rect
+        x={at.box(tile, TILE)}
+        y={middle - TILE / 2}
+        width={TILE}
+        height={TILE}
+        rx={6}
+        fill={token(`${colour}-tile`)}
+      />
+      <Sign
+        name={block?.shape.icon ?? ""}
+        x={at.box(tile + 5.5, 17)}
+        y={middle}
+        size={17}
+        colour={`${colour}-on-tile`}
+      />
       {face.object === "" ? null : (
-        <Text x={tile + TILE + 10} y={middle} size={15} colour="muted">
+        <Text x={first} y={middle} size={15} colour="muted">
           {face.object}
         </Text>
       )}
-      <Text x={name} y={middle} size={15} bold colour="text">
+      <Text x={second} y={middle} size={15} bold colour="text">
         {face.name}
       </Text>
       {face.chips.map((chip, index) => (
-        <ChipDrawing key={chip.slot} chip={chip} x={chips[index] ?? 0} y={middle} />
+        <ChipDrawing key={chip.slot} chip={chip} x={at.box(chips[index] ?? 0, chipWidth(chip))} y={middle} />
       ))}
       {face.boxes.map((box, index) => (
-        <BoxDrawing key={box.slot} box={box} x={boxes[index] ?? 0} y={middle} colour={colour} />
+        <BoxDrawing key={box.slot} box={box} x={at.box(boxes[index] ?? 0, boxWidth(box))} y={middle} colour={colour} />
       ))}
       {node.mark === null ? null : (
-        <g transform={`translate(${String(x + w - 4)} ${String(y + 2)})`}>
+        <g transform={`translate(${String(at.box(x + w - 4, 0))} ${String(y + 2)})`}>
           <circle r={12} fill={token(`${node.mark.shape.colour}-tile`)} stroke={token("canvas")} strokeWidth={2} />
           <circle r={4.5} fill="none" stroke={token(`${node.mark.shape.colour}-on-tile`)} strokeWidth={2.75} />
         </g>
@@ -162,12 +220,17 @@ function VertexDrawing({ node }: { node: LayoutNode }) {
 function TerminalDrawing({ node: { x, y, w, h, kind } }: { node: LayoutNode }) {
   const name = t(kind === "start" ? "graph.start" : "graph.stop");
   const left = x + (w - textWidth(name, 15, true) - 22) / 2;
+  const at = turned(x, w);
   const sign = kind === "start" ? "M2 1.2v9.6L10.5 6Z" : "M1 1h10v10H1Z";
   return (
     <>
       <rect x={x} y={y} width={w} height={h} rx={h / 2} fill={token("panel")} stroke={token("ink")} strokeWidth={2} />
-      <path d={sign} transform={`translate(${String(left)} ${String(y + h / 2 - 6)})`} fill={token("ink")} />
-      <Text x={left + 22} y={y + h / 2} size={15} bold colour="text">
+      <path
+        d={sign}
+        transform={`translate(${String(at.box(left, 12))} ${String(y + h / 2 - 6)})`}
+        fill={token("ink")}
+      />
+      <Text x={at.text(left + 22, name, 15, true)} y={y + h / 2} size={15} bold colour="text">
         {name}
       </Text>
     </>
@@ -185,11 +248,12 @@ function BarDrawing({ node: { x, y, w, h, kind, colour, face, block } }: { node:
 
 function Tag({ face, icon, colour, x, y }: { face: Face; icon: string; colour: string; x: number; y: number }) {
   const width = textWidth(face.name, 14, true) + 46;
+  const at = turned(x, width);
   return (
     <>
       <rect x={x} y={y - 14} width={width} height={28} rx={14} fill={token(`${colour}-tile`)} />
-      <Sign name={icon} x={x + 10} y={y} size={16} colour={`${colour}-on-tile`} />
-      <Text x={x + 34} y={y} size={14} bold colour={`${colour}-on-tile`}>
+      <Sign name={icon} x={at.box(x + 10, 16)} y={y} size={16} colour={`${colour}-on-tile`} />
+      <Text x={at.text(x + 34, face.name, 14, true)} y={y} size={14} bold colour={`${colour}-on-tile`}>
         {face.name}
       </Text>
     </>
@@ -206,7 +270,7 @@ function NoteDrawing({ node: { x, y, w, h, kind, note, noteWidth } }: { node: La
   return (
     <>
       <rect x={left} y={bottom - NOTE} width={noteWidth} height={NOTE} fill={token("panel")} stroke={token("line2")} />
-      <Text x={left + 10} y={bottom - NOTE / 2} size={13} colour="muted">
+      <Text x={turned(left, noteWidth).text(left + 10, words, 13)} y={bottom - NOTE / 2} size={13} colour="muted">
         {words}
       </Text>
     </>
@@ -233,6 +297,7 @@ export function GraphDrawing({ layout, title, inside }: { layout: Layout; title:
       height={h}
       viewBox={[x, y, w, h].join(" ")}
       fontFamily={FONT}
+      direction="ltr"
       xmlSpace="preserve"
     >
       <title>{title}</title>

@@ -1,20 +1,20 @@
 /**
- * The program in view as a picture to keep: SVG or PNG, with the whole mission inside, so that it opens again.
+ * Programs as files to keep: SVG and PNG of the one in view, PDF of it or of all, each with the whole mission inside, so
+ * that it opens again.
  *
  * The drawing is made for the occasion, outside of the page. A PNG has two dots for each px, fewer where the browser's
- * canvas would be too small for it.
+ * canvas would be too small for it. SVG and PNG have the colours of the theme; a PDF is paper, and has a page as large as
+ * the graph: nothing is cut, and for sheets of A4 there is Print.
  */
-import { createElement } from "react";
-import { flushSync } from "react-dom";
-import { createRoot } from "react-dom/client";
-
 import { api } from "../api/client";
-import { currentDrawing } from "../editor/drawing";
+import { currentDrawing, type Drawing, drawProgram } from "../editor/drawing";
 import { useStudio } from "../model/studio";
-import { complain } from "../shell/document";
+import { text } from "../model/texts";
+import { complain, fileName } from "../shell/document";
 import { download } from "../shell/download";
-import { t } from "../words/words";
-import { GraphDrawing } from "./GraphDrawing";
+import { languageInUse, t } from "../words/words";
+import { drawn } from "./drawn";
+import { pdfOf } from "./pdf/pages";
 import { withText } from "./png";
 
 const KEYWORD = "kitrobot-mission";
@@ -30,22 +30,18 @@ interface Made {
   height: number;
 }
 
+async function missionText(): Promise<string> {
+  return (await api.missionText(useStudio.getState().mission)).text;
+}
+
 async function make(): Promise<Made | null> {
   const drawing = currentDrawing();
   if (drawing === null) return null;
-  const name = drawing.program.name;
-  const { text } = await api.missionText(useStudio.getState().mission);
-  const place = document.createElement("div");
-  const root = createRoot(place);
-  flushSync(() => {
-    root.render(createElement(GraphDrawing, { layout: drawing.layout, title: name, inside: text }));
-  });
-  const picture = place.firstElementChild;
-  if (picture === null) return null;
+  const mission = await missionText();
+  const picture = await drawn(drawing, { inside: mission });
   const svg = new XMLSerializer().serializeToString(picture);
   const [width, height] = [Number(picture.getAttribute("width")), Number(picture.getAttribute("height"))];
-  root.unmount();
-  return { name, svg, mission: text, width, height };
+  return { name: drawing.program.name, svg, mission, width, height };
 }
 
 async function dots({ svg, width, height }: Made): Promise<Uint8Array> {
@@ -84,4 +80,32 @@ export async function exportPng(): Promise<void> {
   } catch (cause) {
     complain(cause);
   }
+}
+
+async function exportPages(drawings: readonly Drawing[], name: string): Promise<void> {
+  try {
+    const mission = await missionText();
+    const pages = [];
+    for (const drawing of drawings) {
+      pages.push({ title: drawing.program.name, svg: await drawn(drawing, { paper: true }) });
+    }
+    const attached = { name: fileName().replace(/(\.krt)?$/i, ".krt"), text: mission };
+    const title = text(useStudio.getState().mission.label ?? {}, name);
+    download(`${name}.pdf`, await pdfOf(pages, { title, language: languageInUse(), attached }), "application/pdf");
+  } catch (cause) {
+    complain(cause);
+  }
+}
+
+/** The program in view. */
+export async function exportPdf(): Promise<void> {
+  const drawing = currentDrawing();
+  if (drawing !== null) await exportPages([drawing], drawing.program.name);
+}
+
+/** Every program of the mission, a page each. */
+export async function exportPdfOfAll(): Promise<void> {
+  const state = useStudio.getState();
+  const drawings = state.mission.programs.map((program) => drawProgram(state, program));
+  await exportPages(drawings, fileName().replace(/\.krt$/i, ""));
 }

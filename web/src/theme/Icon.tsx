@@ -27,7 +27,7 @@ function pascal(name: string): string {
 }
 
 /** Every lucide icon by its PascalCase name, from a chunk of its own. */
-function loadAll(): Promise<void> {
+export function loadIcons(): Promise<void> {
   loading ??= import("./all-icons").then(
     (module) => {
       all = module.ALL_ICONS;
@@ -51,7 +51,7 @@ export function Icon({ name, size = 16, label, className }: IconProps) {
   useEffect(() => {
     if (!missing) return;
     let alive = true;
-    void loadAll().then(() => {
+    void loadIcons().then(() => {
       if (alive) setLoaded((n) => n + 1);
     });
     return () => {

@@ -56,6 +56,8 @@ const NAMES: Key[] = [
   "view.code",
   "run.max",
   "run.pause",
+  "sheet.agent",
+  "sheet.robot",
   "help.keys-pause",
   "help.keys-menu",
   "strip.message",

@@ -1,0 +1,54 @@
+/** Puts the sheet on the page when the browser is about to print, in its place the rest goes, and takes it away again. */
+import { createElement } from "react";
+import { flushSync } from "react-dom";
+import { createRoot, type Root } from "react-dom/client";
+
+import { useStudio } from "../../model/studio";
+import { text } from "../../model/texts";
+import { fileName, useDocument } from "../../shell/document";
+import { loadIcons } from "../../theme";
+import { UNKNOWN_ICON } from "../drawn";
+import { onPaper } from "../ink";
+import { PrintSheet } from "./PrintSheet";
+import "./sheet.css";
+
+let shown: { root: Root; place: HTMLElement } | null = null;
+
+function put(): void {
+  take();
+  if (!useDocument.getState().ready) return;
+  const state = useStudio.getState();
+  const place = document.createElement("div");
+  place.className = "print-sheet paper";
+  place.dataset["testid"] = "print-sheet";
+  document.body.append(place);
+  const root = createRoot(place);
+  shown = { root, place };
+  const file = fileName();
+  const title = text(state.mission.label ?? {}, file.replace(/\.krt$/i, ""));
+  onPaper(() => {
+    flushSync(() => {
+      root.render(createElement(PrintSheet, { state, title, file }));
+    });
+  });
+}
+
+function take(): void {
+  shown?.root.unmount();
+  shown?.place.remove();
+  shown = null;
+}
+
+/** From now on whatever prints the page prints the sheet. */
+export function keepSheet(): void {
+  window.addEventListener("beforeprint", put);
+  window.addEventListener("afterprint", take);
+}
+
+/** Opens the browser's own window for printing; icons that nobody has seen yet are fetched before. */
+export async function print(): Promise<void> {
+  put();
+  if (shown?.place.querySelector(UNKNOWN_ICON) != null) await loadIcons();
+  take();
+  window.print();
+}
