@@ -30,6 +30,7 @@ import { Marquee } from "./Marquee";
 import { Minimap } from "./Minimap";
 import { type GraphNode, NODE_TYPES } from "./Nodes";
 import { NoteEditor } from "./Notes";
+import { LEAST_ZOOM, MOST_ZOOM, usePinch } from "./pinch";
 import { Said } from "./Said";
 import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "./targets";
 import { useView } from "./view";
@@ -71,6 +72,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
   const { first, onReady } = useViewport(root, drawing);
   useDropTargets(root);
   useEdgePan(root);
+  usePinch(root);
   useCanvasKeys(root);
   useClipboard();
   useContextMenu(root);
@@ -97,8 +99,8 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
         nodeTypes={NODE_TYPES}
         defaultViewport={first}
         onInit={onReady}
-        minZoom={0.1}
-        maxZoom={2}
+        minZoom={LEAST_ZOOM}
+        maxZoom={MOST_ZOOM}
         onlyRenderVisibleElements
         nodesDraggable={false}
         nodesConnectable={false}

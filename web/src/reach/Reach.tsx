@@ -3,6 +3,7 @@ import { Announcer } from "./Announcer";
 import { Outline } from "./Outline";
 import { PartHelp } from "./PartHelp";
 import "./reach.css";
+import "./touch.css";
 
 export function Reach() {
   return (

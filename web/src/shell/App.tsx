@@ -93,7 +93,7 @@ function EmptyExtras() {
   if (learning) return null;
   return (
     <>
-      <TutorialCards title={t("tutorial.invite")} />
+      <TutorialCards brief />
       <Examples />
     </>
   );
