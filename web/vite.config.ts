@@ -1,13 +1,16 @@
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
 
+import { smallFonts } from "./build/fonts";
+import { packFiles } from "./build/pack";
+
 /** Where `npm run dev` finds the Python server; the built page is served by that server itself. */
 const SERVER = process.env["KITROBOT_SERVER"] ?? "http://127.0.0.1:8765";
 
 export default defineConfig({
   // Relative addresses: the page works under any path that a server gives it.
   base: "./",
-  plugins: [react()],
+  plugins: [react(), smallFonts(), packFiles()],
   build: {
     target: "es2022",
     // The page travels inside a Python wheel: fonts and icons stay files, nothing is inlined as base64.

@@ -8,7 +8,6 @@ from typing import Any
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import FileResponse, HTMLResponse, JSONResponse, Response
-from fastapi.staticfiles import StaticFiles
 from pydantic.json_schema import models_json_schema
 from starlette.exceptions import HTTPException
 
@@ -18,6 +17,7 @@ from kitrobot.server.fragments import routes as fragment_routes
 from kitrobot.server.image_routes import image_routes
 from kitrobot.server.journal_routes import journal_routes
 from kitrobot.server.own_part_routes import own_part_routes
+from kitrobot.server.page_files import PageFiles
 from kitrobot.server.parts_routes import parts_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
@@ -90,7 +90,7 @@ def _serve_page(app: FastAPI, static: Path) -> None:
         )
         return HTMLResponse(pages.sentence(message, help), status_code=503)
 
-    app.mount("/", StaticFiles(directory=static, check_dir=False))
+    app.mount("/", PageFiles(static))
 
 
 def _openapi(app: FastAPI) -> dict[str, Any]:
