@@ -87,8 +87,8 @@ def sentences() -> dict[str, str]:
 
 
 _HOLE = re.compile(r"\{[0-9]+\}")
-_HEADER = re.compile(r"=\(\)|-src '|charset=|HttpOnly|^not allowed$|^Literal\[")
-"""Of HTTP, for browsers, and types."""
+_HEADER = re.compile(r"=\(\)|-src '|charset=|HttpOnly|max-age=|^not allowed$|^Literal\[|^<constructors |^from kitrobot")
+"""Of HTTP, for browsers; types and code."""
 
 
 def _said(tree: ast.AST) -> Iterator[tuple[str, int]]:

@@ -152,7 +152,7 @@ class Table:
             whole = self._sentence(hole, depth) if bare != hole else None
             if whole is not None:
                 return whole
-            found = self._list(bare, depth) or self._sentence(bare, depth)
+            found = self._whole.get(bare) or self._list(bare, depth) or self._sentence(bare, depth)
         begin = hole.index(bare)
         return hole[:begin] + (found or self._apart(bare)) + hole[begin + len(bare) :]
 
@@ -167,7 +167,8 @@ class Table:
                 joint = part.strip()
                 made.append(_COMMAS[self.language] if joint == "," else f" {self._whole.get(joint, joint)} ")
                 continue
-            found = self._sentence(part, depth)
+            # A word alone is a name among others, whatever it would mean elsewhere.
+            found = self._sentence(part, depth) if " " in part else None
             if found is None and " " in part.removesuffix(" …") and not _is_quoted(part):
                 return None
             made.append(self._apart(part) if found is None else found)

@@ -6,6 +6,7 @@
  */
 import type { Catalogue, Goal, Mission, World } from "../api/types";
 import { COLLISION, FAILED, type Pose } from "../api/wire";
+import { text } from "../model/texts";
 import type { RunAgent, RunState } from "../run/run";
 import { nearestOn, signAt } from "./geometry";
 
@@ -79,9 +80,10 @@ export function sensesOf(agent: RunAgent, catalogue: Catalogue): string[] {
   const objects = catalogue.robots.find((robot) => robot.name === agent.robot)?.objects ?? [];
   const words: string[] = [];
   for (const [name, value] of Object.entries(agent.inputs)) {
-    const object = objects.find((one) => one.name === name);
-    if (object?.category !== "sensor") continue;
-    const label = object.label[""] ?? name;
+    // An actuator may have the same name.
+    const object = objects.find((one) => one.name === name && one.category === "sensor");
+    if (object === undefined) continue;
+    const label = text(object.label, name);
     if (object.type === "boolean") {
       if (value !== 0) words.push(label);
     } else {

@@ -110,6 +110,10 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
         multiSelectionKeyCode={null}
         deleteKeyCode={null}
         disableKeyboardA11y
+        ariaLabelConfig={{
+          "node.a11yDescription.default": t("help.keys-walk"),
+          "edge.a11yDescription.default": t("help.keys-insert"),
+        }}
         zoomOnDoubleClick={false}
         attributionPosition="bottom-left"
         onPaneClick={() => {

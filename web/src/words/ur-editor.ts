@@ -96,7 +96,7 @@ export const EDITOR_UR = {
   "parts.constructors": "ساخت کے پرزے",
   "parts.robot": "روبوٹ",
   "parts.actuators": "حرکت والے",
-  "parts.sensors": "حسّاس آلے",
+  "parts.sensors": "سینسر",
   "parts.variables": "متغیر",
   "parts.system": "نظام",
   "parts.none": "«{query}» نام کا کوئی پرزہ نہیں۔",
