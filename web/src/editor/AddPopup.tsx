@@ -4,6 +4,7 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { wraps } from "../model/commands/wrapParts";
 import { fits, type Shape, title } from "../model/parts";
 import { text } from "../model/texts";
+import { newVariable } from "../parts/variables";
 import { Icon, Tile } from "../theme";
 import { t } from "../words/words";
 import { type Drawing, useDrawing } from "./drawing";
@@ -61,6 +62,13 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
     list.current?.children[at]?.scrollIntoView({ block: "nearest" });
   }, [at]);
 
+  // Behind the parts: one that is not there yet.
+  const fresh = adding.wrap !== true;
+  const last = fresh ? shapes.length : shapes.length - 1;
+  const make = () => {
+    useView.getState().setAdding(null);
+    newVariable(query.trim());
+  };
   const label = t(adding.wrap === true ? "wrap.title" : "add.title");
   const close = () => {
     useView.getState().setAdding(null);
@@ -90,8 +98,9 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
         if (!event.currentTarget.contains(event.relatedTarget)) useView.getState().setAdding(null);
       }}
       onKeyDown={(event) => {
-        if (event.key === "ArrowDown") setAt(Math.min(at + 1, shapes.length - 1));
+        if (event.key === "ArrowDown") setAt(Math.min(at + 1, last));
         else if (event.key === "ArrowUp") setAt(Math.max(at - 1, 0));
+        else if (event.key === "Enter" && fresh && at === shapes.length) make();
         else if (event.key === "Enter") add(shapes[at]);
         else if (event.key === "Escape") close();
         else return;
@@ -107,7 +116,7 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
           role="combobox"
           aria-expanded="true"
           aria-controls="adding-list"
-          aria-activedescendant={shapes[at] === undefined ? undefined : `adding-${String(at)}`}
+          aria-activedescendant={at > last ? undefined : `adding-${String(at)}`}
           aria-label={t("add.find")}
           placeholder={adding.wrap === true ? label : t("add.find")}
           data-testid="add-find"
@@ -118,9 +127,8 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
           }}
         />
       </label>
-      {shapes.length === 0 ? (
-        <p className="adding-none">{t("add.none")}</p>
-      ) : (
+      {shapes.length === 0 ? <p className="adding-none">{t("add.none")}</p> : null}
+      {last < 0 ? null : (
         <ul ref={list} id="adding-list" role="listbox" aria-label={label}>
           {shapes.map((shape, index) => (
             <li
@@ -144,6 +152,20 @@ function Popup({ adding, drawing }: { adding: Adding; drawing: Drawing }) {
               {title(shape)}
             </li>
           ))}
+          {fresh ? (
+            <li
+              id={`adding-${String(shapes.length)}`}
+              role="option"
+              aria-selected={at === shapes.length}
+              data-testid="add-new-variable"
+              onPointerDown={(event) => event.preventDefault()}
+              onPointerMove={() => setAt(shapes.length)}
+              onClick={make}
+            >
+              <Icon name="plus" size={22} />
+              {t("variable.new-dots")}
+            </li>
+          ) : null}
         </ul>
       )}
     </div>

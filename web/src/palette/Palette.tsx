@@ -7,6 +7,11 @@ import { beginDrag, justDragged } from "../editor/drag";
 import { addPart } from "../editor/edits";
 import { partsOf } from "../model/parts";
 import { programInView, useStudio } from "../model/studio";
+import { variableHandlers } from "../parts/variable-row";
+import { VariableForm } from "../parts/VariableForm";
+import { VariableMenu } from "../parts/VariableMenu";
+import { VariableName } from "../parts/VariableName";
+import { newVariable, useVariables, variableKey } from "../parts/variables";
 import { text } from "../model/texts";
 import type { RobotObject } from "../model/types";
 import { useRun, watchedAgent } from "../run/run";
@@ -71,8 +76,15 @@ export function Palette() {
     } else if (event.key === outwards && row.kind === "fold" && row.open) fold(row, false);
     else if (event.key === outwards) go(above);
     else if (event.key === "/") find.current?.focus();
+    else if (
+      row.kind === "fold" &&
+      row.object?.category === "variable" &&
+      variableKey(event, { robot, name: row.object.name }, () => document.activeElement?.getBoundingClientRect())
+    )
+      event.stopPropagation();
     else if (event.key === "Enter" || event.key === " ") {
       if (row.kind === "fold") fold(row, !row.open);
+      else if (row.kind === "new") newVariable();
       else addPart(row.shape.element);
     } else return;
     event.preventDefault();
@@ -116,6 +128,7 @@ export function Palette() {
             <RowView
               key={row.key}
               row={row}
+              robot={robot}
               focused={row.key === current}
               onFocus={() => {
                 setAt(row.key);
@@ -123,22 +136,35 @@ export function Palette() {
               onFold={() => {
                 if (row.kind === "fold") fold(row, !row.open);
               }}
+              onNamed={(name) => {
+                const key = `object variable ${name}`;
+                setAt(key);
+                requestAnimationFrame(() => {
+                  tree.current?.querySelector<HTMLElement>(`[data-row="${CSS.escape(key)}"]`)?.focus();
+                });
+              }}
             />
           ),
         )}
       </div>
+      <VariableForm />
+      <VariableMenu />
     </div>
   );
 }
 
 interface RowProps {
   row: Exclude<Row, { kind: "heading" }>;
+  robot: string;
   focused: boolean;
   onFocus: () => void;
   onFold: () => void;
+  /** A variable's name was typed over, or stays as it is. */
+  onNamed: (name: string) => void;
 }
 
-function RowView({ row, focused, onFocus, onFold }: RowProps) {
+function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
+  const renaming = useVariables((state) => state.renaming);
   const common = {
     role: "treeitem",
     "aria-level": row.level,
@@ -147,10 +173,20 @@ function RowView({ row, focused, onFocus, onFold }: RowProps) {
     tabIndex: focused ? 0 : -1,
     onFocus,
   };
+  if (row.kind === "new") {
+    return (
+      <div {...common} className="palette-part palette-new" data-testid="new-variable" onClick={() => newVariable()}>
+        <Icon name="plus" size={16} />
+        <span className="palette-name">{row.label}</span>
+      </div>
+    );
+  }
   if (row.kind === "fold") {
+    const variable = row.object?.category === "variable" ? { robot, name: row.object.name } : null;
     return (
       <div
         {...common}
+        {...(variable === null ? {} : variableHandlers(variable))}
         className="palette-fold"
         aria-expanded={row.open}
         data-testid={`fold-${row.label}`}
@@ -158,7 +194,11 @@ function RowView({ row, focused, onFocus, onFold }: RowProps) {
       >
         <Icon name={row.open ? "chevron-down" : "chevron-right"} size={14} />
         {row.object === null ? null : <Tile icon={row.object.icon} colour={colourOf(row.object)} size={22} />}
-        <span className="palette-name">{row.label}</span>
+        {variable !== null && renaming?.name === variable.name && renaming.robot === robot ? (
+          <VariableName of={variable} done={onNamed} />
+        ) : (
+          <span className="palette-name">{row.label}</span>
+        )}
         {row.aside === "" ? null : <span className="palette-aside">{row.aside}</span>}
         {row.object === null ? null : <Live object={row.object} />}
       </div>

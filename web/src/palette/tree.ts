@@ -19,7 +19,8 @@ export type Row =
       aside: string;
       object: RobotObject | null;
     }
-  | { kind: "part"; key: string; level: number; label: string; shape: Shape; aside: string };
+  | { kind: "part"; key: string; level: number; label: string; shape: Shape; aside: string }
+  | { kind: "new"; key: string; level: number; label: string };
 
 /** Folded rows by key; what is not in it is as it is at first. */
 export type Folded = Readonly<Record<string, boolean>>;
@@ -97,11 +98,16 @@ function robotRows(parts: Parts, shown: Shape[], searching: boolean, folded: Fol
       };
       return open ? [head, ...methods.map((shape) => partRow(shape, 3))] : [head];
     });
-    if (inside.length === 0) return [];
+    // New ones are made where the others are, and where there is none yet.
+    const fresh: Row[] =
+      category === "variable" && !searching && parts.robot !== null
+        ? [{ kind: "new", key: "new variable", level: 2, label: t("variable.new") }]
+        : [];
+    if (inside.length + fresh.length === 0) return [];
     const key = `section ${category}`;
     const open = searching || folded[key] !== true;
     const head: Row = { kind: "fold", key, level: 1, label: t(label), open, aside: "", object: null };
-    return open ? [head, ...inside] : [head];
+    return open ? [head, ...inside, ...fresh] : [head];
   });
 }
 

@@ -41,6 +41,8 @@ export const PAGE_KEYS = {
   programEarlier: { chords: ["Alt+Shift+PageUp"], says: "help.keys-program-move", typing: true },
   rename: { chords: ["F2"], says: "help.keys-rename" },
   addProgram: { chords: ["Alt+N"], says: "tabs.add", typing: true },
+  team: { chords: ["Alt+T"], says: "team.open", typing: true },
+  variable: { chords: ["Alt+V"], says: "variable.new", typing: true },
   outline: { chords: ["F4"], says: "help.keys-outline", typing: true },
   part: { chords: ["F1"], says: "help.keys-part", typing: true },
   shortcuts: { chords: ["?"], says: "help.keys-this" },

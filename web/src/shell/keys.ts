@@ -6,6 +6,8 @@ import { useEffect } from "react";
 import { useStudio } from "../model/studio";
 import { printSheet } from "../out/print";
 import { fixProblem, walkProblems } from "../problems/walk";
+import { newVariable } from "../parts/variables";
+import { openTeam } from "../team/view";
 import { useRun } from "../run/run";
 import { openFind } from "../editor/view";
 import { type KeyRow, keyIn, PAGE_KEYS } from "../reach/key-table";
@@ -48,6 +50,8 @@ const ACTIONS: Record<keyof typeof PAGE_KEYS, () => void> = {
   programEarlier: () => moveActiveProgram(-1),
   rename: () => useRenaming.setState({ program: useStudio.getState().activeProgram }),
   addProgram: () => document.querySelector<HTMLElement>(".add-program button")?.click(),
+  team: () => openTeam(),
+  variable: () => newVariable(),
   outline: toggleOutline,
   part: explain,
   shortcuts: () => show("shortcuts"),

@@ -8,6 +8,9 @@ import { useView, type Viewport } from "../editor/view";
 import { useStudio } from "../model/studio";
 import { keyFor } from "../reach/key-table";
 import { explain, toggleOutline, useReach } from "../reach/state";
+import { chooseParts } from "../parts/take";
+import { newVariable } from "../parts/variables";
+import { openTeam } from "../team/view";
 import { isLive, useRun } from "../run/run";
 import { type ThemeChoice, useTheme } from "../theme";
 import { text } from "../model/texts";
@@ -35,6 +38,7 @@ function fileMenu(program: string, translated: boolean, several: boolean): MenuE
   return [
     { kind: "item", id: "file-new", label: t("file.new"), keys: keyFor.page("create"), run: newMission },
     { kind: "item", id: "file-open", label: t("file.open"), keys: keyFor.page("open"), run: () => show("open") },
+    { kind: "item", id: "file-parts", label: t("parts.add-file"), run: chooseParts },
     line("file-1"),
     { kind: "item", id: "file-save", label: t("file.save"), keys: keyFor.page("save"), run: () => void save() },
     {
@@ -148,6 +152,15 @@ function programMenu(robots: MenuEntry[], program: string, several: boolean): Me
     { kind: "heading", id: "program-add", label: t("program.add") },
     ...robots,
     line("program-1"),
+    { kind: "item", id: "program-team", label: t("team.open"), keys: keyFor.page("team"), run: () => openTeam() },
+    {
+      kind: "item",
+      id: "program-variable",
+      label: t("variable.new-dots"),
+      keys: keyFor.page("variable"),
+      run: () => newVariable(),
+    },
+    line("program-2"),
     {
       kind: "item",
       id: "program-rename",
