@@ -1,8 +1,8 @@
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
 
-import { smallFonts } from "./build/fonts";
-import { packFiles } from "./build/pack";
+import { smallFonts } from "./build/fonts.ts";
+import { packFiles } from "./build/pack.ts";
 
 /** Where `npm run dev` finds the Python server; the built page is served by that server itself. */
 const SERVER = process.env["KITROBOT_SERVER"] ?? "http://127.0.0.1:8765";

@@ -24,22 +24,18 @@ import { t } from "../words/words";
 import { Banner } from "./Banner";
 import { Brand } from "./Brand";
 import { keepChecking } from "./checking";
-import { DifferenceSheet } from "./DifferenceSheet";
 import { hearOfDisk, watchDisk } from "./disk";
-import { begin, complain, useDocument } from "./document";
+import { begin, complain, show, useDocument } from "./document";
 import { EventStrip } from "./EventStrip";
 import { Examples } from "./Examples";
-import { AboutSheet } from "./HelpSheets";
 import { isKept, keepJournal } from "./journal";
 import { useKeys } from "./keys";
+import { later } from "./later";
 import { useLayout } from "./layout";
 import { MenuBar } from "./MenuBar";
 import { useMenus } from "./menus";
-import { OpenSheet } from "./OpenSheet";
 import { showRunProblems } from "./run-problems";
-import { SaveAsSheet } from "./SaveAsSheet";
 import { Separator } from "./Separator";
-import { ShortcutsSheet } from "./Shortcuts";
 import { Tabs } from "./Tabs";
 import { Title } from "./Title";
 import { TeamStop, Toolbar } from "./Toolbar";
@@ -49,6 +45,14 @@ import "./menus.css";
 import "./sheets.css";
 import "./strip.css";
 import "./tabs.css";
+
+const Sheets = later(
+  () => import("./Sheets").then((chunk) => chunk.Sheets),
+  (cause) => {
+    show(null);
+    complain(cause);
+  },
+);
 
 let begun = false;
 
@@ -202,11 +206,7 @@ export function App() {
         <EventStrip />
       </footer>
       <NarrowTabs />
-      {overlay === "open" ? <OpenSheet /> : null}
-      {overlay === "save-as" ? <SaveAsSheet /> : null}
-      {overlay === "shortcuts" ? <ShortcutsSheet /> : null}
-      {overlay === "about" ? <AboutSheet /> : null}
-      {overlay === "difference" ? <DifferenceSheet /> : null}
+      {overlay === null ? null : <Sheets overlay={overlay} />}
     </div>
   );
 }
