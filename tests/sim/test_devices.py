@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
+import random
 from dataclasses import replace
 from statistics import mean, stdev
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import ALARM, LAMP, Simulation, SimulationError
+from kitrobot.sim.angles import direction
 from kitrobot.sim.devices import Actuator, Sensor, actuators, sensors
+from kitrobot.sim.grids import fill, fixed
 from kitrobot.sim.settings import find_device, read_settings
 from kitrobot.sim.sight import ray_to_discs, ray_to_walls
 from kitrobot.world import ColouredLine, Corner, Dock, Road, Start, Storehouse, World
@@ -50,18 +55,64 @@ def test_devices_are_found_by_their_names() -> None:
 # ---- range
 
 
+def to_walls(angle: float, reach: float, walls: list[list[float]]) -> float:
+    room = 4 * len(walls[0]) + 40
+    ux, uy = direction(angle)
+    return ray_to_walls(0, 0, ux, uy, reach, walls, *fixed(walls, 0), [0] * room, [0.0] * room)
+
+
 @pytest.mark.parametrize("angle", [0.0, 0.3, -0.7, math.pi / 2, 3.0])
-def test_the_range_to_a_wall_is_the_distance_along_the_ray(angle: float) -> None:
-    far = ray_to_walls(0, 0, angle, 1e6, [300], [-1e5], [300], [1e5])
+@pytest.mark.parametrize("more", [0, 200])
+def test_the_range_to_a_wall_is_the_distance_along_the_ray(angle: float, more: int) -> None:
+    # With many walls behind it, short ones, there are many cells to go through.
+    behind = [400.0 + n for n in range(more)]
+    walls = [[300, *behind], [-1e5, *behind], [300, *behind], [1e5, *(y + 1 for y in behind)]]
     expected = 300 / math.cos(angle) if math.cos(angle) > 1e-6 else 1e6
-    assert far == pytest.approx(min(expected, 1e6))
+    assert to_walls(angle, 1e6, walls) == pytest.approx(min(expected, 1e6))
+
+
+def to_discs(angle: float, reach: float, discs: list[tuple[float, float, float]]) -> float:
+    """From the first of the discs (x, y, radius)."""
+    x, y, radius = (list(row) for row in zip(*discs, strict=True))
+    count = len(discs)
+    low = [0] * count
+    frame, shape, starts, items = [0.0] * 3, [1, 1], [0] * (2 * count + 16), [0] * 4 * count
+    fill(list(range(count)), x, y, radius, max(radius), list(low), list(low), frame, shape, starts, items)
+    ux, uy = direction(angle)
+    room = [0] * (4 * count + 40)
+    far = [0.0] * len(room)
+    return ray_to_discs(x[0], y[0], ux, uy, reach, 0, x, y, radius, frame, shape, starts, items, room, far)
 
 
 def test_the_range_to_a_disc_is_the_distance_to_its_edge() -> None:
-    discs = ([0.0, 500.0], [0.0, 0.0], [50.0, 40.0], [1, 1])
-    assert ray_to_discs(0, 0, 0.0, 1e6, 0, *discs) == pytest.approx(460)
-    assert ray_to_discs(0, 0, math.asin(40 / 500) + 1e-6, 1e6, 0, *discs) == 1e6
-    assert ray_to_discs(0, 0, math.pi, 1e6, 0, *discs) == 1e6
+    discs = [(0.0, 0.0, 50.0), (500.0, 0.0, 40.0)]
+    assert to_discs(0.0, 1e6, discs) == pytest.approx(460)
+    assert to_discs(math.asin(40 / 500) + 1e-6, 1e6, discs) == 1e6
+    assert to_discs(math.pi, 1e6, discs) == 1e6
+
+
+@given(st.integers(0, 10**6), st.integers(2, 60), st.floats(-4, 4), st.floats(10, 3000))
+def test_looking_in_the_cells_of_a_ray_is_looking_at_everything(
+    seed: int, count: int, angle: float, reach: float
+) -> None:
+    rng = random.Random(seed)
+    discs = [(rng.uniform(0, 3000), rng.uniform(0, 1000), rng.uniform(5, 70)) for _ in range(count)]
+    walls = [[rng.uniform(-500, 2500) for _ in range(count)] for _ in range(4)]
+    x, y, _ = discs[0]
+    ux, uy = direction(angle)
+    nearest = reach
+    for other_x, other_y, radius in discs[1:]:
+        along, across = (other_x - x) * ux + (other_y - y) * uy, (other_x - x) * uy - (other_y - y) * ux
+        if abs(across) <= radius and along + math.sqrt(radius**2 - across**2) >= 0:
+            nearest = min(nearest, max(0.0, along - math.sqrt(radius**2 - across**2)))
+    assert to_discs(angle, reach, discs) == pytest.approx(nearest)
+    nearest = reach
+    for x1, y1, x2, y2 in zip(*walls, strict=True):
+        turned = (x2 - x1) * uy - (y2 - y1) * ux
+        far, part = (x1 * (y1 - y2) - y1 * (x1 - x2)) / turned, (x1 * uy - y1 * ux) / -turned
+        if far >= 0 and 0 <= part <= 1:
+            nearest = min(nearest, far)
+    assert to_walls(angle, reach, walls) == pytest.approx(nearest)
 
 
 @pytest.mark.parametrize(("x", "value"), [(3000, 93), (3500, 43), (3900, 3), (2000, 100)])

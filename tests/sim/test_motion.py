@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.sim import Simulation
+from kitrobot.sim.angles import direction
 from kitrobot.sim.motion import roll, wander
 from kitrobot.world import Corner, Road, Start, World, normalised
 from tests.sim.building import MOTOR, WHEEL, avatar, empty_world, run_of, shipped_world, steps
@@ -60,7 +61,7 @@ def test_the_way_of_many_short_steps_is_the_way_of_one_long_one(v: float, u: flo
         speed, total = [v], 0.0
         for _ in range(count):
             step = [0.0]
-            roll(0.5 / count, speed, [u], [rate], [rate], step)
+            roll(0.5 / count, [0], speed, [u], [rate], [rate], step)
             total += step[0]
         return total, speed[0]
 
@@ -70,8 +71,9 @@ def test_the_way_of_many_short_steps_is_the_way_of_one_long_one(v: float, u: flo
 @given(st.floats(-400, 400), st.floats(-3, 3), st.floats(-3, 3))
 def test_driving_and_turning_at_once_is_an_arc_of_radius_v_by_omega(v: float, omega: float, heading: float) -> None:
     x, y, h = [0.0], [0.0], [heading]
+    ux, uy = ([part] for part in direction(heading))
     for _ in range(50):
-        wander([v * 0.02], [omega * 0.02], [-1], x, y, h)
+        wander([0], [v * 0.02], [omega * 0.02], x, y, h, ux, uy)
     assert normalised(h[0] - heading - omega) == pytest.approx(0, abs=1e-9)
     if abs(omega) > 1e-3:
         radius = v / omega

@@ -1,70 +1,156 @@
-"""The loops of motion, contacts and sight are taken by Numba as they are, and give the same numbers to the last bit."""
+"""Plain and compiled steps give the same bytes: on random teams, in the transport mission, and when a run changes over.
+
+`HYPOTHESIS_PROFILE=thorough` tries more of them.
+"""
 
 from __future__ import annotations
 
-import inspect
+import os
 import random
-from collections.abc import Callable
-from types import ModuleType
-from typing import Any
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 
-import numpy as np
+import hypothesis
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from kitrobot.sim import contacts, motion, sight
+from kitrobot.sim import Simulation, compiling, simulate
+from tests.sim.building import transport
+from tests.sim.teams import random_team
 
-numba = pytest.importorskip("numba")
+if sys.platform != "win32":
+    import fcntl
 
-COUNT = 12
-"""Robots, walls and points in the lists."""
+pytest.importorskip("numba")
 
-
-def loops(*modules: ModuleType) -> list[Callable[..., Any]]:
-    """Every function of the modules."""
-    return [
-        value
-        for module in modules
-        for value in vars(module).values()
-        if inspect.isfunction(value) and value.__module__ == module.__name__
-    ]
+ROOT = Path(__file__).parents[2]
 
 
-def arguments(function: Callable[..., Any], rng: random.Random) -> list[Any]:
-    """Random lists of the right kinds: a ring of 500 mm with a few robots on it, walls and free robots anywhere."""
-    whole = {
-        "order": list(range(COUNT)),
-        "road": [rng.choice((0, -1)) if function.__name__ != "measure_gaps" else 0 for _ in range(COUNT)],
-        "closed": [rng.randrange(2)],
-        "first": [0],
-        "last": [COUNT - 1],
-        "leader": [(robot + 1) % COUNT for robot in range(COUNT)],
-        "pairs": [0] * 64,
-        "solid": [rng.randrange(2) for _ in range(COUNT)],
-        "stretch": [0] * COUNT,
+@pytest.fixture(scope="module", autouse=True)
+def compiled_step() -> None:
+    """Made once on a machine, which takes its minute, by one of pytest's workers; later it is loaded."""
+    with one_at_a_time():
+        assert compiling.wait() is not None, "Numba is here, and does not compile the step"
+
+
+@contextmanager
+def one_at_a_time() -> Iterator[None]:
+    """Lets one process of this machine in, where the system knows how."""
+    with open(Path(tempfile.gettempdir(), "kitrobot-tests-compile.lock"), "w") as lock:
+        if sys.platform != "win32":
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def hurried(run: Simulation) -> Simulation:
+    assert run.hurry()
+    return run
+
+
+def states(run: Simulation, stretches: list[int]) -> list[bytes]:
+    """The snapshots after so many steps each."""
+    found = []
+    for steps in stretches:
+        run.advance(steps)
+        found.append(run.snapshot())
+    return found
+
+
+@given(st.integers(0, 10**9), st.integers(1, 14))
+@hypothesis.settings(max_examples=25 if hypothesis.settings().max_examples < 100 else 1000)
+def test_random_teams_run_alike_plain_and_compiled(seed: int, robots: int) -> None:
+    stretches = [1, 1, 2, 30, 100, 1]
+    plain, compiled = random_team(seed, robots), hurried(random_team(seed, robots))
+    assert states(plain, stretches) == states(compiled, stretches)
+    assert plain.agents == compiled.agents
+    assert plain.poses() == compiled.poses()
+    assert (plain.outcome, plain.sentence, plain.events) == (compiled.outcome, compiled.sentence, compiled.events)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_the_trace_of_the_transport_mission_is_the_same_to_the_byte(seed: int, tmp_path: Path) -> None:
+    simulate(transport(seed, 4), tmp_path / "plain.krtrace")
+    simulate(hurried(transport(seed, 4)), tmp_path / "compiled.krtrace")
+    assert (tmp_path / "plain.krtrace").read_bytes() == (tmp_path / "compiled.krtrace").read_bytes()
+
+
+def test_a_run_that_changes_over_in_the_middle_is_the_same_run() -> None:
+    plain, changing = random_team(5, 10), random_team(5, 10)
+    plain.advance(70)
+    changing.advance(70)
+    assert changing.hurry()
+    assert states(plain, [1, 50]) == states(changing, [1, 50])
+
+
+def test_many_robots_run_alike_plain_and_compiled() -> None:
+    plain, compiled = random_team(11, 300), hurried(random_team(11, 300))
+    assert states(plain, [40, 160]) == states(compiled, [40, 160])
+    assert plain.collisions == compiled.collisions > 0
+
+
+def test_force_and_set_variable_do_the_same_on_both() -> None:
+    runs = random_team(3, 4), hurried(random_team(3, 4))
+    rng = random.Random(1)
+    for _ in range(6):
+        agent = rng.choice(runs[0].agents)
+        sensor, value = rng.choice(sorted(agent.inputs)), rng.choice((None, 0, 1, 50, 10**12))
+        variable, number = rng.choice(sorted(agent.values)), rng.randrange(2)
+        for run in runs:
+            run.force(agent.name, sensor, value)
+            run.set_variable(agent.name, variable, number)
+        assert states(runs[0], [15]) == states(runs[1], [15])
+
+
+CHILD = """
+import sys
+from kitrobot.sim import Simulation, compiling
+from tests.sim.building import transport
+run = transport(3, 3)
+assert run.hurry() is (sys.argv[1] == "yes"), compiling.available()
+assert run.advance(500) == 500
+sys.stdout.buffer.write(run.snapshot())
+"""
+
+
+@pytest.mark.parametrize("prelude", ["", "import sys; sys.modules['numba'] = None\n"])
+def test_without_numba_or_when_told_so_the_run_is_plain_and_the_same(prelude: str) -> None:
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}"}
+    if not prelude:
+        environment["KITROBOT_COMPILE"] = "no"
+    child = subprocess.run(
+        [sys.executable, "-c", prelude + CHILD, "no"], env=environment, capture_output=True, check=False, timeout=120
+    )
+    assert child.returncode == 0, child.stderr.decode()
+    here = hurried(transport(3, 3))
+    here.advance(500)
+    assert child.stdout == here.snapshot()
+
+
+def test_what_is_kept_is_only_for_these_very_sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("KITROBOT_CACHE", str(tmp_path))
+    folder = compiling.cache_folder()
+    assert folder.parent == tmp_path
+    assert folder == compiling.cache_folder()
+    monkeypatch.setattr(compiling, "version", lambda package: f"{package} of tomorrow")
+    assert compiling.cache_folder() != folder
+
+
+def test_every_loop_of_the_step_is_told_to_numba() -> None:
+    names = {name.removeprefix("kitrobot.sim.") for name in compiling.loops()}
+    assert {"devices.range.sense_ranges", "reacting.react", "physics.move_robots", "chance.gauss"} <= names
+
+
+def test_a_machine_where_compiling_fails_goes_on_plain(tmp_path: Path) -> None:
+    nowhere = tmp_path / "file"
+    nowhere.write_text("no folder")
+    environment = {
+        **os.environ,
+        "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}",
+        "KITROBOT_CACHE": str(nowhere),
     }
-    real = {"along": [100.0 * point for point in range(COUNT)], "road_length": [500.0]}
-    if function.__name__ == "follow":
-        real["length"] = [500.0]
-    single = {"first": 0, "last": COUNT - 1, "room": 30, "me": 0}
-    made: list[Any] = []
-    for name, parameter in inspect.signature(function).parameters.items():
-        kind = str(parameter.annotation)
-        if kind == "list[int]":
-            made.append(list(whole[name]))
-        elif kind == "list[float]":
-            made.append(list(real.get(name, [rng.uniform(1, 400) for _ in range(COUNT)])))
-        else:
-            made.append(single[name] if kind == "int" else rng.uniform(0.1, 50))
-    return made
-
-
-@pytest.mark.parametrize("function", loops(motion, contacts, sight), ids=lambda function: function.__name__)
-def test_plain_and_compiled_agree(function: Callable[..., Any]) -> None:
-    compiled = numba.njit(function)
-    for seed in range(20):
-        plain = arguments(function, random.Random(seed))
-        arrays = [np.array(value) if isinstance(value, list) else value for value in plain]
-        assert function(*plain) == compiled(*arrays)
-        for before, after in zip(plain, arrays, strict=True):
-            if isinstance(before, list):
-                assert after.tolist() == before
+    subprocess.run([sys.executable, "-c", CHILD, "no"], env=environment, capture_output=True, check=True, timeout=120)

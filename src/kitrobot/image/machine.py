@@ -7,6 +7,7 @@ procedure which completes later, then variables.
 
 from __future__ import annotations
 
+from copy import copy
 from typing import NamedTuple
 
 from kitrobot.image.model import Image, ImageError
@@ -89,6 +90,13 @@ class Machine:
         self.seen: list[int] = [0] * image.instructions if watch else []
         self.width: int = self.pars[3]
 
+    def twin(self) -> Machine:
+        """Another robot's machine with the same program, as this one is now; they share what never changes."""
+        other = copy(self)
+        other.cells, other.threads, other.pars = self.cells[:], self.threads[:], self.pars[:]
+        other.out, other.seen = self.out[:], self.seen[:]
+        return other
+
     def set_input(self, sensor: str, value: int) -> None:
         """Samples a sensor: what the program reads from the next tick on, clamped to the sensor's range."""
         part = self.layout.ranges[sensor]
@@ -96,7 +104,7 @@ class Machine:
 
     def input(self, sensor: str) -> int:
         """The sampled value of a sensor."""
-        return self.cells[self.layout.sensors[sensor]]
+        return int(self.cells[self.layout.sensors[sensor]])
 
     def set_done(self, actuator: str, done: bool) -> None:
         """Says whether an actuator has ended what takes it longer; of no effect for one where nothing does."""
@@ -115,17 +123,17 @@ class Machine:
         """The commands of the last tick."""
         out = self.out
         given: list[Command] = []
-        for at in range(0, len(out), self.width):
+        for at in range(0, self.width * self.image.actuators, self.width):
             if out[at]:
                 _, actuator, procedure = self.layout.commands[out[at + 2]]
                 parameters = self.robot.calls[actuator, procedure][1].parameters
-                arguments = out[at + 3 : at + 3 + len(parameters)]
-                given.append(Command(actuator, procedure, arguments, out[at] - 1, out[at + 1]))
+                arguments = [int(number) for number in out[at + 3 : at + 3 + len(parameters)]]
+                given.append(Command(actuator, procedure, arguments, int(out[at]) - 1, int(out[at + 1])))
         return given
 
     def variables(self) -> dict[str, int]:
         """All variables of the robot, in the order of its file; a boolean is 0 or 1."""
-        return {name: self.cells[cell] for name, cell in self.layout.variables.items()}
+        return {name: int(self.cells[cell]) for name, cell in self.layout.variables.items()}
 
     def set_variable(self, name: str, value: int) -> None:
         """Sets a variable from outside, clamped to its range."""
@@ -135,16 +143,16 @@ class Machine:
     @property
     def fault(self) -> int:
         """The fault flag: 1 once something was clamped, until the program clears it."""
-        return self.cells[0]
+        return int(self.cells[0])
 
     @property
     def ended(self) -> bool:
         """Whether the program's own thread has ended."""
-        return self.threads[0] < 0
+        return bool(self.threads[0] < 0)
 
     def active(self) -> list[tuple[int, int]]:
         """(slot, instruction) where each live thread stands."""
-        threads = self.threads
+        threads = [int(number) for number in self.threads[: 2 * len(self.image.slots)]]
         return [
             (at // 2, threads[at] - (1 if threads[at + 1] > 0 else 0))
             for at in range(0, len(threads), 2)
@@ -153,7 +161,7 @@ class Machine:
 
     def snapshot(self) -> tuple[list[int], list[int], list[int]]:
         """The whole state, to be given to `restore` later."""
-        return self.cells[:], self.threads[:], self.pars[:]
+        return list(self.cells), list(self.threads), list(self.pars)
 
     def restore(self, snapshot: tuple[list[int], list[int], list[int]]) -> None:
         """Goes back to a state of this very image."""

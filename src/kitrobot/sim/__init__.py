@@ -1,7 +1,8 @@
 """The simulator: a mission in its world, fixed step, seeded, the same run every time."""
 
 from kitrobot.sim.recording import Recorder, simulate
-from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Event, Outcome, Simulation
+from kitrobot.sim.sayings import Event
+from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Outcome, Simulation
 from kitrobot.sim.staging import MAX_AGENTS, SimulationError
 
 __all__ = [

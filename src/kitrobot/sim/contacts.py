@@ -1,13 +1,16 @@
-"""Who touches whom: module-level loops over flat lists of numbers, in the Python that Numba compiles too.
+"""Who touches whom: loops over rows of numbers, in the Python that Numba compiles too.
 
 On a road, robots are ordered by where they are, and only neighbours can touch: bumper to bumper. Everywhere else a
 robot is a disc. What overlaps is pushed apart; who touched is written down as pairs (robot, other), where a wall w is
-the other -1 - w. The loops write at most `room` pairs and give how many there were.
+the other -1 - w. The loops write pairs behind the `count` that are there already, as far as there is room, and give how
+many there are now.
 """
 
 from __future__ import annotations
 
 import math
+
+from kitrobot.sim.grids import cell_at
 
 TOUCH_MM = 0.5
 """Nearer than this is touching."""
@@ -48,7 +51,7 @@ def measure_gaps(
             ahead[i] = math.inf
             leader[i] = -1
             behind[i] = math.inf
-        if r >= 0 and end - start > 1:
+        if end - start > 1:
             for k in range(start, end):
                 i = order[k]
                 if k + 1 < end:
@@ -76,19 +79,18 @@ def part_on_roads(
     ahead: list[float],
     leader: list[int],
     pairs: list[int],
-    room: int,
+    count: int,
 ) -> int:
     """Robots that ran into one another on a road stand bumper to bumper; the one that came too near gives way."""
-    count = 0
     for k in range(len(order)):
         i = order[k]
         j = leader[i]
         if j < 0 or ahead[i] > TOUCH_MM:
             continue
-        if count < room:
+        if 2 * count < len(pairs):
             pairs[2 * count] = i
             pairs[2 * count + 1] = j
-        count += 1
+            count += 1
         if ahead[i] >= 0.0:
             continue
         r = road[i]
@@ -114,102 +116,146 @@ def part_on_roads(
 
 
 def part_from_walls(
-    road: list[int],
-    solid: list[int],
+    who: list[int],
     x: list[float],
     y: list[float],
     radius: list[float],
-    x1: list[float],
-    y1: list[float],
-    x2: list[float],
-    y2: list[float],
+    walls: list[list[float]],
+    frame: list[float],
+    shape: list[int],
+    starts: list[int],
+    items: list[int],
     pairs: list[int],
-    room: int,
+    count: int,
 ) -> int:
-    """Free robots slide along walls and never through them; the wheels of one that goes straight at a wall slip."""
-    count = 0
-    for i in range(len(x)):
-        if road[i] >= 0 or solid[i] == 0:
+    """Free robots slide along walls and never through them; the wheels of one that goes straight at a wall slip.
+
+    The grid's cells hold every wall that a robot with its middle in them can touch.
+    """
+    if len(items) == 0:
+        return count
+    x1 = walls[0]
+    y1 = walls[1]
+    x2 = walls[2]
+    y2 = walls[3]
+    for n in range(len(who)):
+        i = who[n]
+        c = cell_at(x[i], y[i], frame, shape)
+        if c < 0:
             continue
-        for w in range(len(x1)):
+        for k in range(starts[c], starts[c + 1]):
+            w = items[k]
             dx = x2[w] - x1[w]
             dy = y2[w] - y1[w]
+            nx = x[i] - x1[w]
+            ny = y[i] - y1[w]
             squared = dx * dx + dy * dy
-            part = 0.0
             if squared > 0.0:
-                part = ((x[i] - x1[w]) * dx + (y[i] - y1[w]) * dy) / squared
-                if part < 0.0:
-                    part = 0.0
-                elif part > 1.0:
-                    part = 1.0
-            nx = x[i] - x1[w] - part * dx
-            ny = y[i] - y1[w] - part * dy
-            distance = math.sqrt(nx * nx + ny * ny)
-            if distance > radius[i] + TOUCH_MM or distance == 0.0:
+                part = (nx * dx + ny * dy) / squared
+                if part >= 1.0:
+                    nx -= dx
+                    ny -= dy
+                elif part > 0.0:
+                    nx -= part * dx
+                    ny -= part * dy
+            near = radius[i] + TOUCH_MM
+            if nx > near or nx < -near or ny > near or ny < -near:
                 continue
-            if count < room:
+            distance = math.sqrt(nx * nx + ny * ny)
+            if distance > near or distance == 0.0:
+                continue
+            if 2 * count < len(pairs):
                 pairs[2 * count] = i
                 pairs[2 * count + 1] = -1 - w
-            count += 1
+                count += 1
             if distance < radius[i]:
-                nx /= distance
-                ny /= distance
-                x[i] += (radius[i] - distance) * nx
-                y[i] += (radius[i] - distance) * ny
+                x[i] += (radius[i] - distance) * (nx / distance)
+                y[i] += (radius[i] - distance) * (ny / distance)
     return count
-
-
-def sort_by_x(order: list[int], x: list[float]) -> None:
-    """Sorts robots from left to right."""
-    for n in range(1, len(order)):
-        i = order[n]
-        k = n - 1
-        while k >= 0 and x[order[k]] > x[i]:
-            order[k + 1] = order[k]
-            k -= 1
-        order[k + 1] = i
 
 
 def part_discs(
-    order: list[int],
-    widest: float,
     road: list[int],
     x: list[float],
     y: list[float],
     radius: list[float],
+    low_x: list[int],
+    low_y: list[int],
+    shape: list[int],
+    starts: list[int],
+    items: list[int],
     pairs: list[int],
-    room: int,
+    count: int,
 ) -> int:
-    """Solid robots (`order`: from left to right) that are not on one road keep their discs apart; guided ones stay."""
-    count = 0
-    for k in range(len(order)):
-        i = order[k]
-        for m in range(k + 1, len(order)):
-            j = order[m]
-            dx = x[j] - x[i]
-            if dx > radius[i] + widest + TOUCH_MM:
-                break
-            if road[i] >= 0 and road[i] == road[j]:
-                continue
-            dy = y[j] - y[i]
-            near = radius[i] + radius[j]
-            distance = math.sqrt(dx * dx + dy * dy)
-            if distance > near + TOUCH_MM:
-                continue
-            if count < room:
-                pairs[2 * count] = min(i, j)
-                pairs[2 * count + 1] = max(i, j)
-            count += 1
-            if distance >= near or distance == 0.0 or (road[i] >= 0 and road[j] >= 0):
-                continue
-            first = 0.5
-            if road[i] >= 0:
-                first = 0.0
-            elif road[j] >= 0:
-                first = 1.0
-            push = (near - distance) / distance
-            x[i] -= first * push * dx
-            y[i] -= first * push * dy
-            x[j] += (1.0 - first) * push * dx
-            y[j] += (1.0 - first) * push * dy
+    """Robots that are not on one road keep their discs apart; guided ones stay. The grid was filled a moment ago.
+
+    Two that meet in several cells are looked at in the first of them.
+    """
+    columns = shape[0]
+    for c in range(columns * shape[1]):
+        end = starts[c + 1]
+        for k in range(starts[c], end):
+            i = items[k]
+            for m in range(k + 1, end):
+                j = items[m]
+                near = radius[i] + radius[j]
+                dx = x[j] - x[i]
+                if dx > near + TOUCH_MM or dx < -near - TOUCH_MM:
+                    continue
+                dy = y[j] - y[i]
+                if dy > near + TOUCH_MM or dy < -near - TOUCH_MM:
+                    continue
+                if (road[i] >= 0 and road[i] == road[j]) or (
+                    c != max(low_y[i], low_y[j]) * columns + max(low_x[i], low_x[j])
+                ):
+                    continue
+                distance = math.sqrt(dx * dx + dy * dy)
+                if distance > near + TOUCH_MM:
+                    continue
+                if 2 * count < len(pairs):
+                    pairs[2 * count] = min(i, j)
+                    pairs[2 * count + 1] = max(i, j)
+                    count += 1
+                if distance >= near or distance == 0.0 or (road[i] >= 0 and road[j] >= 0):
+                    continue
+                first = 0.5
+                if road[i] >= 0:
+                    first = 0.0
+                elif road[j] >= 0:
+                    first = 1.0
+                push = (near - distance) / distance
+                x[i] -= first * push * dx
+                y[i] -= first * push * dy
+                x[j] += (1.0 - first) * push * dx
+                y[j] += (1.0 - first) * push * dy
     return count
+
+
+def news_first(
+    pairs: list[int], count: int, before: list[int], count_before: int, buckets: list[int], chain: list[int]
+) -> int:
+    """Brings the pairs that were not there before to the front, in their order; gives how many they are.
+
+    `buckets` (a power of two, all -1, and so again afterwards) and `chain` are room for looking up.
+    """
+    mask = len(buckets) - 1
+    for k in range(count_before):
+        b = (31 * before[2 * k] + before[2 * k + 1]) & mask
+        chain[k] = buckets[b]
+        buckets[b] = k
+    news = 0
+    for k in range(count):
+        i = pairs[2 * k]
+        j = pairs[2 * k + 1]
+        found = buckets[(31 * i + j) & mask]
+        while found >= 0 and (before[2 * found] != i or before[2 * found + 1] != j):
+            found = chain[found]
+        if found < 0:
+            pairs[2 * k] = pairs[2 * news]
+            pairs[2 * k + 1] = pairs[2 * news + 1]
+            pairs[2 * news] = i
+            pairs[2 * news + 1] = j
+            news += 1
+    for k in range(count_before):
+        buckets[(31 * before[2 * k] + before[2 * k + 1]) & mask] = -1
+    return news

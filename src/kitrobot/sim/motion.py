@@ -1,17 +1,20 @@
-"""How robots move in one step: module-level loops over flat lists of numbers, in the Python that Numba compiles too.
+"""How robots move in one step: loops over rows of numbers, in the Python that Numba compiles too.
 
 Speed goes to its target at the acceleration (or braking) of the robot, and the way is the exact integral of that, so
 the stopping distance is v²/2a whatever the step. A robot that moves freely follows the exact arc of constant speed
-and turn. Nothing in here allocates, calls, or knows a Python object.
+and turn. Each loop goes over the robots in `who`.
 """
 
 from __future__ import annotations
 
 import math
 
+from kitrobot.sim.angles import direction
+
 
 def roll(
     dt: float,
+    who: list[int],
     speed: list[float],
     target: list[float],
     acceleration: list[float],
@@ -20,7 +23,8 @@ def roll(
 ) -> int:
     """Brings each speed nearer to its target; `way[i]` is how far robot i rolls. Gives how many roll at all."""
     rolling = 0
-    for i in range(len(speed)):
+    for k in range(len(who)):
+        i = who[k]
         v = speed[i]
         u = target[i]
         if v == u:
@@ -44,18 +48,25 @@ def roll(
 
 
 def follow(
-    way: list[float], speed: list[float], road: list[int], at: list[float], length: list[float], closed: list[int]
+    who: list[int],
+    way: list[float],
+    speed: list[float],
+    road: list[int],
+    at: list[float],
+    length: list[float],
+    closed: list[int],
 ) -> None:
     """Moves the guided robots along their roads; at the end of an open road they stand."""
-    for i in range(len(way)):
-        r = road[i]
-        if r < 0 or way[i] == 0.0:
+    for k in range(len(who)):
+        i = who[k]
+        if way[i] == 0.0:
             continue
+        r = road[i]
         s = at[i] + way[i]
         if closed[r]:
-            if s >= length[r]:
+            while s >= length[r]:
                 s -= length[r]
-            elif s < 0.0:
+            while s < 0.0:
                 s += length[r]
         elif s > length[r]:
             s = length[r]
@@ -67,25 +78,25 @@ def follow(
 
 
 def place(
+    who: list[int],
     road: list[int],
     at: list[float],
     stretch: list[int],
+    directed: list[int],
     x: list[float],
     y: list[float],
     heading: list[float],
-    way_x: list[float],
-    way_y: list[float],
-    along: list[float],
-    heading_from: list[float],
-    heading_to: list[float],
+    ux: list[float],
+    uy: list[float],
+    points: list[list[float]],
     first: list[int],
     last: list[int],
 ) -> None:
     """The pose of each guided robot from its place along its road; `stretch` remembers where to look first."""
-    for i in range(len(road)):
+    along = points[2]
+    for n in range(len(who)):
+        i = who[n]
         r = road[i]
-        if r < 0:
-            continue
         s = at[i]
         k = stretch[i]
         if k < first[r] or k >= last[r]:
@@ -96,33 +107,49 @@ def place(
             k += 1
         stretch[i] = k
         part = (s - along[k]) / (along[k + 1] - along[k])
-        x[i] = way_x[k] + part * (way_x[k + 1] - way_x[k])
-        y[i] = way_y[k] + part * (way_y[k + 1] - way_y[k])
-        heading[i] = heading_from[k] + part * (heading_to[k] - heading_from[k])
+        x[i] = points[0][k] + part * (points[0][k + 1] - points[0][k])
+        y[i] = points[1][k] + part * (points[1][k + 1] - points[1][k])
+        h = points[3][k] + part * (points[4][k] - points[3][k])
+        if h != heading[i]:
+            heading[i] = h
+            if directed[i]:
+                ux[i], uy[i] = direction(h)
 
 
 def wander(
-    way: list[float], turn: list[float], road: list[int], x: list[float], y: list[float], heading: list[float]
+    who: list[int],
+    way: list[float],
+    turn: list[float],
+    x: list[float],
+    y: list[float],
+    heading: list[float],
+    ux: list[float],
+    uy: list[float],
 ) -> None:
-    """Moves the free robots along the arc of their way and turn."""
-    for i in range(len(way)):
-        if road[i] >= 0:
-            continue
+    """Moves the free robots along the arc of their way and turn; (ux, uy) is the direction of their heading."""
+    for k in range(len(who)):
+        i = who[k]
         d = way[i]
         t = turn[i]
-        h = heading[i]
-        if abs(t) < 1e-9:
+        if t == 0.0:
             if d != 0.0:
-                x[i] += d * math.cos(h)
-                y[i] += d * math.sin(h)
+                x[i] += d * ux[i]
+                y[i] += d * uy[i]
             continue
-        if d != 0.0:
-            r = d / t
-            x[i] += r * (math.sin(h + t) - math.sin(h))
-            y[i] += r * (math.cos(h) - math.cos(h + t))
-        h += t
+        h = heading[i] + t
         if h > math.pi:
             h -= 2.0 * math.pi
         elif h <= -math.pi:
             h += 2.0 * math.pi
         heading[i] = h
+        cosine, sine = direction(h)
+        if d != 0.0 and abs(t) < 1e-6:
+            # A difference of two sines would be all error here; so is the chord's, but by t² only.
+            x[i] += d * (ux[i] - t / 2.0 * uy[i])
+            y[i] += d * (uy[i] + t / 2.0 * ux[i])
+        elif d != 0.0:
+            r = d / t
+            x[i] += r * (sine - uy[i])
+            y[i] += r * (ux[i] - cosine)
+        ux[i] = cosine
+        uy[i] = sine

@@ -12,7 +12,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 from kitrobot.mission import write_mission
+from kitrobot.sim.columns import DELIVERED, HEADING, LOAD, X, Y
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.state import numbers
 from kitrobot.trace import (
     TEAM,
     Column,
@@ -34,7 +36,6 @@ class Recorder:
     def __init__(self, simulation: Simulation) -> None:
         self._simulation = simulation
         self._carriers = [agent.index for agent in simulation.members if agent.kind == "carrier"]
-        self._cells = [(agent.machine, 1 + agent.machine.layout.inputs) for agent in simulation.members]
         self.header = self._header()
 
     def _header(self) -> TraceHeader:
@@ -57,31 +58,30 @@ class Recorder:
 
     def record(self) -> TickRecord:
         """What is true after the last step, and what happened in it."""
-        simulation, stage = self._simulation, self._simulation.stage
-        bodies = stage.bodies
-        numbers: list[int] = []
+        simulation, state = self._simulation, self._simulation.state
+        rows = [numbers(state.real[column]) for column in (X, Y, HEADING)]
+        xs, ys, headings = rows
+        loads = numbers(state.whole[LOAD])
+        recorded: list[int] = []
         commands: list[TraceCommand] = []
-        tick = simulation.tick - 1
         for agent in simulation.members:
             i = agent.index
-            numbers.append(round(bodies.x[i] * 10))
-            numbers.append(round(bodies.y[i] * 10))
-            numbers.append(round(bodies.heading[i] * 1000))
-            numbers.append(bodies.load[i])
-            numbers.append(simulation.flags(i))
-            layout = agent.machine.layout
-            numbers += agent.machine.cells[: layout.cells]
-            if agent.commands and tick % agent.period == 0:
-                commands += [
-                    TraceCommand(i, command.actuator, command.procedure, tuple(command.arguments))
-                    for command in agent.commands
-                ]
-        numbers += stage.stock
-        numbers += [stage.delivered[index] for index in self._carriers]
-        numbers.append(simulation.collisions)
+            recorded.append(round(xs[i] * 10))
+            recorded.append(round(ys[i] * 10))
+            recorded.append(round(headings[i] * 1000))
+            recorded.append(loads[i])
+            recorded.append(simulation.flags(i))
+            recorded += numbers(agent.machine.cells[: agent.machine.layout.cells])
+            commands += [
+                TraceCommand(i, command.actuator, command.procedure, tuple(command.arguments))
+                for command in agent.commands
+            ]
+        recorded += numbers(state.stock)
+        recorded += [int(state.whole[DELIVERED][index]) for index in self._carriers]
+        recorded.append(simulation.collisions)
         active = [agent.active for agent in simulation.members]
-        events = [TraceEvent(kind, index, text) for kind, index, text in stage.happened]
-        return TickRecord(tick, numbers, active, commands, events)
+        events = [TraceEvent(event.kind, event.index, event.text) for event in simulation.events]
+        return TickRecord(simulation.tick - 1, recorded, active, commands, events)
 
 
 def simulate(
@@ -124,8 +124,10 @@ def _drive(
     progress: Callable[[Simulation], bool | None] | None,
 ) -> None:
     while simulation.outcome is None:
-        simulation.step()
-        if recorder is not None and writer is not None:
+        if recorder is None or writer is None:
+            simulation.advance(PROGRESS_STEPS - simulation.tick % PROGRESS_STEPS)
+        else:
+            simulation.step()
             writer.record(recorder.record())
         if progress is not None and simulation.tick % PROGRESS_STEPS == 0 and progress(simulation):
             return

@@ -1,77 +1,130 @@
-"""What a ray meets: module-level loops over flat lists of numbers, in the Python that Numba compiles too."""
+"""What a ray meets, and how far a path is: loops over rows of numbers, in the Python that Numba compiles too.
+
+(ux, uy) is the ray's direction, of length 1. `cells` and `exits` are room for the cells it goes through.
+"""
 
 from __future__ import annotations
 
 import math
 
+from kitrobot.sim.grids import cell_at, cells_on_ray
+
 
 def ray_to_walls(
-    x: float, y: float, angle: float, reach: float, x1: list[float], y1: list[float], x2: list[float], y2: list[float]
+    x: float,
+    y: float,
+    ux: float,
+    uy: float,
+    reach: float,
+    walls: list[list[float]],
+    frame: list[float],
+    shape: list[int],
+    starts: list[int],
+    items: list[int],
+    cells: list[int],
+    exits: list[float],
 ) -> float:
     """How far a ray goes until it meets a wall, `reach` at most."""
-    ux = math.cos(angle)
-    uy = math.sin(angle)
     best = reach
-    for w in range(len(x1)):
-        dx = x2[w] - x1[w]
-        dy = y2[w] - y1[w]
-        across = ux * dy - uy * dx
-        if abs(across) < 1e-12:
-            continue
-        ax = x1[w] - x
-        ay = y1[w] - y
-        far = (ax * dy - ay * dx) / across
-        part = (ax * uy - ay * ux) / across
-        if 0.0 <= far < best and 0.0 <= part <= 1.0:
-            best = far
+    if len(items) == 0:
+        return best
+    x1 = walls[0]
+    y1 = walls[1]
+    x2 = walls[2]
+    y2 = walls[3]
+    count = cells_on_ray(x, y, ux, uy, reach, frame, shape, cells, exits)
+    for c in range(count):
+        for k in range(starts[cells[c]], starts[cells[c] + 1]):
+            w = items[k]
+            dx = x2[w] - x1[w]
+            dy = y2[w] - y1[w]
+            across = ux * dy - uy * dx
+            if abs(across) < 1e-12:
+                continue
+            ax = x1[w] - x
+            ay = y1[w] - y
+            far = (ax * dy - ay * dx) / across
+            if 0.0 <= far < best and 0.0 <= (ax * uy - ay * ux) / across <= 1.0:
+                best = far
+        if best <= exits[c]:
+            break
     return best
 
 
 def ray_to_discs(
     x: float,
     y: float,
-    angle: float,
+    ux: float,
+    uy: float,
     reach: float,
     me: int,
     disc_x: list[float],
     disc_y: list[float],
     radius: list[float],
-    solid: list[int],
+    frame: list[float],
+    shape: list[int],
+    starts: list[int],
+    items: list[int],
+    cells: list[int],
+    exits: list[float],
 ) -> float:
-    """How far a ray goes until it meets another solid robot, `reach` at most; 0 when it begins inside one."""
-    ux = math.cos(angle)
-    uy = math.sin(angle)
+    """How far a ray goes until it meets the disc of another robot, `reach` at most; 0 when it begins inside one."""
     best = reach
-    for i in range(len(disc_x)):
-        if i == me or solid[i] == 0:
-            continue
-        ax = disc_x[i] - x
-        ay = disc_y[i] - y
-        along = ax * ux + ay * uy
-        squared = ax * ax + ay * ay
-        inside = radius[i] * radius[i] - (squared - along * along)
-        if inside < 0.0:
-            continue
-        half = math.sqrt(inside)
-        if along + half < 0.0:
-            continue
-        far = max(0.0, along - half)
-        if far < best:
-            best = far
+    count = cells_on_ray(x, y, ux, uy, reach, frame, shape, cells, exits)
+    for c in range(count):
+        for k in range(starts[cells[c]], starts[cells[c] + 1]):
+            i = items[k]
+            if i == me:
+                continue
+            ax = disc_x[i] - x
+            ay = disc_y[i] - y
+            across = ax * uy - ay * ux
+            r = radius[i]
+            inside = r * r - across * across
+            if inside < 0.0:
+                continue
+            half = math.sqrt(inside)
+            along = ax * ux + ay * uy
+            if along + half < 0.0:
+                continue
+            far = along - half
+            if far < 0.0:
+                far = 0.0
+            if far < best:
+                best = far
+        if best <= exits[c]:
+            break
     return best
 
 
-def distance_to_path(x: float, y: float, path_x: list[float], path_y: list[float], first: int, last: int) -> float:
-    """From a point to the path through the points `first`…`last`."""
-    best = math.inf
-    for k in range(first, last):
-        dx = path_x[k + 1] - path_x[k]
-        dy = path_y[k + 1] - path_y[k]
+def colour_at(
+    x: float,
+    y: float,
+    stretches: list[list[float]],
+    colours: list[int],
+    frame: list[float],
+    shape: list[int],
+    starts: list[int],
+    items: list[int],
+) -> int:
+    """The colour of the uppermost coloured stretch (the last one, rows x1, y1, x2, y2, half width) at a point, or 0."""
+    c = cell_at(x, y, frame, shape)
+    if c < 0:
+        return 0
+    for back in range(starts[c + 1] - starts[c]):
+        k = items[starts[c + 1] - 1 - back]
+        dx = stretches[2][k] - stretches[0][k]
+        dy = stretches[3][k] - stretches[1][k]
         squared = dx * dx + dy * dy
         part = 0.0
         if squared > 0.0:
-            part = max(0.0, min(1.0, ((x - path_x[k]) * dx + (y - path_y[k]) * dy) / squared))
-        ax = x - path_x[k] - part * dx
-        ay = y - path_y[k] - part * dy
-        best = min(best, math.sqrt(ax * ax + ay * ay))
-    return best
+            part = ((x - stretches[0][k]) * dx + (y - stretches[1][k]) * dy) / squared
+            if part < 0.0:
+                part = 0.0
+            elif part > 1.0:
+                part = 1.0
+        ax = x - stretches[0][k] - part * dx
+        ay = y - stretches[1][k] - part * dy
+        if math.sqrt(ax * ax + ay * ay) <= stretches[4][k]:
+            return colours[k]
+    return 0

@@ -1,32 +1,56 @@
 """A run of a mission in its world, step by step.
 
-A step is the longest time that divides the ticks of all robots (20 ms for ours). In this order: sensors measure;
-every agent whose tick it is samples them, then all of these react (one tick of their program each, in team order);
-devices take the commands and move; what touches is parted; shared variables spread. The same mission, world and seed
-give the same run, number for number: all chance comes from generators seeded by the run's seed and the names of agent
-and device, and nothing reads a clock.
+A step is the longest time that divides the ticks of all robots (20 ms for ours); what happens in one is in `stepping`,
+for all robots at once. The same mission, world and seed give the same run, number for number: all chance comes from
+the run's seed and the names of agent and device, and nothing reads a clock.
 
-`tick` counts finished steps. Once `outcome` is set (see endings), `step` does nothing more. Left to others: the clock
-on the wall, the trace (recording), who watches.
+The state of a run is its tables (state); a `Simulation` puts the mission in, gives names to what comes out, and finds
+the sentence for the end. `tick` counts finished steps. Once `outcome` is set (see endings), `step` does nothing more.
+Whether CPython or Numba runs the steps changes nothing but how fast it goes (hurry). Left to others: the clock on the
+wall, the trace (recording), who watches.
 """
 
 from __future__ import annotations
 
+import hashlib
+import math
+import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.mission import Mission
+from kitrobot.mission import Mission, write_mission
 from kitrobot.primitives import Catalogue
+from kitrobot.sim import columns
 from kitrobot.sim.agents import Agent
-from kitrobot.sim.endings import Goals, Standstill, say_done, say_failed, say_stuck, say_time
-from kitrobot.sim.physics import Physics
-from kitrobot.sim.shared import SharedVariables
+from kitrobot.sim.bodies import Stage
+from kitrobot.sim.columns import (
+    ASLEEP,
+    CHANCE,
+    COLLISIONS,
+    RUNNING,
+    S_DROPOUT,
+    S_FORCE,
+    S_FORCED,
+    S_NOISE,
+    S_PLAIN,
+    S_SIZE,
+    STUCK,
+    TICK,
+)
+from kitrobot.sim.endings import Goals, say_done, say_failed, say_stuck, say_time
+from kitrobot.sim.hurry import Hurry
+from kitrobot.sim.sayings import Event, Sayings, sensor_names
+from kitrobot.sim.shared import SharedTables
 from kitrobot.sim.staging import SimulationError, Staging
+from kitrobot.sim.standstill import stirred
+from kitrobot.sim.state import Packing, State, as_arrays, numbers
+from kitrobot.sim.stepping import advance
 from kitrobot.trace import Threads
-from kitrobot.world import World, normalised
+from kitrobot.world import World, normalised, write_world
 
 Outcome = Literal["done", "failed", "stuck", "time"]
 
@@ -38,14 +62,8 @@ MOVING = 16
 """The bits of an agent's flags: lamp on, failed, collision sensor pressed, arm out, moving."""
 
 
-@dataclass(frozen=True, slots=True)
-class Event:
-    """Something that happened: `kind` is load, unload, message, collision or end."""
-
-    tick: int
-    kind: str
-    agent: str
-    text: str
+SNAPSHOT_VERSION = 1
+SNAPSHOT_MARK = b"KRSNAP\n" + bytes([SNAPSHOT_VERSION])
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,80 +121,98 @@ class Simulation:
         self.world = world
         self.seed = seed
         self.seconds_limit = seconds
-        self.tick = 0
         self.tick_ms = staging.step_ms
         self.outcome: Outcome | None = None
         self.sentence = ""
         self.events: list[Event] = []
-        """What happened in the last step."""
+        """What happened in the steps of the last `step` or `advance`."""
         self.members: list[Agent] = staging.agents
-        self.stage = staging.stage
-        self.shared = SharedVariables(self.members)
-        if self.shared.problems:
-            first = self.shared.problems[0]
-            raise SimulationError(first.message, first.help, tuple(self.shared.problems))
-        self._sensors = [bank for bank in staging.sensors.values() if bank.robot]
-        self._actuators = [bank for bank in staging.actuators.values() if bank.robot]
-        self._late = [wire for agent in self.members for wire in agent.late]
-        self._same_period = all(agent.period == 1 for agent in self.members)
+        shared = SharedTables(self.members)
+        if shared.problems:
+            first = shared.problems[0]
+            raise SimulationError(first.message, first.help, tuple(shared.problems))
+        self.state = staging.tables.state(shared)
+        self.stage = Stage(world, self.state)
+        self._packing = Packing(self.state)
+        self._images = {agent.program: images[agent.program].image for agent in self.members}
+        self._sayings = Sayings(world, self.members, shared.variables, self.state)
         self._goals = Goals(mission.team.goals, self.stage)
-        self._physics = Physics(self.stage)
-        self._standstill = Standstill(self.members)
-        self._running = len(self.members)
+        self._sensors = sensor_names(self.state, self.members)
+        self._show(self.state)
+        self._last_tick: int | None = None
+        if seconds is not None:
+            self._last_tick = max(1, math.ceil(seconds * 1000 / self.tick_ms - 1e-9))
+        self._hurry = Hurry(len(self.members))
+
+    def _show(self, state: State) -> None:
+        """From now on the state is this."""
+        self.state = state
+        self.stage.show(state)
+        for agent in self.members:
+            agent.show(state)
 
     # -- going on
 
-    def step(self) -> None:
-        """One step of everything."""
-        if self.outcome is not None:
-            return
-        step, stage = self.tick, self.stage
-        stage.happened.clear()
-        due = self.members
-        if not self._same_period:
-            due = [agent for agent in due if step % agent.period == 0]
-        for bank in self._sensors:
-            bank.sense()
-        for agent in due:
-            if not agent.ended:
-                agent.sample()
-        for agent in due:
-            if agent.react(step):
-                self._running -= 1
-                stage.happened.append(("end", agent.index, "its program has ended"))
-        for wire in self._late:
-            wire.deliver(step)
-        for actuators in self._actuators:
-            actuators.move(stage.dt)
-        for robot, other in self._physics.step(stage.dt):
-            what = self.members[other].name if other >= 0 else "a wall"
-            stage.happened.append(("collision", robot, f"touches {what}"))
-        for writer, text in self.shared.exchange(due):
-            stage.happened.append(("message", writer, text))
-        self.tick = step + 1
-        self.events = [Event(step, kind, self.members[index].name, text) for kind, index, text in stage.happened]
-        self._look_for_an_end(due)
+    @property
+    def tick(self) -> int:
+        """Finished steps."""
+        return int(self.state.clock[TICK])
 
-    def _look_for_an_end(self, due: list[Agent]) -> None:
-        if self._running == 0:
+    def step(self) -> None:
+        """One step of everything; nothing once the run has ended."""
+        self.advance(1)
+
+    def advance(self, steps: int) -> int:
+        """Runs up to so many steps and gives how many; fewer when the run ends, or when very much has happened.
+
+        `events` is then what happened in all of them. Many steps in one call are quicker than as many calls.
+        """
+        self.events = []
+        if self.outcome is not None or steps < 1:
+            return 0
+        if self._last_tick is not None:
+            steps = min(steps, self._last_tick - self.tick)
+        compiled = self._hurry.advance_for(steps)
+        if compiled is not None and not self._hurry.taken:
+            self._hurry.taken = True
+            self._show(as_arrays(self.state))
+        done = advance(self.state, steps) if compiled is None else int(compiled(self.state, steps))
+        self.events = self._sayings.events(self.state)
+        self._look_for_an_end()
+        return done
+
+    def hurry(self) -> bool:
+        """Waits until the step is compiled, and takes it from now on; False where it cannot be. Changes no run."""
+        return self._hurry.wait()
+
+    def _look_for_an_end(self) -> None:
+        clock = self.state.clock
+        if clock[RUNNING] == 0:
             if self._goals.hold():
                 self._end("done", say_done(self._goals, self.seconds))
             else:
                 self._end("failed", say_failed(self._goals))
-        elif self.seconds_limit is not None and self.seconds >= self.seconds_limit:
+        elif self._last_tick is not None and clock[TICK] >= self._last_tick:
+            assert self.seconds_limit is not None
             self._end("time", say_time(self._goals, self.seconds_limit, self.members))
-        elif (
-            self._physics.rolling
-            or self.stage.happened
-            or any(agent.commands for agent in due)
-            or any(agent.busy for agent in self.members)
-        ):
-            self._standstill.stirred()
-        elif self._standstill.is_certain(self.tick):
+        elif clock[STUCK]:
             self._end("stuck", say_stuck(self._goals, self.members))
 
     def _end(self, outcome: Outcome, sentence: str) -> None:
         self.outcome, self.sentence = outcome, sentence
+
+    def watch_programs(self) -> None:
+        """From the first step on, `machine.seen` of each member says which instructions ran in its last tick.
+
+        Call it before the first step. A program that sleeps would run the same ones again.
+        """
+        assert self.tick == 0, "before the first step"
+        for agent in self.members:
+            seen = agent.machine.seen
+            seen += [0] * (agent.machine.image.instructions - len(seen))
+        self._packing = Packing(self.state)
+
+    # -- from outside
 
     def force(self, agent: str, sensor: str, value: int | None) -> None:
         """Puts a value in the place of what a sensor measures, from the next step on; None gives it back.
@@ -184,13 +220,81 @@ class Simulation:
         Raises:
             KitRobotError: there is no such agent or sensor.
         """
-        for member in self.members:
-            for wire in member.sensors:
-                if member.name == agent and wire.name == sensor:
-                    wire.force(value)
-                    self._standstill.stirred()
-                    return
-        raise KitRobotError(f"no agent {agent} with a sensor {sensor} takes part in this run")
+        k = next((self._sensors.get((a.index, sensor)) for a in self.members if a.name == agent), None)
+        if k is None:
+            raise KitRobotError(f"no agent {agent} with a sensor {sensor} takes part in this run")
+        table, clock = self.state.sensor, self.state.clock
+        by_chance = self.state.sensor_real[S_NOISE][k] > 0 or self.state.sensor_real[S_DROPOUT][k] > 0
+        was_forced, is_forced = bool(table[S_FORCED][k]), value is not None
+        if by_chance and was_forced != is_forced:
+            clock[CHANCE] += -1 if is_forced else 1
+        table[S_FORCED][k] = 1 if is_forced else 0
+        # A noise of ten million or a forced value beyond all range would not fit the tables.
+        table[S_FORCE][k] = max(-(2**40), min(2**40, value)) if value is not None else 0
+        table[S_PLAIN][k] = 1 if not is_forced and table[S_SIZE][k] == 1 and not by_chance else 0
+        stirred(clock)
+
+    def forced(self, agent: str) -> list[str]:
+        """The sensors of an agent in whose place a value stands."""
+        member = next(one for one in self.members if one.name == agent)
+        forced = self.state.sensor[S_FORCED]
+        return [name for name in member.machine.layout.sensors if forced[self._sensors[member.index, name]]]
+
+    def set_variable(self, agent: str, variable: str, value: int) -> None:
+        """Sets an agent's variable between two steps, within its range; a shared one spreads with the next step.
+
+        Raises:
+            KitRobotError: there is no such agent or variable.
+        """
+        member = next((a for a in self.members if a.name == agent and variable in a.machine.layout.variables), None)
+        if member is None:
+            raise KitRobotError(f"no agent {agent} with a variable {variable} takes part in this run")
+        member.machine.set_variable(variable, value)
+        self.state.whole[ASLEEP][member.index] = 0
+        stirred(self.state.clock)
+
+    # -- keeping and going back
+
+    @cached_property
+    def identity(self) -> bytes:
+        """32 bytes that runs have in common exactly when they are the same mission, world, programs and seed."""
+        digest = hashlib.sha256(write_mission(self.mission) + write_world(self.world))
+        digest.update(f"{self.seed}/{self.seconds_limit}/{SNAPSHOT_VERSION}".encode())
+        for name, image in sorted(self._images.items()):
+            assert image is not None, "staged before"
+            digest.update(name.encode() + image.to_bytes())
+        return digest.digest()
+
+    def snapshot(self) -> bytes:
+        """The whole state of the run; a `Simulation` of the same mission, world and seed goes on from it alike.
+
+        The bytes hold no wall clock and no address: another process, with or without Numba, continues identically. They
+        are trusted: what they say of programs is not verified again.
+        """
+        body = self._packing.pack(self.state)
+        return SNAPSHOT_MARK + self.identity + zlib.crc32(body).to_bytes(4, "little") + body
+
+    def restore(self, snapshot: bytes) -> None:
+        """Goes to a state of this very run, forward or back; `events` and `outcome` are what they were then.
+
+        Raises:
+            SimulationError: the bytes are damaged, or of another run; then nothing was changed.
+        """
+        mark, at = len(SNAPSHOT_MARK), len(SNAPSHOT_MARK) + 36
+        body = snapshot[at:]
+        if snapshot[:mark] != SNAPSHOT_MARK or zlib.crc32(body).to_bytes(4, "little") != snapshot[at - 4 : at]:
+            raise SimulationError("this is not a whole snapshot of a run", "take one with `snapshot()`")
+        if snapshot[mark : at - 4] != self.identity:
+            raise SimulationError(
+                "this snapshot is of another run", "its mission, world, programs, seed or time limit were others"
+            )
+        try:
+            self._packing.unpack(self.state, body)
+        except ValueError as error:
+            raise SimulationError("this is not a whole snapshot of a run", "take one with `snapshot()`") from error
+        self.outcome, self.sentence = None, ""
+        self.events = self._sayings.events(self.state)
+        self._look_for_an_end()
 
     # -- looking
 
@@ -202,12 +306,12 @@ class Simulation:
     @property
     def collisions(self) -> int:
         """How many times something began to touch something."""
-        return self._physics.collisions
+        return int(self.state.clock[COLLISIONS])
 
     @property
     def stock(self) -> dict[str, int]:
         """Boxes by storehouse."""
-        return {house.name: self.stage.stock[number] for number, house in enumerate(self.world.storehouses)}
+        return {house.name: int(self.stage.stock[number]) for number, house in enumerate(self.world.storehouses)}
 
     @property
     def total(self) -> int:
@@ -217,29 +321,30 @@ class Simulation:
     @property
     def delivered(self) -> dict[str, int]:
         """Boxes each carrier brought, by its name."""
-        return {agent.name: self.stage.delivered[agent.index] for agent in self.members if agent.kind == "carrier"}
+        return {agent.name: int(self.stage.delivered[agent.index]) for agent in self.members if agent.kind == "carrier"}
 
     def flags(self, index: int) -> int:
         """Lamp, alarm, arm and motion of an agent, as bits."""
-        bodies = self.stage.bodies
+        real, whole = self.state.real, self.state.whole
         return (
-            (LAMP if bodies.lamp[index] else 0)
-            | (ALARM if bodies.alarm[index] else 0)
-            | (ARM if bodies.arm[index] else 0)
-            | (MOVING if bodies.speed[index] or bodies.turn[index] else 0)
+            (LAMP if whole[columns.LAMP][index] else 0)
+            | (ALARM if whole[columns.ALARM][index] else 0)
+            | (ARM if whole[columns.ARM][index] else 0)
+            | (MOVING if real[columns.SPEED][index] or real[columns.TURN][index] else 0)
         )
 
     def poses(self) -> list[tuple[float, float, float, int, int]]:
         """(x mm, y mm, heading rad, load, flags) of each agent, in team order."""
-        bodies = self.stage.bodies
+        real, whole = self.state.real, self.state.whole
+        rows = [numbers(row) for row in (real[columns.X], real[columns.Y], real[columns.HEADING], whole[columns.LOAD])]
         return [
-            (bodies.x[i], bodies.y[i], normalised(bodies.heading[i]), bodies.load[i], self.flags(i))
-            for i in range(len(bodies))
+            (x, y, normalised(heading), load, self.flags(i))
+            for i, (x, y, heading, load) in enumerate(zip(*rows, strict=True))
         ]
 
     def view(self, index: int) -> AgentView:
         """An agent as it is now, by its place in the team."""
-        agent, bodies = self.members[index], self.stage.bodies
+        agent, real = self.members[index], self.state.real
         machine = agent.machine
         return AgentView(
             agent.name,
@@ -247,15 +352,15 @@ class Simulation:
             agent.robot.name,
             agent.kind,
             agent.number,
-            bodies.x[index],
-            bodies.y[index],
-            normalised(bodies.heading[index]),
-            bodies.load[index],
+            float(real[columns.X][index]),
+            float(real[columns.Y][index]),
+            normalised(real[columns.HEADING][index]),
+            int(self.state.whole[columns.LOAD][index]),
             self.flags(index),
             "running" if agent.busy else "idle" if agent.ended else "waiting",
             agent.active,
             machine.variables(),
-            {wire.name: machine.input(wire.name) for wire in agent.sensors},
+            {name: machine.input(name) for name in machine.layout.sensors},
             machine.fault,
         )
 

@@ -1,32 +1,36 @@
-"""Puts a mission into its world: every agent at its start, every device in its bank, every wire connected.
+"""Puts a mission into its world: every agent at its start, every device on its robot, everything into the tables.
 
-Everything wrong is found in one go and raised together. Left to others: what happens then (simulation).
+Everything wrong is found in one go and raised together. Left to others: what the tables look like (tables), and what
+happens then (simulation).
 """
 
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Mapping
 from functools import reduce
-from random import Random
 
 from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.image import Machine
 from kitrobot.mission import Agent as Member
 from kitrobot.mission import Mission
-from kitrobot.primitives import Catalogue, Robot, did_you_mean, shown
+from kitrobot.primitives import Catalogue, Robot, RobotObject, did_you_mean, shown
 from kitrobot.sim import rules
-from kitrobot.sim.agents import ActuatorWire, Agent, SensorWire
-from kitrobot.sim.bodies import FREE
-from kitrobot.sim.devices import Actuator, Device, Sensor, Stage, Standing, Values, actuators, sensors
-from kitrobot.sim.devices.base import ticks
+from kitrobot.sim.agents import Agent
+from kitrobot.sim.columns import AT, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
+from kitrobot.sim.devices import Device, Standing, Values
+from kitrobot.sim.grids import cell_at, fixed
 from kitrobot.sim.settings import find_device, read_settings
+from kitrobot.sim.tables import Tables, wall_rows
 from kitrobot.world import LOAD, Start, World, distance_to_stretch
 
-MAX_AGENTS = 10_000
+MAX_AGENTS = 100_000
 """Agents in one run at most."""
+
+MAX_OVERLAPS = 100
+"""So many robots in one another's way are told at most; there may be millions of pairs."""
 
 
 class SimulationError(KitRobotError):
@@ -34,7 +38,7 @@ class SimulationError(KitRobotError):
 
 
 class Staging:
-    """Builds the stage, the banks and the agents of a run.
+    """Builds the tables and the agents of a run.
 
     Raises:
         SimulationError: the mission cannot be run.
@@ -48,12 +52,12 @@ class Staging:
         self.images = images
         self.catalogue = catalogue
         self.seed = seed
-        self.stage = Stage(world)
         self.agents: list[Agent] = []
         self.problems: list[Diagnostic] = []
         self.step_ms = 1
-        self.actuators = {name: device(self.stage) for name, device in actuators().items()}
-        self.sensors = {name: device(self.stage) for name, device in sensors().items()}
+        self.tables = Tables(world, 1, seed)
+        self._machines: dict[str, Machine] = {}
+        self._standings: dict[tuple[str, str, str], Standing] = {}
         self._checked: dict[tuple[str, str, str], tuple[type[Device] | None, Values | None]] = {}
         self._starts = {start.name: start for start in world.starts}
         self._kinds: Counter[str] = Counter()
@@ -75,7 +79,7 @@ class Staging:
         if self.problems:
             return
         self.step_ms = reduce(math.gcd, (robot.tick_ms for robot in robots.values() if robot is not None))
-        self.stage.dt = self.step_ms / 1000
+        self.tables = Tables(self.world, self.step_ms, self.seed)
         for member in members:
             robot = robots[member.program]
             if robot is not None:
@@ -110,50 +114,52 @@ class Staging:
             help = did_you_mean(member.start_name, free) or f"starts of this world: {', '.join(free[:20]) or 'none'}"
             self.problems.append(rules.START(message, help=help))
             return
-        image = self.images[member.program].image
-        assert image is not None, "checked before"
-        index = self.stage.bodies.add(self.world.start_pose(start))
-        self.stage.delivered.append(0)
-        agent = Agent(index, member.name, member.program, robot, Machine(image, robot), robot.tick_ms // self.step_ms)
+        tables = self.tables
+        machine = self._machine(member.program, robot)
+        period = robot.tick_ms // self.step_ms
+        index = tables.add_robot(self.world.start_pose(start), robot, machine, period)
+        agent = Agent(index, member.name, member.program, robot, machine, period)
         self.agents.append(agent)
         standing = self._standing(start)
         if start.road:
-            self.stage.bodies.road[index] = standing.road
-            self.stage.bodies.at[index] = self.world.roads[standing.road].line.wrapped(start.at_mm)
-        for part in robot.actuators:
-            bank, values, number, chance = self._connect(agent, part.name, "actuator", standing, start)
-            if isinstance(bank, Actuator) and values is not None:
-                delay = ticks(values.number("latency"), self.stage.dt)
-                later = frozenset(method.name for method in part.methods if method.completes_later)
-                agent.add_actuator(ActuatorWire(part.name, bank, number, delay, later), delay)
-        for part in robot.sensors:
-            bank, values, number, chance = self._connect(agent, part.name, "sensor", standing, start)
-            if isinstance(bank, Sensor) and values is not None:
-                delay = ticks(values.number("latency"), robot.tick_ms / 1000)
-                noise = values.number("noise") if any(item.name == "noise" for item in bank.settings) else 0.0
-                agent.sensors.append(SensorWire(part.name, bank, number, delay, noise, chance))
+            tables.whole[ROAD][index] = standing.road
+            tables.real[AT][index] = self.world.roads[standing.road].line.wrapped(start.at_mm)
+        for parts in (robot.actuators, robot.sensors):
+            for number, part in enumerate(parts):
+                device, values = self._device(agent, part, standing, start)
+                if device is not None and values is not None:
+                    tables.add_device(index, number, part, device, values, standing, agent.name)
         agent.kind = self._kind(agent, standing)
         self._kinds[agent.kind] += 1
         agent.number = self._kinds[agent.kind]
 
-    def _standing(self, start: Start) -> Standing:
-        docks, roads, houses = self.world.docks, self.world.roads, self.world.storehouses
-        dock = next((number for number, dock in enumerate(docks) if dock.name == start.dock), -1)
-        road_name = docks[dock].road if dock >= 0 else start.road
-        house_name = docks[dock].storehouse if dock >= 0 else start.storehouse
-        road = next((number for number, road in enumerate(roads) if road.name == road_name), -1)
-        house = next((number for number, house in enumerate(houses) if house.name == house_name), -1)
-        return Standing(road, dock, house)
+    def _machine(self, program: str, robot: Robot) -> Machine:
+        """A machine at the beginning of a program; those of one program share what does not change."""
+        first = self._machines.get(program)
+        if first is None:
+            image = self.images[program].image
+            assert image is not None, "checked before"
+            first = self._machines[program] = Machine(image, robot)
+        return first.twin()
 
-    def _connect(
-        self, agent: Agent, name: str, category: str, standing: Standing, start: Start
-    ) -> tuple[Device | None, Values | None, int, Random]:
-        """One device of an agent, added to its bank: (bank, settings, its number there, its own chance)."""
-        chance = Random(f"{self.seed}/{agent.name}/{category}/{name}")
+    def _standing(self, start: Start) -> Standing:
+        key = (start.dock, start.road, start.storehouse)
+        if key not in self._standings:
+            docks, roads, houses = self.world.docks, self.world.roads, self.world.storehouses
+            dock = next((number for number, dock in enumerate(docks) if dock.name == start.dock), -1)
+            road_name = docks[dock].road if dock >= 0 else start.road
+            house_name = docks[dock].storehouse if dock >= 0 else start.storehouse
+            road = next((number for number, road in enumerate(roads) if road.name == road_name), -1)
+            house = next((number for number, house in enumerate(houses) if house.name == house_name), -1)
+            self._standings[key] = Standing(road, dock, house)
+        return self._standings[key]
+
+    def _device(
+        self, agent: Agent, part: RobotObject, standing: Standing, start: Start
+    ) -> tuple[type[Device] | None, Values | None]:
+        """What simulates an actuator or sensor of an agent, and its settings; None for what is wrong."""
         robot = agent.robot
-        parts = robot.actuators if category == "actuator" else robot.sensors
-        part = next(part for part in parts if part.name == name)
-        key = (robot.name, category, name)
+        key = (robot.name, part.category.value, part.name)
         if key not in self._checked:
             device, problems = find_device(robot, part)
             values = None
@@ -164,18 +170,16 @@ class Staging:
             self._checked[key] = (None, None) if problems else (device, values)
         device, values = self._checked[key]
         if device is None or values is None:
-            return None, None, 0, chance
+            return None, None
         needs = "road" if values.says("guide", "road") else device.needs
         has = {"road": bool(start.road), "dock": standing.dock >= 0, "storehouse": standing.storehouse >= 0}
         if needs and not has[needs]:
             message = (
-                f"{agent.name} has {robot.name}.{name}, which needs a {needs}, and the start {start.name} has none"
+                f"{agent.name} has {robot.name}.{part.name}, which needs a {needs}, and the start {start.name} has none"
             )
             self.problems.append(rules.START(message, help=f'give the <start> of this agent a {needs}="…"'))
-            return None, None, 0, chance
-        banks: Mapping[str, Device] = self.actuators if category == "actuator" else self.sensors
-        bank = banks[part.device]
-        return bank, values, bank.add(agent.index, part, values, standing, chance), chance
+            return None, None
+        return device, values
 
     def _kind(self, agent: Agent, standing: Standing) -> str:
         """How to draw it: carrier, loader, unloader, store-manager, or any other robot."""
@@ -188,33 +192,43 @@ class Staging:
 
     def _nobody_overlaps(self) -> None:
         """Robots start apart from one another and from the walls."""
-        bodies, world = self.stage.bodies, self.world
-        solid = [robot for robot in range(len(bodies)) if bodies.solid[robot]]
-        for robot in solid:
-            if bodies.road[robot] != FREE:
+        real, whole, world = self.tables.real, self.tables.whole, self.world
+        solid = [robot for robot in range(len(self.agents)) if whole[SOLID][robot]]
+        walls = wall_rows(world)
+        grid = fixed(walls, max((real[RADIUS][robot] for robot in solid), default=0.0))
+        for robot in solid if world.walls else ():
+            x, y = real[X][robot], real[Y][robot]
+            cell = cell_at(x, y, grid.frame, grid.shape)
+            if whole[ROAD][robot] != FREE or cell < 0:
                 continue
-            for wall in world.walls:
-                x, y = bodies.x[robot], bodies.y[robot]
-                away, _ = distance_to_stretch(x, y, wall.x1_mm, wall.y1_mm, wall.x2_mm, wall.y2_mm)
-                if away < bodies.radius[robot]:
+            for wall in grid.items[grid.starts[cell] : grid.starts[cell + 1]]:
+                away, _ = distance_to_stretch(x, y, *(row[wall] for row in walls))
+                if away < real[RADIUS][robot]:
                     message = f"{self.agents[robot].name} starts in a wall"
                     self.problems.append(rules.START(message, help="move its start away from the wall"))
                     break
-        order = sorted(solid, key=lambda robot: bodies.x[robot])
-        widest = max((bodies.length[robot] for robot in solid), default=0.0)
-        for place, robot in enumerate(order):
-            for other in order[place + 1 :]:
-                if bodies.x[other] - bodies.x[robot] > widest:
-                    break
-                if self._overlap(robot, other):
-                    message = f"{self.agents[robot].name} and {self.agents[other].name} start in the same place"
-                    self.problems.append(rules.START(message, help="give them starts that are apart"))
+        size = max((real[LENGTH][robot] for robot in solid), default=0.0)
+        cells: defaultdict[tuple[int, int], list[int]] = defaultdict(list)
+        found = 0
+        for robot in solid:
+            column, row = math.floor(real[X][robot] / size), math.floor(real[Y][robot] / size)
+            for near in ((column + dx, row + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)):
+                for other in cells.get(near, ()):
+                    if self._overlap(robot, other):
+                        message = f"{self.agents[other].name} and {self.agents[robot].name} start in the same place"
+                        self.problems.append(rules.START(message, help="give them starts that are apart"))
+                        found += 1
+                        if found == MAX_OVERLAPS:
+                            return
+            cells[column, row].append(robot)
 
     def _overlap(self, robot: int, other: int) -> bool:
-        bodies = self.stage.bodies
-        road = bodies.road[robot]
-        if road != FREE and road == bodies.road[other]:
-            way = self.stage.road_distance(road, bodies.at[robot], bodies.at[other])
-            return way < (bodies.length[robot] + bodies.length[other]) / 2
-        away = math.hypot(bodies.x[robot] - bodies.x[other], bodies.y[robot] - bodies.y[other])
-        return away < bodies.radius[robot] + bodies.radius[other]
+        real, road = self.tables.real, self.tables.whole[ROAD]
+        if road[robot] != FREE and road[robot] == road[other]:
+            line = self.world.roads[road[robot]].line
+            way = abs(real[AT][robot] - real[AT][other])
+            if line.closed:
+                way = min(way, line.length_mm - way)
+            return way < (real[LENGTH][robot] + real[LENGTH][other]) / 2
+        away = math.hypot(real[X][robot] - real[X][other], real[Y][robot] - real[Y][other])
+        return away < real[RADIUS][robot] + real[RADIUS][other]

@@ -6,19 +6,18 @@ import importlib
 import pkgutil
 from functools import cache
 
-from kitrobot.sim.devices.base import LATENCY, Actuator, Device, Sensor, Setting, Stage, Standing, Values
+from kitrobot.sim.devices.base import Actuator, Device, Sensor, Setting, Standing, Values, ticks
 
 __all__ = [
-    "LATENCY",
     "Actuator",
     "Device",
     "Sensor",
     "Setting",
-    "Stage",
     "Standing",
     "Values",
     "actuators",
     "sensors",
+    "ticks",
 ]
 
 
@@ -30,16 +29,16 @@ def _all() -> tuple[type[Device], ...]:
         for value in vars(importlib.import_module(f"{__name__}.{module.name}")).values():
             if isinstance(value, type) and issubclass(value, Device) and value.name and value not in found:
                 found.append(value)
-    return tuple(found)
+    return tuple(sorted(found, key=lambda device: device.name))
 
 
 @cache
 def actuators() -> dict[str, type[Actuator]]:
-    """Device name → bank, for what does something."""
+    """Device name → what it is, for what does something; in the order of their kinds."""
     return {device.name: device for device in _all() if issubclass(device, Actuator)}
 
 
 @cache
 def sensors() -> dict[str, type[Sensor]]:
-    """Device name → bank, for what measures."""
+    """Device name → what it is, for what measures; in the order of their kinds."""
     return {device.name: device for device in _all() if issubclass(device, Sensor)}

@@ -7,89 +7,120 @@ and says so. Boxes are never made or lost.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from random import Random
-
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.devices.base import LATENCY, Actuator, Setting, Stage, Standing, Values
+from kitrobot.sim.columns import (
+    A_DOCK,
+    A_DONE,
+    A_NOISE,
+    A_P,
+    A_Q,
+    A_ROBOT,
+    A_STORE,
+    A_WAY,
+    ARM,
+    DELIVERED,
+    LOAD,
+    LOADED,
+    NO_BOX,
+    NO_EMPTY_CARRIER,
+    NO_LOADED_CARRIER,
+    NO_ROOM,
+    UNLOADED,
+    tell,
+)
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
+from kitrobot.sim.docks import carrier_in
 
-LOAD = "Load"
+ARM_DEVICE = 0
+_LOAD, _UNLOAD = range(2)
 
 
 class Arm(Actuator):
     """`Load()` takes a box from the storehouse to the carrier, `Unload()` back."""
 
     name = "arm"
-    procedures = frozenset({LOAD, "Unload"})
+    kind = ARM_DEVICE
+    procedures = ("Load", "Unload")
     settings = (
         LATENCY,
+        LOST_COMMANDS,
         Setting("time", 2000.0, "how long one box takes", "ms", 1.0, 3_600_000.0),
         Setting("noise", 0.0, "how far that time may be off (one standard deviation)", "%", 0.0, 50.0),
     )
     needs = "dock"
 
-    def __init__(self, stage: Stage) -> None:
-        super().__init__(stage)
-        self.seconds: list[float] = []
-        self.noise: list[float] = []
-        self.chance: list[Random] = []
-        self.left: list[float] = []
-        self.loads: list[bool] = []
-        self.dock: list[int] = []
-        self.road: list[int] = []
-        self.storehouse: list[int] = []
+    @classmethod
+    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+        return (values.number("time") / 1000,)
 
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        self.seconds.append(values.number("time") / 1000)
-        self.noise.append(values.number("noise") / 100)
-        self.chance.append(chance)
-        self.left.append(0.0)
-        self.loads.append(False)
-        self.dock.append(standing.dock)
-        self.road.append(standing.road)
-        self.storehouse.append(standing.storehouse)
-        return super().add(robot, part, values, standing, chance)
 
-    def take(self, device: int, procedure: str, arguments: Sequence[int]) -> None:
-        seconds = self.seconds[device]
-        if self.noise[device]:
-            seconds *= max(0.1, 1 + self.chance[device].gauss(0.0, self.noise[device]))
-        self.left[device] = seconds
-        self.loads[device] = procedure == LOAD
-        self.done[device] = 0
-        self.stage.bodies.arm[self.robot[device]] = 1
+def take_arm(
+    k: int,
+    procedure: int,
+    deviate: float,
+    actuator: list[list[int]],
+    actuator_real: list[list[float]],
+    arm: list[int],
+) -> None:
+    """Begins to do what a command says. P is the seconds a box takes, Q those that are left."""
+    factor = 1.0 + deviate * actuator_real[A_NOISE][k]
+    if factor < 0.1:
+        factor = 0.1
+    actuator_real[A_Q][k] = actuator_real[A_P][k] * factor
+    actuator[A_WAY][k] = procedure
+    actuator[A_DONE][k] = 0
+    arm[actuator[A_ROBOT][k]] = 1
 
-    def move(self, dt: float) -> None:
-        for device, robot in enumerate(self.robot):
-            if self.done[device]:
-                continue
-            self.left[device] -= dt
-            if self.left[device] <= 1e-9:
-                self._hand_over(device)
-                self.done[device] = 1
-                self.stage.bodies.arm[robot] = 0
 
-    def _hand_over(self, device: int) -> None:
-        stage, robot, house = self.stage, self.robot[device], self.storehouse[device]
-        dock = stage.world.docks[self.dock[device]]
-        carrier = stage.carrier_in(dock, self.road[device])
-        name = stage.world.storehouses[house].name
-        if self.loads[device]:
-            if carrier < 0 or stage.bodies.load[carrier]:
-                stage.happened.append(("message", robot, f"no empty carrier stands in dock {dock.name}"))
-            elif stage.stock[house] == 0:
-                stage.happened.append(("message", robot, f"storehouse {name} has no box"))
+def move_arms(
+    first: int,
+    last: int,
+    dt: float,
+    actuator: list[list[int]],
+    actuator_real: list[list[float]],
+    real: list[list[float]],
+    whole: list[list[int]],
+    carriers: list[int],
+    docks: list[list[float]],
+    dock_road: list[int],
+    road_length: list[float],
+    closed: list[int],
+    stock: list[int],
+    capacity: list[int],
+    events: list[int],
+    clock: list[int],
+) -> None:
+    """Goes on for a step with the devices `first` … `last` - 1."""
+    done = actuator[A_DONE]
+    for k in range(first, last):
+        if done[k]:
+            continue
+        left = actuator_real[A_Q][k] - dt
+        actuator_real[A_Q][k] = left
+        if left > 1e-9:
+            continue
+        robot = actuator[A_ROBOT][k]
+        done[k] = 1
+        whole[ARM][robot] = 0
+        house = actuator[A_STORE][k]
+        dock = actuator[A_DOCK][k]
+        load = whole[LOAD]
+        carrier = carrier_in(dock, real, whole, carriers, docks, dock_road, road_length, closed)
+        if actuator[A_WAY][k] == _LOAD:
+            if carrier < 0 or load[carrier]:
+                tell(events, clock, NO_EMPTY_CARRIER, robot, dock, 0)
+            elif stock[house] == 0:
+                tell(events, clock, NO_BOX, robot, house, 0)
             else:
-                stage.stock[house] -= 1
-                stage.bodies.load[carrier] = 1
-                stage.happened.append(("load", robot, f"a box from {name}"))
-        elif carrier < 0 or not stage.bodies.load[carrier]:
-            stage.happened.append(("message", robot, f"no loaded carrier stands in dock {dock.name}"))
-        elif stage.stock[house] >= stage.capacity[house]:
-            stage.happened.append(("message", robot, f"storehouse {name} is full"))
+                stock[house] -= 1
+                load[carrier] = 1
+                tell(events, clock, LOADED, robot, house, 0)
+        elif carrier < 0 or load[carrier] == 0:
+            tell(events, clock, NO_LOADED_CARRIER, robot, dock, 0)
+        elif stock[house] >= capacity[house]:
+            tell(events, clock, NO_ROOM, robot, house, 0)
         else:
-            stage.stock[house] += 1
-            stage.bodies.load[carrier] = 0
-            stage.delivered[carrier] += 1
-            stage.happened.append(("unload", robot, f"a box into {name}"))
-        assert stage.still_there(), "a box was made or lost"
+            stock[house] += 1
+            load[carrier] = 0
+            whole[DELIVERED][carrier] += 1
+            tell(events, clock, UNLOADED, robot, house, 0)

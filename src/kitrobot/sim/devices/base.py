@@ -1,25 +1,24 @@
-"""What every simulated device is: a bank of all devices of one kind in a run, with flat lists, one entry a device.
+"""What every simulated device is: its name in robots' XML, its settings, and loops over all devices of its kind.
 
 A module of this package that defines a subclass with a `name` is a device; nobody keeps a list. `settings` says which
 attributes of the robot's XML it understands, with their units and bounds, so that every number of its behaviour is in
-the XML. An actuator takes commands by the names of its procedures and raises `done` again when something that takes
-longer has ended; a sensor fills `values`. What all of them share, latency and noise, is done by the agents (see
-agents).
+the XML. The class only describes; a device's state and numbers are its entries in the tables of the run (see columns),
+where `reals` fills the columns P, Q, … that are its own. What it does is in loops beside the class, in the Python that
+Numba compiles: a sensor's `sense_…` measures into S_VALUE, an actuator's `take_…` begins what a command says and its
+`move_…` goes on for a step. `stepping` calls them.
 
-Left to others: clamping to the sensor's range (the machine), when to sample (simulation).
+What all of them share, latency, noise and drop-outs, is done in one place each: `sampling` for sensors, `commanding`
+for actuators; only how noise changes what an actuator does is its own.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from random import Random
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import ClassVar
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.bodies import Bodies, Ways
-from kitrobot.world import Dock, World
 
 
 @dataclass(frozen=True)
@@ -36,6 +35,10 @@ class Setting:
 
 
 LATENCY = Setting("latency", 0.0, "how much later it works, or how old what it reads is", "ms", most=60_000.0)
+LOST_READINGS = Setting("dropout", 0.0, "how often a reading is lost and the one before stays", "%", 0.0, 100.0)
+LOST_COMMANDS = Setting("dropout", 0.0, "how often a command does not reach it", "%", 0.0, 100.0)
+SPREAD = Setting("noise", 0.0, "how far a reading may be off (one standard deviation)", "", 0.0, 1000.0)
+WRONG = Setting("noise", 0.0, "how often it reads something else than what is there", "%", 0.0, 100.0)
 
 
 class Values:
@@ -60,6 +63,12 @@ class Values:
         """Whether there is such a setting and it is that word."""
         return self._values.get(name) == word
 
+    def part(self, name: str) -> float:
+        """A setting in percent as a part of 1; 0 when there is no such setting."""
+        value = self._values.get(name, 0.0)
+        assert isinstance(value, float), f"{name} is a word"
+        return value / 100
+
 
 @dataclass(frozen=True)
 class Standing:
@@ -70,117 +79,33 @@ class Standing:
     storehouse: int = -1
 
 
-@dataclass
-class Stage:
-    """What all devices of a run share: the robots, the roads, the walls, the stock.
-
-    `stock[h]` is the number of boxes in the storehouse h; `delivered[i]` how many boxes robot i brought to a dock.
-    Boxes are never made or lost: `total` stays the sum of all stock and all loads.
-    """
-
-    world: World
-    bodies: Bodies = field(default_factory=Bodies)
-    ways: Ways = field(init=False)
-    stock: list[int] = field(init=False)
-    capacity: list[int] = field(init=False)
-    delivered: list[int] = field(default_factory=list)
-    wall_x1: list[float] = field(init=False)
-    wall_y1: list[float] = field(init=False)
-    wall_x2: list[float] = field(init=False)
-    wall_y2: list[float] = field(init=False)
-    dt: float = 0.02
-    total: int = 0
-    happened: list[tuple[str, int, str]] = field(default_factory=list)
-    """What happened in this step: kind, agent, text."""
-
-    def __post_init__(self) -> None:
-        world = self.world
-        self.ways = Ways(world.roads)
-        self.stock = [house.stock for house in world.storehouses]
-        self.capacity = [house.capacity for house in world.storehouses]
-        self.wall_x1 = [wall.x1_mm for wall in world.walls]
-        self.wall_y1 = [wall.y1_mm for wall in world.walls]
-        self.wall_x2 = [wall.x2_mm for wall in world.walls]
-        self.wall_y2 = [wall.y2_mm for wall in world.walls]
-        self.total = sum(self.stock)
-
-    def still_there(self) -> bool:
-        """Whether no box was made or lost."""
-        return self.total == sum(self.stock) + sum(self.bodies.load)
-
-    def road_distance(self, road: int, start: float, end: float) -> float:
-        """The way between two places on a road, the shorter one on a ring."""
-        distance = abs(end - start)
-        return min(distance, self.ways.length[road] - distance) if self.ways.closed[road] else distance
-
-    def carrier_in(self, dock: Dock, road: int) -> int:
-        """The robot with a bed that stands still in the dock, or -1; the nearest when there are several."""
-        bodies, best, found = self.bodies, dock.reach_mm, -1
-        for robot in range(len(bodies)):
-            if bodies.bed[robot] and bodies.road[robot] == road and bodies.speed[robot] == 0.0:
-                distance = self.road_distance(road, bodies.at[robot], dock.at_mm)
-                if distance <= best and (found < 0 or distance < best):
-                    best, found = distance, robot
-        return found
-
-
 class Device:
-    """A bank. `robot[k]` is the robot that device k is part of."""
+    """A kind of device; `kind` is its number among the sensors, or among the actuators, in the order of names."""
 
     name: ClassVar[str] = ""
+    kind: ClassVar[int] = -1
     settings: ClassVar[tuple[Setting, ...]] = ()
     needs: ClassVar[str] = ""
     """Where its robot must start: "road", "dock", "storehouse", or anywhere."""
 
-    def __init__(self, stage: Stage) -> None:
-        self.stage = stage
-        self.robot: list[int] = []
+    @classmethod
+    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+        """What stands in the columns P, Q, … of one such device at the start; the rest is 0."""
+        return ()
 
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        """Adds one device and gives its number in this bank. `chance` is its own, from the run's seed."""
-        self.robot.append(robot)
-        return len(self.robot) - 1
+    @classmethod
+    def fit(cls, robot: int, real: list[list[float]], whole: list[list[int]], values: Values) -> None:
+        """What having this device makes of a robot: its size, its bed."""
 
 
 class Actuator(Device):
-    """A bank of devices that do something."""
+    """A device that does something; `procedures` are numbered in the order in which they stand."""
 
-    procedures: ClassVar[frozenset[str]] = frozenset()
-
-    def __init__(self, stage: Stage) -> None:
-        super().__init__(stage)
-        self.done: list[int] = []
-
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        self.done.append(1)
-        return super().add(robot, part, values, standing, chance)
-
-    def take(self, device: int, procedure: str, arguments: Sequence[int]) -> None:
-        """Begins to do what a command says, in place of what it did before."""
-        raise NotImplementedError
-
-    def move(self, dt: float) -> None:
-        """Goes on for one step."""
-
-    def busy(self, device: int) -> bool:
-        """Whether it will change something without a new command."""
-        return self.done[device] == 0
+    procedures: ClassVar[tuple[str, ...]] = ()
 
 
 class Sensor(Device):
-    """A bank of devices that measure."""
-
-    def __init__(self, stage: Stage) -> None:
-        super().__init__(stage)
-        self.values: list[int] = []
-
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        self.values.append(0)
-        return super().add(robot, part, values, standing, chance)
-
-    def sense(self) -> None:
-        """Measures, for all devices of this bank."""
-        raise NotImplementedError
+    """A device that measures."""
 
 
 def ticks(time_ms: float, dt: float) -> int:

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from random import Random
+from kitrobot.sim.columns import BED
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Values
 
-from kitrobot.primitives import RobotObject
-from kitrobot.sim.devices.base import LATENCY, Sensor, Standing, Values
+CARGO = 1
 
 
 class Cargo(Sensor):
     """1 while a box lies on the bed."""
 
     name = "cargo"
-    settings = (LATENCY,)
+    kind = CARGO
+    settings = (LATENCY, LOST_READINGS, WRONG)
 
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        self.stage.bodies.bed[robot] = 1
-        return super().add(robot, part, values, standing, chance)
+    @classmethod
+    def fit(cls, robot: int, real: list[list[float]], whole: list[list[int]], values: Values) -> None:
+        whole[BED][robot] = 1
 
-    def sense(self) -> None:
-        load = self.stage.bodies.load
-        for device, robot in enumerate(self.robot):
-            self.values[device] = load[robot]
+
+def sense_cargo(first: int, last: int, robots: list[int], load: list[int], values: list[int]) -> None:
+    """Measures with the devices `first` … `last` - 1."""
+    for k in range(first, last):
+        values[k] = load[robots[k]]

@@ -2,41 +2,108 @@
 
 from __future__ import annotations
 
-import math
-from random import Random
-
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.bodies import FREE
-from kitrobot.sim.devices.base import LATENCY, Sensor, Setting, Stage, Standing, Values
+from kitrobot.sim.columns import (
+    ALARM,
+    DIRECTED,
+    ENDED,
+    GAP_AHEAD,
+    GAP_BEHIND,
+    RADIUS,
+    ROAD,
+    S_P,
+    S_ROBOT,
+    S_VALUE,
+    SPEED,
+    TARGET,
+    TOUCHING,
+    UX,
+    UY,
+    X,
+    Y,
+)
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
 from kitrobot.sim.sight import ray_to_discs
+
+COLLISION_SENSOR = 2
 
 
 class Collision(Sensor):
     """1 while a robot is nearer than `reach`, bumper to bumper along the road, or touches; 0 otherwise."""
 
     name = "collision"
-    settings = (LATENCY, Setting("reach", 120.0, "how far it looks in front of the bumper", "mm", 0.0, 100_000.0))
+    kind = COLLISION_SENSOR
+    settings = (
+        LATENCY,
+        LOST_READINGS,
+        WRONG,
+        Setting("reach", 120.0, "how far it looks in front of the bumper", "mm", 0.0, 100_000.0),
+    )
 
-    def __init__(self, stage: Stage) -> None:
-        super().__init__(stage)
-        self.reach: list[float] = []
+    @classmethod
+    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+        return (values.number("reach"),)
 
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        self.reach.append(values.number("reach"))
-        return super().add(robot, part, values, standing, chance)
+    @classmethod
+    def fit(cls, robot: int, real: list[list[float]], whole: list[list[int]], values: Values) -> None:
+        whole[DIRECTED][robot] = 1
 
-    def sense(self) -> None:
-        bodies = self.stage.bodies
-        for device, robot in enumerate(self.robot):
-            backwards = bodies.speed[robot] < 0.0 or (bodies.speed[robot] == 0.0 and bodies.target[robot] < 0.0)
-            reach = self.reach[device]
-            if bodies.road[robot] == FREE:
-                angle = bodies.heading[robot] + (math.pi if backwards else 0.0)
-                radius, x, y = bodies.radius[robot], bodies.x[robot], bodies.y[robot]
+
+def sense_collisions(
+    first: int,
+    last: int,
+    sensor: list[list[int]],
+    sensor_real: list[list[float]],
+    real: list[list[float]],
+    whole: list[list[int]],
+    frame: list[float],
+    shape: list[int],
+    starts: list[int],
+    items: list[int],
+    cells: list[int],
+    exits: list[float],
+) -> None:
+    """Measures with the devices `first` … `last` - 1, and lights the alarm of their robots."""
+    robots = sensor[S_ROBOT]
+    values = sensor[S_VALUE]
+    reaches = sensor_real[S_P]
+    ended = whole[ENDED]
+    road = whole[ROAD]
+    touching = whole[TOUCHING]
+    alarm = whole[ALARM]
+    speed = real[SPEED]
+    target = real[TARGET]
+    for k in range(first, last):
+        i = robots[k]
+        near = 0
+        if ended[i] == 0:
+            backwards = speed[i] < 0.0 or (speed[i] == 0.0 and target[i] < 0.0)
+            if touching[i]:
+                near = 1
+            elif road[i] >= 0:
+                if (real[GAP_BEHIND][i] if backwards else real[GAP_AHEAD][i]) <= reaches[k]:
+                    near = 1
+            elif len(items) > 0:
+                side = -1.0 if backwards else 1.0
+                reach = reaches[k] + real[RADIUS][i]
                 far = ray_to_discs(
-                    x, y, angle, reach + radius + 1, robot, bodies.x, bodies.y, bodies.radius, bodies.solid
+                    real[X][i],
+                    real[Y][i],
+                    side * real[UX][i],
+                    side * real[UY][i],
+                    reach + 1.0,
+                    i,
+                    real[X],
+                    real[Y],
+                    real[RADIUS],
+                    frame,
+                    shape,
+                    starts,
+                    items,
+                    cells,
+                    exits,
                 )
-                near = far - radius <= reach
-            else:
-                near = (bodies.gap_behind[robot] if backwards else bodies.gap_ahead[robot]) <= reach
-            self.values[device] = bodies.alarm[robot] = 1 if near or bodies.touching[robot] else 0
+                if far <= reach:
+                    near = 1
+        values[k] = near
+        alarm[i] = near

@@ -2,49 +2,63 @@
 
 from __future__ import annotations
 
-import math
-from random import Random
-
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.devices.base import LATENCY, Sensor, Setting, Stage, Standing, Values
-from kitrobot.sim.sight import distance_to_path
-from kitrobot.world import COLOURS
+from kitrobot.sim.columns import DIRECTED, ENDED, S_P, S_Q, S_ROBOT, S_VALUE, UX, UY, X, Y
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
+from kitrobot.sim.sight import colour_at
+
+COLOUR = 3
 
 
 class Colour(Sensor):
     """The number of the coloured line under it (1 red, 2 green, 3 blue), or 0; the last line is on top."""
 
     name = "colour"
+    kind = COLOUR
     settings = (
         LATENCY,
+        LOST_READINGS,
+        WRONG,
         Setting("ahead", 0.0, "how far in front of the robot's middle it looks", "mm", -10_000.0, 10_000.0),
         Setting("side", 0.0, "how far to the left of the robot's middle it looks", "mm", -10_000.0, 10_000.0),
     )
 
-    def __init__(self, stage: Stage) -> None:
-        super().__init__(stage)
-        self.ahead: list[float] = []
-        self.side: list[float] = []
-        self.lines = [
-            (COLOURS[line.colour], line.width_mm / 2, list(line.line.xs), list(line.line.ys))
-            for line in reversed(stage.world.lines)
-        ]
+    @classmethod
+    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+        return values.number("ahead"), values.number("side")
 
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        self.ahead.append(values.number("ahead"))
-        self.side.append(values.number("side"))
-        return super().add(robot, part, values, standing, chance)
+    @classmethod
+    def fit(cls, robot: int, real: list[list[float]], whole: list[list[int]], values: Values) -> None:
+        whole[DIRECTED][robot] = 1
 
-    def sense(self) -> None:
-        bodies = self.stage.bodies
-        for device, robot in enumerate(self.robot):
-            self.values[device] = 0
-            if not self.lines:
-                continue
-            ux, uy = math.cos(bodies.heading[robot]), math.sin(bodies.heading[robot])
-            x = bodies.x[robot] + self.ahead[device] * ux - self.side[device] * uy
-            y = bodies.y[robot] + self.ahead[device] * uy + self.side[device] * ux
-            for colour, half, xs, ys in self.lines:
-                if distance_to_path(x, y, xs, ys, 0, len(xs) - 1) <= half:
-                    self.values[device] = colour
-                    break
+
+def sense_colours(
+    first: int,
+    last: int,
+    sensor: list[list[int]],
+    sensor_real: list[list[float]],
+    real: list[list[float]],
+    whole: list[list[int]],
+    stretches: list[list[float]],
+    colours: list[int],
+    frame: list[float],
+    shape: list[int],
+    starts: list[int],
+    items: list[int],
+) -> None:
+    """Measures with the devices `first` … `last` - 1; without lines everything stays 0."""
+    if len(items) == 0:
+        return
+    robots = sensor[S_ROBOT]
+    values = sensor[S_VALUE]
+    aheads = sensor_real[S_P]
+    sides = sensor_real[S_Q]
+    ended = whole[ENDED]
+    for k in range(first, last):
+        i = robots[k]
+        if ended[i] == 0:
+            ux = real[UX][i]
+            uy = real[UY][i]
+            x = real[X][i] + aheads[k] * ux - sides[k] * uy
+            y = real[Y][i] + aheads[k] * uy + sides[k] * ux
+            values[k] = colour_at(x, y, stretches, colours, frame, shape, starts, items)

@@ -2,43 +2,55 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from random import Random
-
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.devices.base import LATENCY, Actuator, Setting, Stage, Standing, Values
+from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_S
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
+
+DOOR = 1
 
 
 class Door(Actuator):
-    """`Open()` and `Close()`; `place[k]` goes from 0 (closed) to 1 (open)."""
+    """`Open()` and `Close()`; its place goes from 0 (closed) to 1 (open)."""
 
     name = "door"
-    procedures = frozenset({"Open", "Close"})
-    settings = (LATENCY, Setting("time", 1000.0, "how long it takes from closed to open", "ms", 1.0, 3_600_000.0))
+    kind = DOOR
+    procedures = ("Close", "Open")
+    settings = (
+        LATENCY,
+        LOST_COMMANDS,
+        Setting("time", 1000.0, "how long it takes from closed to open", "ms", 1.0, 3_600_000.0),
+        Setting("noise", 0.0, "how far that time may be off (one standard deviation)", "%", 0.0, 50.0),
+    )
 
-    def __init__(self, stage: Stage) -> None:
-        super().__init__(stage)
-        self.place: list[float] = []
-        self.goal: list[float] = []
-        self.seconds: list[float] = []
+    @classmethod
+    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+        return 0.0, 0.0, values.number("time") / 1000, values.number("time") / 1000
 
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        self.place.append(0.0)
-        self.goal.append(0.0)
-        self.seconds.append(values.number("time") / 1000)
-        return super().add(robot, part, values, standing, chance)
 
-    def take(self, device: int, procedure: str, arguments: Sequence[int]) -> None:
-        self.goal[device] = 1.0 if procedure == "Open" else 0.0
-        self.done[device] = 0
+def take_door(
+    k: int, procedure: int, deviate: float, actuator: list[list[int]], actuator_real: list[list[float]]
+) -> None:
+    """Begins to do what a command says. P is the place, Q where it goes, R the seconds for all of it, S those now."""
+    factor = 1.0 + deviate * actuator_real[A_NOISE][k]
+    if factor < 0.1:
+        factor = 0.1
+    actuator_real[A_S][k] = actuator_real[A_R][k] * factor
+    actuator_real[A_Q][k] = float(procedure)
+    actuator[A_DONE][k] = 0
 
-    def move(self, dt: float) -> None:
-        for device in range(len(self.robot)):
-            if self.done[device]:
-                continue
-            way, step = self.goal[device] - self.place[device], dt / self.seconds[device]
-            if abs(way) <= step + 1e-12:
-                self.place[device] = self.goal[device]
-                self.done[device] = 1
-            else:
-                self.place[device] += step if way > 0 else -step
+
+def move_doors(first: int, last: int, dt: float, actuator: list[list[int]], actuator_real: list[list[float]]) -> None:
+    """Goes on for a step with the devices `first` … `last` - 1."""
+    done = actuator[A_DONE]
+    for k in range(first, last):
+        if done[k]:
+            continue
+        way = actuator_real[A_Q][k] - actuator_real[A_P][k]
+        step = dt / actuator_real[A_S][k]
+        if abs(way) <= step + 1e-12:
+            actuator_real[A_P][k] = actuator_real[A_Q][k]
+            done[k] = 1
+        elif way > 0.0:
+            actuator_real[A_P][k] += step
+        else:
+            actuator_real[A_P][k] -= step

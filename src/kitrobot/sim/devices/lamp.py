@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator
 
-from kitrobot.sim.devices.base import LATENCY, Actuator
+LAMP_DEVICE = 3
 
 
 class Lamp(Actuator):
     """`LightOn()`, `LightOff()`."""
 
     name = "lamp"
-    procedures = frozenset({"LightOn", "LightOff"})
-    settings = (LATENCY,)
+    kind = LAMP_DEVICE
+    procedures = ("LightOff", "LightOn")
+    settings = (LATENCY, LOST_COMMANDS)
 
-    def take(self, device: int, procedure: str, arguments: Sequence[int]) -> None:
-        self.stage.bodies.lamp[self.robot[device]] = 1 if procedure == "LightOn" else 0
+
+def take_lamp(robot: int, procedure: int, lamp: list[int]) -> None:
+    """Does what a command says."""
+    lamp[robot] = procedure

@@ -2,28 +2,21 @@
 
 from __future__ import annotations
 
-from random import Random
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor
 
-from kitrobot.primitives import RobotObject
-from kitrobot.sim.devices.base import LATENCY, Sensor, Stage, Standing, Values
+STORE = 7
 
 
 class Store(Sensor):
     """The number of boxes in the storehouse where the robot starts, or whose dock it stands at."""
 
     name = "store"
-    settings = (LATENCY,)
+    kind = STORE
+    settings = (LATENCY, LOST_READINGS, SPREAD)
     needs = "storehouse"
 
-    def __init__(self, stage: Stage) -> None:
-        super().__init__(stage)
-        self.storehouse: list[int] = []
 
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        self.storehouse.append(standing.storehouse)
-        return super().add(robot, part, values, standing, chance)
-
-    def sense(self) -> None:
-        stock = self.stage.stock
-        for device, storehouse in enumerate(self.storehouse):
-            self.values[device] = stock[storehouse]
+def sense_stores(first: int, last: int, houses: list[int], stock: list[int], values: list[int]) -> None:
+    """Measures with the devices `first` … `last` - 1."""
+    for k in range(first, last):
+        values[k] = stock[houses[k]]

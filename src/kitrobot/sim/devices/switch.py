@@ -2,27 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from random import Random
+from kitrobot.sim.columns import A_WAY
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator
 
-from kitrobot.primitives import RobotObject
-from kitrobot.sim.devices.base import LATENCY, Actuator, Stage, Standing, Values
+SWITCH = 4
 
 
 class Switch(Actuator):
-    """`SwitchOn()`, `SwitchOff()`; `on[k]` is 1 while it is on."""
+    """`SwitchOn()`, `SwitchOff()`."""
 
     name = "switch"
-    procedures = frozenset({"SwitchOn", "SwitchOff"})
-    settings = (LATENCY,)
+    kind = SWITCH
+    procedures = ("SwitchOff", "SwitchOn")
+    settings = (LATENCY, LOST_COMMANDS)
 
-    def __init__(self, stage: Stage) -> None:
-        super().__init__(stage)
-        self.on: list[int] = []
 
-    def add(self, robot: int, part: RobotObject, values: Values, standing: Standing, chance: Random) -> int:
-        self.on.append(0)
-        return super().add(robot, part, values, standing, chance)
-
-    def take(self, device: int, procedure: str, arguments: Sequence[int]) -> None:
-        self.on[device] = 1 if procedure == "SwitchOn" else 0
+def take_switch(k: int, procedure: int, actuator: list[list[int]]) -> None:
+    """Does what a command says; A_WAY is 1 while it is on."""
+    actuator[A_WAY][k] = procedure

@@ -1,0 +1,164 @@
+"""What is known of each robot, sensor and actuator of a run: the names of the columns of its tables.
+
+A table is rows of numbers, one row a quantity, one entry a robot (or device): `real[X][robot]`. In a run that is
+stepped by CPython the rows are lists, in one that is stepped by Numba they are the rows of an array; the loops read
+the same. Lengths are in mm, speeds in mm/s, angles in rad, times in s or, where they are whole, in steps.
+
+Robots stand in the order of the team. Sensors, and actuators, are sorted by their device, so that those of one device
+stand side by side (see `devices`); what P, Q, R and S mean is up to the device.
+"""
+
+from __future__ import annotations
+
+FREE = -1
+"""The road of a robot that moves freely."""
+
+# ---- robots, numbers with a fraction: state.real
+
+(
+    X,
+    Y,
+    HEADING,
+    UX,  # the direction it looks in: cosine and sine of its heading
+    UY,
+    SPEED,
+    TARGET,  # the speed its wheels are told
+    ACCELERATION,
+    BRAKING,
+    TURN,  # how far it turns in this step
+    WAY,  # how far it rolls in this step
+    LENGTH,
+    RADIUS,
+    AT,  # mm along its road
+    GAP_AHEAD,  # the free way to the next robot on the same road, bumper to bumper; infinite without one
+    GAP_BEHIND,
+) = range(16)
+REALS = 16
+
+# ---- robots, whole numbers: state.whole
+
+(
+    SOLID,  # 1: it has wheels, and others can touch it
+    ROAD,
+    STRETCH,  # which piece of the sampled road it is on
+    LEADER,  # who is ahead on the same road, or -1
+    DIRECTED,  # 1: UX and UY are needed of a robot on a road
+    LOW_X,  # the cells of the grid that it reaches into begin here
+    LOW_Y,
+    TOUCHING,
+    BED,  # 1: it can carry a box
+    LOAD,
+    LAMP,
+    ARM,  # 1: its arm is out
+    ALARM,  # 1: its collision sensor notices something
+    DELIVERED,  # boxes it brought
+    PERIOD,  # its tick in steps
+    PROGRAM,
+    WIRES,  # its first actuator in `wires`
+    ENDED,
+    ASLEEP,  # 1: the last tick changed nothing, so the next will not, until an input changes
+) = range(19)
+WHOLES = 19
+
+# ---- sensors: state.sensor and state.sensor_real
+
+(
+    S_ROBOT,
+    S_VALUE,  # what is measured now
+    S_HELD,  # what came out of delay, drop-outs and noise last
+    S_LAST,  # what the machine was given last
+    S_CELL,
+    S_LEAST,
+    S_MOST,
+    S_PLAIN,  # 1: neither late nor noisy nor lossy nor forced
+    S_FORCED,  # 1: S_FORCE takes the place of what is measured
+    S_FORCE,
+    S_FLIPS,  # 1: its noise is a chance to be wrong, not a spread
+    S_DRAWS,  # how many random numbers it has taken
+    S_KEY_A,
+    S_KEY_B,
+    S_RING,  # where its past readings begin in `past`
+    S_SIZE,  # how many of them: the delay in its own ticks, and one
+    S_NEXT,  # where the next one goes
+    S_FILLED,
+    S_DOCK,
+    S_STORE,
+    S_CUT,  # the section it was in
+) = range(21)
+SENSOR_WHOLES = 21
+S_NOISE, S_DROPOUT, S_P, S_Q, S_R = range(5)
+SENSOR_REALS = 5
+
+# ---- actuators: state.actuator and state.actuator_real
+
+(
+    A_ROBOT,
+    A_KIND,
+    A_DONE,  # 1: what takes longer has ended
+    A_CELL,  # where the machine reads that, or -1
+    A_TAKEN,  # the command it took last, or -1
+    A_FRESH,  # 1 + the step in which it was told something new
+    A_DRAWS,
+    A_KEY_A,
+    A_KEY_B,
+    A_DELAY,  # in steps
+    A_QUEUE,  # where its queue begins in `queue`
+    A_SIZE,  # how many commands that holds
+    A_HEAD,
+    A_QUEUED,
+    A_QUEUED_LATER,  # how many of the queued ones take longer
+    A_DOCK,
+    A_STORE,
+    A_WAY,  # what it is about to do: its device's own
+) = range(18)
+ACTUATOR_WHOLES = 18
+A_NOISE, A_DROPOUT, A_P, A_Q, A_R, A_S = range(6)
+ACTUATOR_REALS = 6
+
+# ---- the run as a whole: state.clock
+
+(
+    TICK,
+    RUNNING,  # programs that have not ended
+    EVENTS,  # how many are in `events`
+    COLLISIONS,
+    CONTACTS,  # pairs that touched after the last step
+    ROLLING,  # robots that rolled or turned in the last step
+    MOVED,  # 1: robots moved since the grid was filled
+    CHANCE,  # sensors whose reading may change although nothing does
+    QUIET,  # steps without motion or command
+    KEPT,  # 1: a state is kept to compare with
+    DISTANCE,
+    UNTIL,
+    CYCLE,  # steps after which all ticks fall together again
+    PATIENCE,  # quiet steps after which all late readings are in
+    STUCK,
+) = range(15)
+CLOCKS = 15
+
+# ---- what happens, as five numbers: kind, agent, what, how much, tick
+
+(
+    END,
+    COLLISION,  # what: the other robot, or -1 - wall
+    LOADED,  # what: the storehouse
+    UNLOADED,
+    NO_EMPTY_CARRIER,  # what: the dock
+    NO_LOADED_CARRIER,
+    NO_BOX,  # what: the storehouse
+    NO_ROOM,
+    WRITTEN,  # what: the shared variable, how much: its value
+    LOST,  # what: the actuator that a command did not reach
+) = range(10)
+EVENT = 5
+
+
+def tell(events: list[int], clock: list[int], kind: int, agent: int, what: int, much: int) -> None:
+    """Writes down that something happened; there is room for everything that can happen in a step."""
+    at = EVENT * clock[EVENTS]
+    events[at] = kind
+    events[at + 1] = agent
+    events[at + 2] = what
+    events[at + 3] = much
+    events[at + 4] = clock[TICK]
+    clock[EVENTS] += 1

@@ -1,0 +1,223 @@
+"""The compiled step: `stepping.advance` through Numba, compiled once for a machine and kept in the user's cache folder.
+
+Compiling takes the better part of a minute, so nobody waits for it: `ask` begins it in a process of its own with low
+priority, or, when it was done before, loads what is kept in a thread beside; `compiled` gives the step once it is
+there. Numba works on the very functions that CPython runs: they are told to it here, and nothing is decorated. The
+folder's name is a digest of their sources and of what compiles them, so nothing stale is ever taken.
+
+Everything works without Numba, slower; the environment's KITROBOT_COMPILE=no says to do without it.
+"""
+
+from __future__ import annotations
+
+import atexit
+import hashlib
+import importlib
+import importlib.util
+import inspect
+import os
+import platform
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from kitrobot_onboard import interpreter
+
+Advance = Callable[[Any, int], int]
+
+_MODULES = (
+    "angles",
+    "chance",
+    "columns",
+    "commanding",
+    "contacts",
+    "devices.arm",
+    "devices.button",
+    "devices.cargo",
+    "devices.collision",
+    "devices.colour",
+    "devices.door",
+    "devices.drive",
+    "devices.lamp",
+    "devices.presence",
+    "devices.range",
+    "devices.sign",
+    "devices.store",
+    "devices.switch",
+    "devices.turn",
+    "docks",
+    "grids",
+    "motion",
+    "physics",
+    "reacting",
+    "rows",
+    "sampling",
+    "sharing",
+    "sight",
+    "standstill",
+    "state",
+    "stepping",
+)
+_NOT_LOOPS = frozenset(("fixed", "numbers", "as_arrays", "row_lengths", "advance", "same"))
+"""Functions of those modules that are not for Numba, or told to it in another way."""
+
+READY = "ready"
+"""The file in the cache folder that says that all of it is there."""
+
+_lock = threading.Lock()
+_made: Advance | None = None
+_asked: threading.Thread | None = None
+_failed = False
+
+
+def available() -> bool:
+    """Whether there is a Numba to compile with, and nobody said not to."""
+    return os.environ.get("KITROBOT_COMPILE", "") != "no" and importlib.util.find_spec("numba") is not None
+
+
+def ask() -> None:
+    """Begins to make the compiled step beside everything else, unless it was begun before."""
+    global _asked
+    with _lock:
+        if _asked is None and _made is None and available():
+            _asked = threading.Thread(target=_make_in_peace, name="compiling", daemon=True)
+            _asked.start()
+
+
+def compiled() -> Advance | None:
+    """The compiled step, if it is there."""
+    return _made
+
+
+def wait() -> Advance | None:
+    """The compiled step, once it is there; None where it cannot be."""
+    ask()
+    if _asked is not None:
+        _asked.join()
+    return _made
+
+
+def _modules() -> Iterator[ModuleType]:
+    for name in _MODULES:
+        yield importlib.import_module(f"kitrobot.sim.{name}")
+
+
+def loops() -> dict[str, Callable[..., Any]]:
+    """Every function that the step is made of, by the name of its module and its own; not the step itself."""
+    return {
+        f"{module.__name__}.{name}": value
+        for module in _modules()
+        for name, value in vars(module).items()
+        if inspect.isfunction(value) and value.__module__ == module.__name__ and name not in _NOT_LOOPS
+    }
+
+
+def cache_folder() -> Path:
+    """Where this step is kept, compiled for this machine: in KITROBOT_CACHE or the user's cache folder."""
+    digest = hashlib.sha256()
+    for module in (*_modules(), interpreter, sys.modules[__name__]):
+        source = Path(str(module.__file__))
+        digest.update(str(source).encode() + source.read_bytes())
+    for package in ("numba", "llvmlite", "numpy"):
+        try:
+            digest.update(f"{package} {version(package)}".encode())
+        except PackageNotFoundError:
+            digest.update(package.encode())
+    digest.update(f"{sys.version} {platform.machine()}".encode())
+    return _user_cache() / f"step-{digest.hexdigest()[:24]}"
+
+
+def _user_cache() -> Path:
+    given = os.environ.get("KITROBOT_CACHE")
+    if given:
+        return Path(given)
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local"), "kitrobot", "cache")
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "kitrobot"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "kitrobot")
+
+
+def make() -> Advance:
+    """The compiled step, from the cache or anew; whoever calls this waits for it.
+
+    Raises:
+        Exception: whatever Numba or the file system says; nothing can be assumed of it.
+    """
+    global _made
+    from kitrobot.sim.example import small_state
+
+    folder = cache_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    function = _told(folder)
+    function(small_state(), 0)
+    (folder / READY).touch()
+    _made = function
+    return function
+
+
+def _told(folder: Path) -> Advance:
+    """`advance` as a function of Numba's, which has been told everything that it calls."""
+    import numba
+    from numba.extending import overload, register_jitable
+
+    from kitrobot.sim import rows
+    from kitrobot.sim.stepping import advance
+
+    @overload(rows.same, jit_options={"error_model": "numpy", "nogil": True})
+    def same_arrays(one: Any, other: Any) -> Any:
+        def same(one: Any, other: Any) -> bool:
+            k = 0
+            while k < len(one) and one[k] == other[k]:
+                k += 1
+            return k == len(one)
+
+        return same
+
+    for loop in (*loops().values(), interpreter.tick):
+        register_jitable(error_model="numpy", nogil=True)(loop)
+    config: Any = numba.config
+    kept = config.CACHE_DIR
+    config.CACHE_DIR = str(folder)
+    try:
+        made: Advance = numba.njit(cache=True, nogil=True, error_model="numpy")(advance)
+    finally:
+        config.CACHE_DIR = kept
+    return made
+
+
+def _make_in_peace() -> None:
+    """What `ask` does in its thread: a machine where it cannot be done goes on plain."""
+    global _failed
+    try:
+        if not (cache_folder() / READY).is_file() and not _compile_elsewhere():
+            _failed = True
+            return
+        make()
+    except Exception:
+        # Numba may fail in any way on a machine we do not know; the plain step is as right as the compiled one.
+        _failed = True
+
+
+def _compile_elsewhere() -> bool:
+    """Compiles in a process of its own, which has no part in our threads; whether it did."""
+    command = [sys.executable, "-c", "from kitrobot.sim.compiling import make; make()"]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
+    nice: dict[str, Any] = {}
+    if sys.platform == "win32":
+        nice["creationflags"] = subprocess.BELOW_NORMAL_PRIORITY_CLASS | subprocess.CREATE_NO_WINDOW
+    elif hasattr(os, "nice"):
+        command = ["nice", "-n", "10", *command]
+    with subprocess.Popen(
+        command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment, **nice
+    ) as child:
+        atexit.register(child.kill)
+        try:
+            return child.wait() == 0
+        finally:
+            atexit.unregister(child.kill)

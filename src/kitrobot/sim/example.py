@@ -1,0 +1,13 @@
+"""A state that has a little of everything in the tables' right kinds: for Numba to see what it compiles for."""
+
+from __future__ import annotations
+
+from kitrobot.sim.shared import SharedTables
+from kitrobot.sim.state import State, as_arrays
+from kitrobot.sim.tables import Tables
+from kitrobot.world import World
+
+
+def small_state() -> State:
+    """The state of a run without robots; its step does nothing."""
+    return as_arrays(Tables(World("nowhere", 1.0, 1.0), 20, 0).state(SharedTables([])))

@@ -1,0 +1,90 @@
+"""What happened, in words: the numbers that a step wrote down, as events with the names of mission and world."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from kitrobot.primitives import RobotObject
+from kitrobot.sim import columns as c
+from kitrobot.sim.agents import Agent
+from kitrobot.sim.state import State, numbers
+from kitrobot.world import World
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that happened: `kind` is load, unload, message, collision or end; `index` is the agent's number."""
+
+    tick: int
+    kind: str
+    agent: str
+    text: str
+    index: int
+
+
+class Sayings:
+    """Turns a run's numbers into sentences."""
+
+    def __init__(self, world: World, members: Sequence[Agent], variables: Sequence[RobotObject], state: State) -> None:
+        self._members = members
+        self._variables = variables
+        self._docks = [dock.name for dock in world.docks]
+        self._houses = [house.name for house in world.storehouses]
+        self._actuators = {
+            state.wires[state.whole[c.WIRES][agent.index] + number]: part.name
+            for agent in members
+            for number, part in enumerate(agent.robot.actuators)
+            if state.wires
+        }
+
+    def events(self, state: State) -> list[Event]:
+        """What happened in the steps of the last call, in order."""
+        count = int(state.clock[c.EVENTS])
+        if count == 0:
+            return []
+        rows = numbers(state.events[: c.EVENT * count])
+        made = []
+        for at in range(0, len(rows), c.EVENT):
+            kind, agent, what, much, tick = rows[at : at + c.EVENT]
+            word, text = self._say(kind, what, much)
+            made.append(Event(tick, word, self._members[agent].name, text, agent))
+        return made
+
+    def _say(self, kind: int, what: int, much: int) -> tuple[str, str]:
+        """The event's kind and text."""
+        if kind == c.END:
+            return "end", "its program has ended"
+        if kind == c.COLLISION:
+            return "collision", f"touches {self._members[what].name if what >= 0 else 'a wall'}"
+        if kind == c.LOADED:
+            return "load", f"a box from {self._houses[what]}"
+        if kind == c.UNLOADED:
+            return "unload", f"a box into {self._houses[what]}"
+        if kind == c.NO_EMPTY_CARRIER:
+            return "message", f"no empty carrier stands in dock {self._docks[what]}"
+        if kind == c.NO_LOADED_CARRIER:
+            return "message", f"no loaded carrier stands in dock {self._docks[what]}"
+        if kind == c.NO_BOX:
+            return "message", f"storehouse {self._houses[what]} has no box"
+        if kind == c.NO_ROOM:
+            return "message", f"storehouse {self._houses[what]} is full"
+        if kind == c.LOST:
+            return "message", f"a command did not reach {self._actuators[what]}"
+        assert kind == c.WRITTEN, f"nobody says {kind}"
+        variable = self._variables[what]
+        boolean = variable.minimum == 0 and variable.type.value == "boolean"
+        return "message", f"{variable.name} = {('false', 'true')[much] if boolean else much}"
+
+
+def sensor_names(state: State, members: Sequence[Agent]) -> dict[tuple[int, str], int]:
+    """(agent's number, sensor's name) → its number in the tables."""
+    cells = {
+        (robot, cell): k
+        for k, (robot, cell) in enumerate(zip(state.sensor[c.S_ROBOT], state.sensor[c.S_CELL], strict=True))
+    }
+    return {
+        (agent.index, name): cells[agent.index, cell]
+        for agent in members
+        for name, cell in agent.machine.layout.sensors.items()
+    }

@@ -1,0 +1,370 @@
+"""The step of a whole run, machines and world, for all robots at once: one source, run by CPython or compiled by Numba.
+
+In this order: sensors measure; every machine whose tick it is is given what they read, then all of these react, in team
+order; devices take the commands and move; robots move, and what touches is parted; shared variables spread; and when
+nothing stirs, it is asked whether anything ever will.
+
+Everything here and in what it calls is in the part of Python that Numba takes: loops over rows of numbers, whole
+numbers that fit 64 bits, no division by zero, no function of the C library but the square root. So both give the same
+numbers, bit by bit, and a run may pass from one to the other at any step. Rows are lists under CPython and arrays under
+Numba; `row[:] = other` copies in both.
+"""
+
+from __future__ import annotations
+
+from kitrobot.sim.columns import (
+    A_FRESH,
+    EVENTS,
+    LOAD,
+    LOW_X,
+    LOW_Y,
+    MOVED,
+    RADIUS,
+    ROLLING,
+    RUNNING,
+    S_ROBOT,
+    S_STORE,
+    S_VALUE,
+    STUCK,
+    TICK,
+    TOUCHING,
+    TURN,
+    X,
+    Y,
+)
+from kitrobot.sim.commanding import busy, deliver
+from kitrobot.sim.devices.arm import ARM_DEVICE, move_arms
+from kitrobot.sim.devices.button import BUTTON, sense_buttons
+from kitrobot.sim.devices.cargo import CARGO, sense_cargo
+from kitrobot.sim.devices.collision import COLLISION_SENSOR, sense_collisions
+from kitrobot.sim.devices.colour import COLOUR, sense_colours
+from kitrobot.sim.devices.door import DOOR, move_doors
+from kitrobot.sim.devices.presence import PRESENCE, sense_presence
+from kitrobot.sim.devices.range import RANGE, sense_ranges
+from kitrobot.sim.devices.sign import SIGN, sense_signs
+from kitrobot.sim.devices.store import STORE, sense_stores
+from kitrobot.sim.devices.turn import TURN_DEVICE, move_turns
+from kitrobot.sim.grids import fill
+from kitrobot.sim.physics import CLOSED, move_robots
+from kitrobot.sim.reacting import react
+from kitrobot.sim.sampling import sample, sample_done
+from kitrobot.sim.sharing import exchange
+from kitrobot.sim.standstill import look_for_standstill, stirred
+from kitrobot.sim.state import State
+
+# What does not change in a run: state.fixed_real and state.fixed.
+DT, WIDEST = range(2)
+TOGETHER, SEES, MOST_EVENTS = range(3)
+
+
+def advance(state: State, steps: int) -> int:
+    """Runs up to so many steps and gives how many.
+
+    It runs fewer when every program has ended, when nothing can change any more (STUCK), or when there is no room for
+    what may happen in one more step; `events` then holds what happened in all of them.
+    """
+    (
+        fixed,
+        fixed_real,
+        clock,
+        events,
+        real,
+        whole,
+        solid,
+        guided,
+        free,
+        free_solid,
+        carriers,
+        program_code,
+        commands,
+        parts,
+        cells,
+        threads,
+        pars,
+        out,
+        seen,
+        was_cells,
+        was_threads,
+        was_pars,
+        kept_cells,
+        kept_threads,
+        kept_pars,
+        sensor,
+        sensor_real,
+        sensor_bank,
+        past,
+        actuator,
+        actuator_real,
+        actuator_bank,
+        wires,
+        waited_for,
+        late,
+        takens,
+        queue,
+        shared,
+        mine_first,
+        mine,
+        mine_cell,
+        copy_robot,
+        copy_cell,
+        roads,
+        road_length,
+        points,
+        cut_from,
+        cut_sign,
+        docks,
+        dock_road,
+        stock,
+        capacity,
+        walls,
+        wall_frame,
+        wall_shape,
+        wall_starts,
+        wall_items,
+        stretches,
+        colours,
+        line_frame,
+        line_shape,
+        line_starts,
+        line_items,
+        frame,
+        shape,
+        starts,
+        items,
+        ray_cells,
+        ray_exits,
+        pairs,
+        before,
+        buckets,
+        chain,
+    ) = state
+    dt = fixed_real[DT]
+    widest = fixed_real[WIDEST]
+    most_events = fixed[MOST_EVENTS]
+    closed = roads[CLOSED]
+    sensor_robots = sensor[S_ROBOT]
+    sensor_values = sensor[S_VALUE]
+    turn = real[TURN]
+    clock[EVENTS] = 0
+    done = 0
+    while done < steps and clock[RUNNING] > 0 and clock[STUCK] == 0:
+        if 5 * (clock[EVENTS] + most_events) > len(events):
+            break
+        step = clock[TICK]
+        events_before = clock[EVENTS]
+
+        if sensor_bank[BUTTON] < sensor_bank[BUTTON + 1]:
+            sense_buttons(sensor_bank[BUTTON], sensor_bank[BUTTON + 1], sensor_robots, whole[TOUCHING], sensor_values)
+        if sensor_bank[CARGO] < sensor_bank[CARGO + 1]:
+            sense_cargo(sensor_bank[CARGO], sensor_bank[CARGO + 1], sensor_robots, whole[LOAD], sensor_values)
+        if fixed[SEES] and clock[MOVED]:
+            clock[MOVED] = 0
+            fill(
+                solid,
+                real[X],
+                real[Y],
+                real[RADIUS],
+                widest,
+                whole[LOW_X],
+                whole[LOW_Y],
+                frame,
+                shape,
+                starts,
+                items,
+            )
+        if sensor_bank[COLLISION_SENSOR] < sensor_bank[COLLISION_SENSOR + 1]:
+            sense_collisions(
+                sensor_bank[COLLISION_SENSOR],
+                sensor_bank[COLLISION_SENSOR + 1],
+                sensor,
+                sensor_real,
+                real,
+                whole,
+                frame,
+                shape,
+                starts,
+                items,
+                ray_cells,
+                ray_exits,
+            )
+        if sensor_bank[COLOUR] < sensor_bank[COLOUR + 1]:
+            sense_colours(
+                sensor_bank[COLOUR],
+                sensor_bank[COLOUR + 1],
+                sensor,
+                sensor_real,
+                real,
+                whole,
+                stretches,
+                colours,
+                line_frame,
+                line_shape,
+                line_starts,
+                line_items,
+            )
+        if sensor_bank[PRESENCE] < sensor_bank[PRESENCE + 1]:
+            sense_presence(
+                sensor_bank[PRESENCE],
+                sensor_bank[PRESENCE + 1],
+                sensor,
+                sensor_real,
+                real,
+                whole,
+                carriers,
+                docks,
+                dock_road,
+                road_length,
+                closed,
+            )
+        if sensor_bank[RANGE] < sensor_bank[RANGE + 1]:
+            sense_ranges(
+                sensor_bank[RANGE],
+                sensor_bank[RANGE + 1],
+                step,
+                sensor,
+                sensor_real,
+                real,
+                whole,
+                walls,
+                wall_frame,
+                wall_shape,
+                wall_starts,
+                wall_items,
+                frame,
+                shape,
+                starts,
+                items,
+                ray_cells,
+                ray_exits,
+            )
+        if sensor_bank[SIGN] < sensor_bank[SIGN + 1]:
+            sense_signs(
+                sensor_bank[SIGN],
+                sensor_bank[SIGN + 1],
+                sensor,
+                sensor_real,
+                real,
+                whole,
+                roads,
+                road_length,
+                cut_from,
+                cut_sign,
+            )
+        if sensor_bank[STORE] < sensor_bank[STORE + 1]:
+            sense_stores(sensor_bank[STORE], sensor_bank[STORE + 1], sensor[S_STORE], stock, sensor_values)
+
+        sample(step, sensor, sensor_real, past, whole, cells)
+        if len(waited_for) > 0:
+            sample_done(step, waited_for, actuator, whole, cells)
+        ran = react(
+            step,
+            whole,
+            program_code,
+            commands,
+            parts,
+            cells,
+            threads,
+            pars,
+            out,
+            seen,
+            was_cells,
+            was_threads,
+            was_pars,
+            wires,
+            takens,
+            actuator,
+            actuator_real,
+            real,
+            queue,
+            events,
+            clock,
+        )
+
+        if len(late) > 0:
+            deliver(step, late, actuator, actuator_real, real, whole, queue)
+        if actuator_bank[ARM_DEVICE] < actuator_bank[ARM_DEVICE + 1]:
+            move_arms(
+                actuator_bank[ARM_DEVICE],
+                actuator_bank[ARM_DEVICE + 1],
+                dt,
+                actuator,
+                actuator_real,
+                real,
+                whole,
+                carriers,
+                docks,
+                dock_road,
+                road_length,
+                closed,
+                stock,
+                capacity,
+                events,
+                clock,
+            )
+        if actuator_bank[DOOR] < actuator_bank[DOOR + 1]:
+            move_doors(actuator_bank[DOOR], actuator_bank[DOOR + 1], dt, actuator, actuator_real)
+        if actuator_bank[TURN_DEVICE] < actuator_bank[TURN_DEVICE + 1]:
+            move_turns(actuator_bank[TURN_DEVICE], actuator_bank[TURN_DEVICE + 1], dt, actuator, actuator_real, turn)
+        move_robots(
+            dt,
+            widest,
+            fixed[TOGETHER],
+            real,
+            whole,
+            solid,
+            guided,
+            free,
+            free_solid,
+            roads,
+            road_length,
+            points,
+            walls,
+            wall_frame,
+            wall_shape,
+            wall_starts,
+            wall_items,
+            frame,
+            shape,
+            starts,
+            items,
+            pairs,
+            before,
+            buckets,
+            chain,
+            events,
+            clock,
+        )
+        if len(mine) > 0 and ran > 0:
+            exchange(
+                step,
+                whole,
+                cells,
+                shared,
+                mine_first,
+                mine,
+                mine_cell,
+                copy_robot,
+                copy_cell,
+                events,
+                clock,
+            )
+        clock[TICK] = step + 1
+        done += 1
+
+        if clock[ROLLING] > 0 or clock[EVENTS] > events_before or is_stirring(step, actuator, actuator_real, real):
+            stirred(clock)
+        elif clock[RUNNING] > 0:
+            look_for_standstill(whole, cells, threads, pars, kept_cells, kept_threads, kept_pars, clock)
+    return done
+
+
+def is_stirring(
+    step: int, actuator: list[list[int]], actuator_real: list[list[float]], real: list[list[float]]
+) -> bool:
+    """Whether a device was told something new in this step, or has something to do."""
+    fresh = actuator[A_FRESH]
+    count = len(fresh)
+    k = 0
+    while k < count and fresh[k] != step + 1 and not busy(k, actuator, actuator_real, real):
+        k += 1
+    return k < count
