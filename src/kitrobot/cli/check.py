@@ -25,8 +25,9 @@ def check_files(
 ) -> None:
     """Show every problem of the files, each with its place and a way out.
 
-    Kinds: `.krt`, `.lll`, `.kri`, `.kra`, and XML of robots, constructors and worlds. Of an `.lll` without `--robot`
-    only the syntax is checked. The exit status is 1 if there is an error, and 0 if there are only warnings and hints.
+    Kinds: `.krt`, `.lll`, `.kri`, `.kra`, pictures that carry a mission (`.svg`, `.png`, `.pdf`), and XML of robots,
+    constructors and worlds. Of an `.lll` without `--robot` only the syntax is checked. The exit status is 1 if there is
+    an error, and 0 if there are only warnings and hints.
     """
     from kitrobot.diagnostics import to_json
     from kitrobot.workspace import check_file, find_robot, with_help, written_out

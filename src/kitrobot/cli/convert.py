@@ -26,6 +26,7 @@ def convert_file(
 
     - `.krt` mission (graphs) → `.lll`, `.kri`, `.kra`
     - `.lll` LLL text → `.krt`, `.kri`, `.kra`
+    - `.svg`, `.png`, `.pdf` picture that carries a mission → `.krt`, `.lll`, `.kri`, `.kra`
     - `.kri` image → `.kra`
     - `.kra` three-address listing → `.kri`, byte for byte the image that was listed
 

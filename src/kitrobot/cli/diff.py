@@ -20,7 +20,7 @@ def diff_files(
     after: Annotated[Path, typer.Argument(metavar="B", help="Another of the same kind.", show_default=False)],
     as_json: Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")] = False,
 ) -> None:
-    """Say what is different between two `.krt` missions, or two `.lll` texts, in words.
+    """Say what is different between two `.krt` missions (or pictures that carry one), or two `.lll` texts, in words.
 
     The layout of the files does not count. The exit status is that of `diff`: 0 when they are equal, 1 when they
     differ, 2 when one of them cannot be read.

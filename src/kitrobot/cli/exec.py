@@ -20,7 +20,8 @@ _AT_ONCE = 500
 
 def execute_program(
     program: Annotated[
-        Path, typer.Argument(metavar="PROGRAM", help="A `.lll`, `.kri` or `.krt` file.", show_default=False)
+        Path,
+        typer.Argument(metavar="PROGRAM", help="A `.lll`, `.kri` or `.krt` file, or a picture.", show_default=False),
     ],
     robot: Annotated[
         str | None,

@@ -36,7 +36,11 @@ class Studio(Protocol):
 def open_studio(
     context: typer.Context,
     target: Annotated[
-        str | None, typer.Argument(metavar="FILE.krt | FOLDER", help="A mission, or a folder of missions.")
+        str | None,
+        typer.Argument(
+            metavar="FILE.krt | FOLDER",
+            help="A mission, a picture that carries one (`.svg`, `.png`, `.pdf`), or a folder of missions.",
+        ),
     ] = None,
     browser: Annotated[bool, typer.Option(help="Open the browser.")] = True,
     port: Annotated[
@@ -56,6 +60,12 @@ def open_studio(
 def _existing(target: str) -> Path:
     path = Path(target)
     if path.is_dir() or (path.is_file() and path.suffix.lower() == ".krt"):
+        return path
+    from kitrobot.workspace import is_picture, read_carried
+
+    if path.is_file() and is_picture(path.name):
+        # A picture without a mission is told here, before a browser opens.
+        read_carried(path)
         return path
     if path.exists():
         ending = path.suffix

@@ -29,7 +29,7 @@ from kitrobot.server.shapes import (
     world_shape,
 )
 from kitrobot.server.studio import Studio
-from kitrobot.workspace import OpenMission, carried_mission, new_mission, revision_of
+from kitrobot.workspace import OpenMission, carried_mission, is_picture, new_mission, revision_of
 
 _FAILURES: dict[int | str, dict[str, object]] = {
     "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
@@ -77,8 +77,11 @@ def missions(studio: StudioOf) -> list[MissionEntryShape]:
 
 @routes.get("/mission")
 def mission(studio: StudioOf, path: Name) -> MissionFileShape:
-    """A mission opened."""
+    """A mission opened. One that a picture carries has no file of its own yet: its `path` is ""."""
     data, revision = studio.folder.read(path)
+    if is_picture(path):
+        data, name = carried_mission(data, path)
+        return _file(studio, studio.read(data, name, ""), "", "")
     return _file(studio, studio.read(data, path, path), path, revision)
 
 

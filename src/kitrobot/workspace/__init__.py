@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
-    from kitrobot.workspace.carried import CarriedError, carried_mission
+    from kitrobot.workspace.carried import CarriedError, carried_mission, is_picture
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.comparison import CompareError, Difference, compare_files, differences, text_differences
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
         Span,
         new_mission,
         open_mission,
+        read_carried,
         read_mission_data,
         with_mission,
         world_file,
@@ -54,7 +55,7 @@ if TYPE_CHECKING:
 
 _ROOMS = {
     "adding": ("AddedParts", "PartsFileError", "add_parts"),
-    "carried": ("CarriedError", "carried_mission"),
+    "carried": ("CarriedError", "carried_mission", "is_picture"),
     "checking": ("FileReport", "check_file"),
     "conversion": ("ConversionError", "Converted", "convert"),
     "comparison": ("CompareError", "Difference", "compare_files", "differences", "text_differences"),
@@ -77,6 +78,7 @@ _ROOMS = {
         "Span",
         "new_mission",
         "open_mission",
+        "read_carried",
         "read_mission_data",
         "with_mission",
         "world_file",
@@ -142,6 +144,7 @@ __all__ = [
     "execute",
     "find_robot",
     "first_example",
+    "is_picture",
     "lay_out",
     "lay_out_file",
     "load_executable",
@@ -151,6 +154,7 @@ __all__ = [
     "merge_missions",
     "new_mission",
     "open_mission",
+    "read_carried",
     "read_inputs",
     "read_journal",
     "read_mission_data",

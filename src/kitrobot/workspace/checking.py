@@ -26,8 +26,8 @@ UNKNOWN_KIND = rule(
     "file-unknown-kind",
     Severity.ERROR,
     "A file is of no kind that is known here",
-    "Known are `.krt`, `.lll`, `.kri`, `.kra`, and XML whose first element is <robot>, <constructors>, <world>,"
-    " <tutorial> or <kitrobot>.",
+    "Known are `.krt`, `.lll`, `.kri`, `.kra`, pictures that carry a mission (`.svg`, `.png`, `.pdf`), and XML whose"
+    " first element is <robot>, <constructors>, <world>, <tutorial> or <kitrobot>.",
 )
 UNUSABLE = rule(
     "image-unusable",

@@ -19,6 +19,7 @@ from kitrobot.graph import START, STOP, Note, Program, Vertex
 from kitrobot.mission import NO_PROGRAM, Agent, Goal, Mission, read_mission
 from kitrobot.workspace.files import read_bytes
 from kitrobot.workspace.layout import lay_out_file
+from kitrobot.workspace.opening import read_carried
 from kitrobot.workspace.outline import PARKED, Outline
 from kitrobot.workspace.own_parts import TOLD_HERE, own_part_differences
 from kitrobot.workspace.problems import ProblemsError
@@ -310,7 +311,7 @@ def _short(value: Any) -> str:
 
 
 def compare_files(before: Path, after: Path) -> list[Difference]:
-    """What is different between two `.krt`, or two `.lll` by their true layout.
+    """What is different between two `.krt` (or pictures that carry one), or two `.lll` by their true layout.
 
     Raises:
         CompareError: they are not two of a kind.
@@ -322,7 +323,7 @@ def compare_files(before: Path, after: Path) -> list[Difference]:
         return text_differences(_laid_out(before), _laid_out(after))
     if ".lll" in kinds:
         raise CompareError("expected two missions or two LLL texts, found one of each", "convert one of them first")
-    return differences(read_whole(before), read_whole(after))
+    return differences(_whole(read_carried(before), before), _whole(read_carried(after), after))
 
 
 def read_whole(path: Path) -> Mission:
@@ -332,7 +333,10 @@ def read_whole(path: Path) -> Mission:
         ProblemsError: some of it cannot.
         FileError: it cannot be read.
     """
-    data = read_bytes(path)
+    return _whole(read_bytes(path), path)
+
+
+def _whole(data: bytes, path: Path) -> Mission:
     mission, diagnostics = read_mission(data, str(path))
     if mission is None or any(item.is_error and item.code != NO_PROGRAM.code for item in diagnostics):
         source = Source(str(path), data.decode("utf-8-sig", errors="replace"))

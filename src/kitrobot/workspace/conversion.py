@@ -99,7 +99,7 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
         raise ConversionError(
             f"`{source}` and `{target}` are both {form.words}", f"give B another ending: {_ways(form)}"
         )
-    if wanted not in _WAYS[form]:
+    if form is not wanted and wanted not in _WAYS[form]:
         raise ConversionError(
             f"{_NO_NAMES[form]} {_article(wanted)}",
             f"convert the `.krt` or `.lll` that it was made from; `{form.value}` goes to {_ways(form)}",

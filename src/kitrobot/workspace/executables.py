@@ -9,6 +9,7 @@ from kitrobot.compiler import compile_program, compile_text
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Source
 from kitrobot.image import Image, Machine
 from kitrobot.primitives import Robot
+from kitrobot.workspace.carried import is_picture
 from kitrobot.workspace.files import read_text
 from kitrobot.workspace.forms import Form, form_of
 from kitrobot.workspace.images import read_image
@@ -48,7 +49,7 @@ def load_executable(
     """Loads a program of any form, and the inputs scripted for it.
 
     Args:
-        path: a `.lll`, `.kri` or `.krt`.
+        path: a `.lll`, `.kri` or `.krt`, or a picture that carries a mission.
         robot: the robot's name or file; needed unless a mission names it.
         program: which program of a mission with several.
         inputs: a table of inputs (CSV); None for none.
@@ -57,7 +58,7 @@ def load_executable(
         KitRobotError: a file cannot be read, the robot or program is not there, the image is damaged or not for the
         robot.
     """
-    form = form_of(path, FORMS)
+    form = Form.MISSION if is_picture(path.name) else form_of(path, FORMS)
     if form is Form.MISSION:
         loaded = _mission(path, robot, program)
     elif robot is None:

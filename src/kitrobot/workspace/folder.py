@@ -20,6 +20,7 @@ from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.workspace.carried import is_picture
 from kitrobot.workspace.examples import examples_folder
 from kitrobot.workspace.files import read_bytes
 
@@ -108,7 +109,7 @@ class MissionFolder:
         wrong = not inner or pure.is_absolute() or ".." in pure.parts or _ON_WINDOWS.search(inner) or len(inner) > 1000
         stem = pure.name[: -len(ending)] if pure.name.lower().endswith(ending) else ""
         if wrong or not stem.strip("."):
-            what = "a mission" if ending == ENDING else "a tutorial"
+            what = {ENDING: "a mission", TUTORIAL_ENDING: "a tutorial"}.get(ending, "a picture")
             raise MissionNameError(
                 f"`{name[:80]}` is no name of {what}", f"give a name in this folder that ends with `{ending}`"
             )
@@ -141,13 +142,14 @@ class MissionFolder:
         return self.examples if name.startswith(EXAMPLE) else self.root
 
     def read(self, name: str) -> tuple[bytes, str]:
-        """The content of a mission's file and its revision.
+        """The content of a mission's file, or of a picture, and its revision.
 
         Raises:
             MissionNameError: the name leads to no mission.
             FileError: the file cannot be read.
         """
-        data = read_bytes(self.path_of(name))
+        ending = PurePosixPath(name).suffix.lower() if is_picture(name) else ENDING
+        data = read_bytes(self.path_of(name, ending))
         return data, revision_of(data)
 
     def hold(self, name: str, revision: str) -> _Hold:

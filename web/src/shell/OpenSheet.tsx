@@ -41,7 +41,7 @@ export function OpenSheet() {
         <p className="sheet-note">{t("open.loading")}</p>
       ) : (
         <div className="open-lists">
-          <TutorialCards title={t("tutorial.title")} broken />
+          <TutorialCards />
           <h3>{t("open.workspace", { folder: workspace })}</h3>
           {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
           <ul>
@@ -64,7 +64,7 @@ export function OpenSheet() {
           ref={chooser}
           className="only-spoken"
           type="file"
-          accept=".krt,.xml,.svg,.png"
+          accept=".krt,.xml,.svg,.png,.pdf"
           tabIndex={-1}
           aria-hidden="true"
           data-testid="open-file"

@@ -1,0 +1,69 @@
+"""What the page asks for to hand out as a file, and pictures in the folder that are opened like missions."""
+
+from __future__ import annotations
+
+from base64 import b64decode
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kitrobot.image import Image, assemble
+from tests.server.conftest import SHORT, TestClient
+from tests.workspace.pdf_files import attached, pdf
+
+
+@pytest.fixture
+def mission(page: TestClient) -> dict[str, Any]:
+    opened: dict[str, Any] = page.get("/api/mission", params={"path": "blink.krt"}).json()["mission"]
+    return opened
+
+
+def ask(page: TestClient, mission: dict[str, Any], program: str = "blink") -> Any:
+    return page.post("/api/image", json={"mission": mission, "path": "blink.krt", "program": program})
+
+
+def test_an_image_and_its_listing_are_the_same_image(page: TestClient, mission: dict[str, Any]) -> None:
+    made = ask(page, mission).json()
+    data = b64decode(made["image"], validate=True)
+    assert Image.from_bytes(data).to_bytes() == data
+    assert assemble(made["listing"], "blink.kra").to_bytes() == data
+
+
+def test_a_program_with_errors_has_no_image_and_says_why(page: TestClient, mission: dict[str, Any]) -> None:
+    mission["programs"][0]["vertices"][1]["element"] = "Light.Fly"
+    answer = ask(page, mission)
+    assert answer.status_code == 422
+    assert answer.json()["message"] == "`blink` has 1 error, so there is no image of it yet."
+    assert [problem["vertices"] for problem in answer.json()["problems"]] == [["v1"]]
+
+
+def test_a_program_whose_robot_is_away_says_so(page: TestClient, mission: dict[str, Any]) -> None:
+    mission["programs"][0]["robot"] = "nobody"
+    answer = ask(page, mission)
+    assert answer.status_code == 422
+    assert "nobody" in answer.json()["message"]
+
+
+def test_a_program_that_is_not_there_says_so(page: TestClient, mission: dict[str, Any]) -> None:
+    assert ask(page, mission, "other").status_code == 422
+
+
+def test_a_picture_in_the_folder_opens_as_a_mission_without_a_file(page: TestClient, folder: Path) -> None:
+    (folder / "blink.pdf").write_bytes(pdf(attached(SHORT.encode())))
+    found = page.get("/api/mission", params={"path": "blink.pdf"}).json()
+    assert (found["path"], found["revision"], found["name"]) == ("", "", "blink.krt")
+    assert [program["name"] for program in found["mission"]["programs"]] == ["blink"]
+
+
+def test_nothing_is_ever_saved_over_a_picture(page: TestClient, folder: Path, mission: dict[str, Any]) -> None:
+    before = pdf(attached(SHORT.encode()))
+    (folder / "blink.pdf").write_bytes(before)
+    answer = page.put("/api/mission", json={"path": "blink.pdf", "revision": "", "mission": mission})
+    assert answer.status_code == 403
+    assert (folder / "blink.pdf").read_bytes() == before
+
+
+@pytest.mark.parametrize("name", ["../x.pdf", ".pdf", "/etc/x.png", "a/../../b.svg"])
+def test_a_picture_outside_of_the_folder_is_out_of_reach(page: TestClient, name: str) -> None:
+    assert page.get("/api/mission", params={"path": name}).status_code == 403
