@@ -16,7 +16,7 @@ function state(tutorial: Tutorial): string {
   return progress.at >= total ? t("tutorial.all-done") : t("tutorial.at", { number: progress.at + 1, total });
 }
 
-function Card({ tutorial }: { tutorial: Tutorial }) {
+function Card({ tutorial, brief }: { tutorial: Tutorial; brief: boolean }) {
   return (
     <button
       type="button"
@@ -29,7 +29,7 @@ function Card({ tutorial }: { tutorial: Tutorial }) {
       </span>
       <span>
         <strong>{text(tutorial.label)}</strong>
-        <span className="tutorial-card-help">{text(tutorial.help)}</span>
+        {brief ? null : <span className="tutorial-card-help">{text(tutorial.help)}</span>}
         <small>{state(tutorial)}</small>
       </span>
     </button>
@@ -55,16 +55,23 @@ function Broken({ tutorial: { name, problems } }: { tutorial: Tutorial }) {
   );
 }
 
-export function TutorialCards({ title, broken = false }: { title: string; broken?: boolean }) {
+interface CardsProps {
+  /** Under an empty program: without the sentences, and without those that cannot be used. */
+  brief?: boolean;
+}
+
+export function TutorialCards({ brief = false }: CardsProps) {
   const all = useTutorial((found) => found.all);
-  const shown = (all ?? []).filter((one) => broken || one.steps.length > 0);
+  const shown = (all ?? []).filter((one) => !brief || one.steps.length > 0);
   if (shown.length === 0) return null;
   return (
     <section className="tutorial-cards" aria-label={t("tutorial.title")}>
-      <h2>{title}</h2>
+      {brief ? <h2>{t("tutorial.invite")}</h2> : <h3>{t("tutorial.title")}</h3>}
       <ul>
         {shown.map((one) => (
-          <li key={one.name}>{one.steps.length > 0 ? <Card tutorial={one} /> : <Broken tutorial={one} />}</li>
+          <li key={one.name}>
+            {one.steps.length > 0 ? <Card tutorial={one} brief={brief} /> : <Broken tutorial={one} />}
+          </li>
         ))}
       </ul>
     </section>

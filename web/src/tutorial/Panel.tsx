@@ -8,7 +8,7 @@ import { text } from "../model/texts";
 import { Icon } from "../theme";
 import { t } from "../words/words";
 import { beginAnew } from "./opening";
-import { goToPoint, type Page, selectorOf, wordsOf } from "./points";
+import { goToPoint, type Page, selectorOf, told, wordsOf } from "./points";
 import { doneSteps } from "./progress";
 import { goBack, goForward, goTo, leave, showHint, useTutorial } from "./state";
 import "./tutorial.css";
@@ -19,18 +19,24 @@ function usePage(): Page {
   return { program, parts: partsOf(catalogue, program?.robot ?? "") };
 }
 
-function nameOf(tutorial: Tutorial, step: number): string {
-  return text(tutorial.steps[step]?.label ?? {});
+function nameOf(tutorial: Tutorial, step: number, page: Page): string {
+  return told(tutorial.steps[step]?.label ?? {}, page);
+}
+
+interface StepProps {
+  tutorial: Tutorial;
+  done: readonly boolean[];
+  page: Page;
 }
 
 /** The steps as numbers: each a button that goes there. */
-function Steps({ tutorial, done }: { tutorial: Tutorial; done: readonly boolean[] }) {
+function Steps({ tutorial, done, page }: StepProps) {
   const { at, skipped } = useTutorial((state) => state.progress);
   return (
     <ol className="tutorial-steps" aria-label={t("tutorial.steps")}>
       {done.map((is, step) => {
         const state = is ? "done" : skipped.includes(step) ? "skipped" : "open";
-        const words = { number: step + 1, name: nameOf(tutorial, step) };
+        const words = { number: step + 1, name: nameOf(tutorial, step, page) };
         const label = t(
           is ? "tutorial.step-done" : state === "skipped" ? "tutorial.step-skipped" : "tutorial.step",
           words,
@@ -68,21 +74,20 @@ function Ring({ selector }: { selector: string }) {
   );
 }
 
-function StepView({ tutorial, done }: { tutorial: Tutorial; done: readonly boolean[] }) {
+function StepView({ tutorial, done, page }: StepProps) {
   const { progress, hinted } = useTutorial();
-  const page = usePage();
   const step = tutorial.steps[progress.at];
   if (step === undefined) return null;
   const is = done[progress.at] === true;
   const read = !step.asks && step.events.length === 0;
-  const hint = text(step.hint);
+  const hint = told(step.hint, page);
   const points = step.points.filter((point) => selectorOf(point, page) !== "");
   return (
     <>
       {is ? null : <Ring selector={points.map((point) => selectorOf(point, page)).join(", ")} />}
       <div className="tutorial-words">
-        <h3>{text(step.label)}</h3>
-        <p>{text(step.help)}</p>
+        <h3>{told(step.label, page)}</h3>
+        <p>{told(step.help, page)}</p>
         {is ? (
           <p className="tutorial-is-done">
             <Icon name="circle-check" size={16} /> {t("tutorial.is-done")}
@@ -140,7 +145,7 @@ function StepView({ tutorial, done }: { tutorial: Tutorial; done: readonly boole
   );
 }
 
-function End({ tutorial, done }: { tutorial: Tutorial; done: readonly boolean[] }) {
+function End({ tutorial, done, page }: StepProps) {
   const whole = done.every(Boolean);
   const open = done.findIndex((is) => !is);
   return (
@@ -170,7 +175,7 @@ function End({ tutorial, done }: { tutorial: Tutorial; done: readonly boolean[] 
             }}
             data-testid="tutorial-open-step"
           >
-            {t("tutorial.step", { number: open + 1, name: nameOf(tutorial, open) })}
+            {t("tutorial.step", { number: open + 1, name: nameOf(tutorial, open, page) })}
           </button>
         )}
         <button type="button" className="button" onClick={leave} data-testid="tutorial-close">
@@ -182,17 +187,18 @@ function End({ tutorial, done }: { tutorial: Tutorial; done: readonly boolean[] 
 }
 
 /** What is said aloud: what was done, and what comes now. */
-function spoken(tutorial: Tutorial, at: number, last: number, done: readonly boolean[]): string {
-  const did = last >= 0 ? `${t("tutorial.did", { name: nameOf(tutorial, last) })} ` : "";
+function spoken({ tutorial, done, page }: StepProps, at: number, last: number): string {
+  const did = last >= 0 ? `${t("tutorial.did", { name: nameOf(tutorial, last, page) })} ` : "";
   const step = tutorial.steps[at];
   if (step !== undefined) {
-    return `${did}${t("tutorial.step", { number: at + 1, name: text(step.label) })}. ${text(step.help)}`;
+    return `${did}${t("tutorial.step", { number: at + 1, name: told(step.label, page) })}. ${told(step.help, page)}`;
   }
   return did + (done.every(Boolean) ? t("tutorial.finished", { name: text(tutorial.label) }) : t("tutorial.left-over"));
 }
 
 export function TutorialPanel() {
   const { tutorial, progress, fits, last } = useTutorial();
+  const page = usePage();
   const section = useRef<HTMLElement>(null);
   const name = tutorial?.name;
   useEffect(() => {
@@ -214,7 +220,7 @@ export function TutorialPanel() {
       <header className="tutorial-head">
         <Icon name={tutorial.icon} size={18} />
         <h2>{text(tutorial.label)}</h2>
-        <Steps tutorial={tutorial} done={done} />
+        <Steps tutorial={tutorial} done={done} page={page} />
         <span className="tutorial-count" data-testid="tutorial-count">
           {t("tutorial.done-of", { done: count, total: done.length })}
         </span>
@@ -244,13 +250,13 @@ export function TutorialPanel() {
       </header>
       <div className="tutorial-body">
         {progress.at < done.length ? (
-          <StepView tutorial={tutorial} done={done} />
+          <StepView tutorial={tutorial} done={done} page={page} />
         ) : (
-          <End tutorial={tutorial} done={done} />
+          <End tutorial={tutorial} done={done} page={page} />
         )}
       </div>
       <p className="only-spoken" role="status" data-testid="tutorial-said">
-        {spoken(tutorial, progress.at, last, done)}
+        {spoken({ tutorial, done, page }, progress.at, last)}
       </p>
     </section>
   );

@@ -1,12 +1,17 @@
 /** The room's door: what the shell puts above the graph. */
 import { useEffect } from "react";
 
+import { complain } from "../shell/document";
+import { later } from "../shell/later";
 import { keepTutorials } from "./opening";
-import { TutorialPanel } from "./Panel";
+import { useTutorial } from "./state";
 import { keepWatching } from "./watching";
 import { Welcome } from "./Welcome";
 
+const TutorialPanel = later(() => import("./Panel").then((chunk) => chunk.TutorialPanel), complain);
+
 export function Tutorials() {
+  const open = useTutorial((state) => state.tutorial !== null);
   useEffect(() => {
     const offOpening = keepTutorials();
     const offWatching = keepWatching();
@@ -17,7 +22,7 @@ export function Tutorials() {
   }, []);
   return (
     <>
-      <TutorialPanel />
+      {open ? <TutorialPanel /> : null}
       <Welcome />
     </>
   );

@@ -7,7 +7,7 @@ import type { Point } from "../api/tutorials";
 import { useView } from "../editor/view";
 import { type Parts, shortTitle } from "../model/parts";
 import { text } from "../model/texts";
-import type { Program } from "../model/types";
+import type { Program, Texts } from "../model/types";
 import { reveal } from "../palette/reveal";
 import { reveal as revealVertex } from "../shell/actions";
 import { type Key, t } from "../words/words";
@@ -52,10 +52,11 @@ function vertices({ name }: Point, { program }: Page): string[] {
 export function selectorOf(point: Point, page: Page): string {
   switch (point.kind) {
     case "part": {
+      const row = byTestid(`part-${point.name}`);
+      const object = page.parts.all.find((one) => one.element === point.name)?.object;
+      if (object == null) return row;
       // In a folded object, its heading is what can be seen.
-      const object = point.name.split(".")[0] ?? "";
-      const folded = `[data-row^="object "][data-row$="${CSS.escape(` ${object}`)}"][aria-expanded="false"]`;
-      return point.name.includes(".") ? `${byTestid(`part-${point.name}`)}, ${folded}` : byTestid(`part-${point.name}`);
+      return `${row}, [data-row="${CSS.escape(`object ${object.category} ${object.name}`)}"][aria-expanded="false"]`;
     }
     case "vertex": {
       const [first] = vertices(point, page);
@@ -84,6 +85,25 @@ function partName(element: string, { parts }: Page): string {
   return shape.object === null
     ? shortTitle(shape)
     : `${text(shape.object.label, shape.object.name)} ${shortTitle(shape)}`;
+}
+
+/** What a text says in braces, as the page names it: {Wheel}, {Wheel.Advance}, {Wheel.Advance speed}; null for none. */
+function nameIn(braces: string, { parts }: Page): string | null {
+  const shape = parts.all.find((one) => one.element === braces);
+  if (shape !== undefined) return shortTitle(shape);
+  const object = parts.all.find((one) => one.object?.name === braces)?.object;
+  if (object != null) return text(object.label, object.name);
+  const space = braces.lastIndexOf(" ");
+  const owner = parts.all.find((one) => one.element === braces.slice(0, space));
+  const name = braces.slice(space + 1);
+  const inner = [...(owner?.fields ?? []), ...(owner?.plugs ?? []), ...(owner?.flows ?? [])];
+  const found = inner.find((one) => one.name === name);
+  return found === undefined ? null : text(found.label, name);
+}
+
+/** A text of a tutorial, with the names of parts as the reader sees them in the palette. */
+export function told(texts: Texts, page: Page): string {
+  return text(texts).replace(/\{([^{}]+)\}/g, (whole, braces: string) => nameIn(braces, page) ?? whole);
 }
 
 /** A point in words: "Wheel Advance in the parts". */

@@ -1,0 +1,398 @@
+"""A newcomer goes through each tutorial as a person would: with mouse and keyboard, wrong ways, undo, and a break."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.test_reach import choose, find_nothing
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+BLINK = "blink/blink.krt"
+FIRST = "example:tutorials/first-steps/first-steps.tutorial.xml"
+
+
+def begin(studio: Studio, name: str) -> None:
+    """Begins a tutorial from the menu Help."""
+    studio.at("menu-Help").click()
+    studio.at(f"menu-help-tutorial-example:tutorials/{name}/{name}.tutorial.xml").click()
+    at_step(studio, 1)
+
+
+def at_step(studio: Studio, number: int) -> None:
+    """Waits until the panel shows that step."""
+    expect(studio.at("tutorial")).to_have_attribute("data-step", str(number), timeout=15_000)
+
+
+def done(studio: Studio, *numbers: int) -> None:
+    """Waits until these steps are done, and no others."""
+    expect(studio.page.locator('.tutorial-dot[data-state="done"]')).to_have_count(len(numbers))
+    for number in numbers:
+        expect(studio.at(f"tutorial-step-{number}")).to_have_attribute("data-state", "done")
+
+
+def open_part(studio: Studio, object_: str) -> None:
+    """Opens an object of the palette ("actuator Wheel"), if it is folded."""
+    row = studio.page.locator(f'[data-row="object {object_}"]')
+    if row.get_attribute("aria-expanded") == "false":
+        row.click()
+
+
+def drop(studio: Studio, part: str, target: str, object_: str = "") -> None:
+    """Drags a part onto something, its object opened before."""
+    if object_:
+        open_part(studio, object_)
+    studio.drop(part, target)
+
+
+def run(studio: Studio) -> None:
+    """Presses Run, and waits until it is on."""
+    studio.at("run-button").click()
+
+
+def set_field(studio: Studio, field: str, value: str) -> None:
+    """Types into a field of the inspector."""
+    studio.at(f"field-{field}").fill(value)
+
+
+def first_steps_until_run(studio: Studio) -> None:
+    """The first four steps with the mouse."""
+    drop(studio, "Wheel.Advance", "first-place", "actuator Wheel")
+    at_step(studio, 2)
+    studio.at("vertex-v1").click()
+    set_field(studio, "v1.speed", "60")
+    at_step(studio, 3)
+    studio.drop("Wait", "arc-v1.next")
+    at_step(studio, 4)
+    drop(studio, "Wheel.Stop", "arc-v2.next", "actuator Wheel")
+    at_step(studio, 5)
+
+
+def test_first_steps_with_the_mouse(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    begin(studio, "first-steps")
+    first_steps_until_run(studio)
+    expect(studio.at("tutorial-said")).to_contain_text("Done: Stop the wheels. Step 5: Run it.")
+    studio.full_speed()
+    run(studio)
+    at_step(studio, 6)
+    drop(studio, "Motor.AbsoluteTurn", "arc-v3.next", "actuator Motor")
+    at_step(studio, 7)
+    studio.at("canvas").focus()
+    studio.page.keyboard.press("Control+a")
+    studio.drop("Repetition", "vertex-v2")
+    at_step(studio, 8)
+    done(studio, 1, 2, 3, 4, 5, 6, 7)
+    studio.at("vertex-v5").click()
+    set_field(studio, "v5.count", "4")
+    at_step(studio, 9)
+    run(studio)
+    expect(studio.at("tutorial-end")).to_contain_text("That was First steps. Well done!", timeout=15_000)
+    done(studio, *range(1, 10))
+
+
+def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    choose(studio, "ur")
+    keys = studio.page.keyboard
+    studio.at("menu-Help").focus()
+    keys.press("Enter")
+    expect(studio.at(f"menu-help-tutorial-{FIRST}")).to_be_focused()
+    keys.press("Enter")
+    at_step(studio, 1)
+    panel = studio.at("tutorial")
+    expect(panel).to_be_focused()
+    expect(panel).to_contain_text("روبوٹ کو چلائیں")
+    # Names of parts stand there as the palette has them.
+    expect(panel).not_to_contain_text("{")
+    expect(panel.locator("p").first).to_contain_text(
+        studio.page.locator('[data-row="object actuator Wheel"]').inner_text()
+    )
+
+    def add(part: str) -> None:
+        keys.press("/")
+        studio.at("add-find").fill(part)
+        keys.press("Enter")
+
+    studio.at("canvas").focus()
+    keys.press("ArrowDown")
+    add("Wheel.Advance")
+    at_step(studio, 2)
+    field = studio.at("field-v1.speed")
+    studio.at("tutorial-show").focus()
+    keys.press("Enter")
+    studio.at("tutorial-go-vertex-Wheel.Advance").focus()
+    keys.press("Enter")
+    expect(field).to_be_focused()
+    keys.press("Control+a")
+    keys.type("75")
+    at_step(studio, 3)
+    keys.press("Escape")
+    studio.at("canvas").focus()
+    add("Wait")
+    at_step(studio, 4)
+    studio.at("canvas").focus()
+    add("Wheel.Stop")
+    at_step(studio, 5)
+    studio.full_speed()
+    keys.press("F5")
+    at_step(studio, 6)
+    studio.at("canvas").focus()
+    add("Motor.AbsoluteTurn")
+    at_step(studio, 7)
+    studio.at("canvas").focus()
+    keys.press("Control+a")
+    keys.press("w")
+    studio.at("add-find").fill("Repetition")
+    keys.press("Enter")
+    at_step(studio, 8)
+    studio.at("tutorial-show").focus()
+    keys.press("Enter")
+    studio.at("tutorial-go-vertex-Repetition").focus()
+    keys.press("Enter")
+    expect(studio.at("field-v5.count")).to_be_focused()
+    keys.press("Control+a")
+    keys.type("4")
+    at_step(studio, 9)
+    keys.press("F5")
+    expect(studio.at("tutorial-end")).to_be_visible(timeout=15_000)
+    done(studio, *range(1, 10))
+
+
+def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    begin(studio, "sensing")
+    studio.drop("While", "first-place")
+    at_step(studio, 2)
+    drop(studio, "Captor.GreaterThan", "slot-v1.condition", "sensor Captor")
+    at_step(studio, 3)
+    # A wrong way: the robot would begin to drive after the loop.
+    drop(studio, "Wheel.Advance", "arc-v1.next", "actuator Wheel")
+    studio.expect_code("Wheel.Advance(50);")
+    done(studio, 1, 2)
+    at_step(studio, 3)
+    studio.page.keyboard.press("Control+z")
+    drop(studio, "Wheel.Advance", "arc-v1.body", "actuator Wheel")
+    at_step(studio, 4)
+    drop(studio, "Wheel.Stop", "arc-v1.next", "actuator Wheel")
+    at_step(studio, 5)
+    studio.full_speed()
+    run(studio)
+    at_step(studio, 6)
+    # What is undone is not done any more; what was run, was run.
+    studio.page.keyboard.press("Control+z")
+    done(studio, 1, 2, 3, 5)
+    expect(studio.at("tutorial-undone")).to_have_text("Step 4 is open again")
+    at_step(studio, 6)
+    studio.page.keyboard.press("Control+y")
+    done(studio, 1, 2, 3, 4, 5)
+    stop = studio.page.locator('.vertex[aria-label*="Stop"]').first.get_attribute("data-testid") or ""
+    drop(studio, "Motor.AbsoluteTurn", f"arc-{stop.removeprefix('vertex-')}.next", "actuator Motor")
+    at_step(studio, 7)
+    turn = studio.page.locator('.vertex[aria-label*="AbsoluteTurn"]').get_attribute("data-testid") or ""
+    studio.drop("If Then", f"arc-{turn.removeprefix('vertex-')}.next")
+    choice = (studio.page.locator('.vertex[aria-label*="If Then"]').get_attribute("data-testid") or "")[7:]
+    drop(studio, "Captor.GreaterThan", f"slot-{choice}.condition", "sensor Captor")
+    drop(studio, "Light.LightOn", f"arc-{choice}.then", "actuator Light")
+    at_step(studio, 8)
+    run(studio)
+    expect(studio.at("tutorial-end")).to_be_visible(timeout=15_000)
+    done(studio, *range(1, 9))
+
+
+def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    begin(studio, "together")
+    studio.drop("Parallelism", "first-place")
+    at_step(studio, 2)
+    drop(studio, "Wheel.Advance", "arc-v1.branch.2", "actuator Wheel")
+    studio.drop("Wait", "arc-v2.next")
+    at_step(studio, 3)
+    drop(studio, "Light.LightOn", "arc-v1.branch.1", "actuator Light")
+    at_step(studio, 4)
+    drop(studio, "Wheel.Stop", "arc-v1.next", "actuator Wheel")
+    at_step(studio, 5)
+    studio.full_speed()
+    run(studio)
+    at_step(studio, 6)
+    studio.at("add-program").click()
+    studio.at("menu-add-mini-robot").click()
+    expect(studio.at("tab-program-1")).to_be_visible()
+    drop(studio, "Wheel.Advance", "first-place", "actuator Wheel")
+    at_step(studio, 7)
+    studio.drop("Wait", "arc-v1.next")
+    done(studio, *range(1, 7))
+    drop(studio, "Wheel.Stop", "arc-v2.next", "actuator Wheel")
+    at_step(studio, 8)
+    run(studio)
+    expect(studio.at("tutorial-end")).to_be_visible(timeout=15_000)
+    done(studio, *range(1, 9))
+
+
+def test_later_steps_first_another_right_way_and_more_than_was_asked(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    begin(studio, "first-steps")
+    editor = studio.page.locator('[data-testid="code"] .cm-content')
+    editor.click()
+    studio.page.keyboard.press("Control+a")
+    studio.page.keyboard.insert_text(
+        "Light.LightOn(); 2*(2*(Wheel.Advance(20); WAIT(5); Wheel.Stop(); Motor.AbsoluteTurn(25, 80)));"
+    )
+    # All but the speed and the runs: the shown step is done, and the next open one comes.
+    at_step(studio, 2)
+    done(studio, 1, 3, 4, 6, 7, 8)
+    studio.full_speed()
+    run(studio)
+    done(studio, 1, 3, 4, 5, 6, 7, 8, 9)
+    at_step(studio, 2)
+
+
+def test_hints_come_when_asked_for_and_lead_to_what_is_meant(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    begin(studio, "first-steps")
+    row = studio.page.locator('[data-row="object actuator Wheel"]')
+    expect(row).to_have_css("outline-style", "dashed")
+    expect(studio.at("tutorial-hint")).to_have_count(0)
+    studio.at("tutorial-show").click()
+    expect(studio.at("tutorial-hint")).to_contain_text("press /, type Advance")
+    studio.at("tutorial-go-part-Wheel.Advance").click()
+    part = studio.at("part-Wheel.Advance")
+    expect(part).to_be_focused()
+    expect(part).to_have_css("outline-style", "dashed")
+    studio.page.keyboard.press("Enter")
+    at_step(studio, 2)
+    expect(studio.at("tutorial-hint")).to_have_count(0)
+    expect(part).not_to_have_css("outline-style", "dashed")
+    canvas, panel = studio.at("canvas").bounding_box(), studio.at("tutorial").bounding_box()
+    assert canvas is not None
+    assert panel is not None
+    assert panel["y"] + panel["height"] <= canvas["y"] + 1
+
+
+def test_skip_back_leave_and_come_back(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    begin(studio, "first-steps")
+    drop(studio, "Wheel.Advance", "first-place", "actuator Wheel")
+    at_step(studio, 2)
+    studio.at("tutorial-next").click()
+    at_step(studio, 3)
+    expect(studio.at("tutorial-step-2")).to_have_attribute("data-state", "skipped")
+    studio.at("tutorial-back").click()
+    studio.at("tutorial-back").click()
+    at_step(studio, 1)
+    expect(studio.at("tutorial")).to_contain_text("This step is done.")
+    studio.at("tutorial-step-3").click()
+    # Loaded again in the middle: everything is as it was.
+    expect(studio.at("saved-state")).to_have_text("not saved")
+    with studio.page.expect_response(lambda answer: "journal" in answer.url and answer.ok):
+        studio.drop("Wait", "arc-v1.next")
+    at_step(studio, 4)
+    studio.page.reload()
+    at_step(studio, 4)
+    studio.expect_code("WAIT(10);")
+    done(studio, 1, 3)
+    # Left and taken up again: the same step, and the same program.
+    studio.at("tutorial-leave").click()
+    expect(studio.at("tutorial")).to_have_count(0)
+    studio.page.reload()
+    studio.expect_code("WAIT(10);")
+    studio.at("menu-Help").click()
+    studio.at(f"menu-help-tutorial-{FIRST}").click()
+    at_step(studio, 4)
+    studio.expect_code("WAIT(10);")
+    done(studio, 1, 3)
+
+
+def test_what_was_saved_elsewhere_is_where_it_goes_on(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    begin(studio, "first-steps")
+    drop(studio, "Wheel.Advance", "first-place", "actuator Wheel")
+    at_step(studio, 2)
+    studio.page.keyboard.press("Control+Shift+s")
+    studio.page.locator('[data-testid="save-dialog"] input').first.fill("mine.krt")
+    studio.page.keyboard.press("Enter")
+    expect(studio.at("save-dialog")).to_have_count(0)
+    studio.page.keyboard.press("Control+o")
+    studio.page.locator('[data-path="blink.krt"]').click()
+    studio.expect_code("Light.LightOn()")
+    expect(studio.at("tutorial")).to_have_count(0)
+    studio.page.keyboard.press("Control+o")
+    card = studio.at(f"tutorial-card-{FIRST}")
+    expect(card).to_contain_text("step 2 of 9")
+    card.click()
+    at_step(studio, 2)
+    studio.expect_code("Wheel.Advance(50);")
+    expect(studio.page.locator(".title")).to_contain_text("mine.krt")
+    done(studio, 1)
+
+
+def test_a_tutorial_in_the_folder_appears_and_one_with_a_mistake_says_which(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    text = (EXAMPLES / "tutorials" / "first-steps" / "first-steps.tutorial.xml").read_text(encoding="utf-8")
+    mine = text.replace("<label>First steps</label>", "<label>Our class</label>").replace("first-steps.krt", "x.krt")
+    shutil.copy(EXAMPLES / "tutorials" / "first-steps" / "first-steps.krt", studio.folder / "x.krt")
+    (studio.folder / "mine.tutorial.xml").write_text(mine, encoding="utf-8")
+    (studio.folder / "bad.tutorial.xml").write_text(mine.replace("<step>", "<stop>", 1), encoding="utf-8")
+    studio.page.keyboard.press("Control+o")
+    bad = studio.at("tutorial-card-bad.tutorial.xml")
+    expect(bad).to_contain_text("This tutorial cannot be used:")
+    expect(bad).to_contain_text("<stop>")
+    studio.at("tutorial-card-mine.tutorial.xml").click()
+    at_step(studio, 1)
+    expect(studio.at("tutorial")).to_contain_text("Our class")
+    studio.at("menu-Help").click()
+    expect(studio.at("menu-help-tutorial-mine.tutorial.xml")).to_be_visible()
+    expect(studio.at("menu-help-tutorial-bad.tutorial.xml")).to_have_count(0)
+
+
+def test_an_empty_program_invites_to_a_tutorial(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    cards = studio.page.locator(".teaching .tutorial-card")
+    expect(cards).to_have_count(3)
+    cards.first.click()
+    at_step(studio, 1)
+    expect(studio.page.locator(".teaching .tutorial-card")).to_have_count(0)
+
+
+def test_a_newcomer_is_welcomed_once(open_studio: OpenStudio) -> None:
+    studio = open_studio(None)
+    welcome = studio.at("welcome")
+    expect(welcome).to_contain_text("New here?")
+    studio.at("welcome-close").click()
+    expect(welcome).to_have_count(0)
+    studio.page.reload()
+    expect(studio.at("run-button")).to_be_visible()
+    studio.at("menu-Help").click()
+    expect(studio.at(f"menu-help-tutorial-{FIRST}")).to_be_visible()
+    expect(welcome).to_have_count(0)
+
+
+@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast", "ur"), ("light", "fr")], ids=str)
+def test_axe_finds_nothing_and_nothing_overlaps(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
+    studio = open_studio(None)
+    choose(studio, *look)
+    find_nothing(studio, "the welcome")
+    studio.page.keyboard.press("Control+o")
+    expect(studio.at(f"tutorial-card-{FIRST}")).to_be_visible()
+    find_nothing(studio, "the gallery with tutorials")
+    studio.at(f"tutorial-card-{FIRST}").click()
+    at_step(studio, 1)
+    find_nothing(studio, "the first step")
+    studio.at("tutorial-show").click()
+    find_nothing(studio, "the hint")
+    for _ in range(9):
+        studio.at("tutorial-next").click()
+    find_nothing(studio, "the end")
+    panel, leave = studio.at("tutorial").bounding_box(), studio.at("tutorial-leave").bounding_box()
+    assert panel is not None
+    assert leave is not None
+    at_left = leave["x"] - panel["x"] < panel["width"] / 2
+    assert at_left is ("ur" in look)
