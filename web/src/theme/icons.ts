@@ -1,5 +1,5 @@
 /**
- * The icons that travel with the page: lucide names, a bounded set.
+ * The icons that travel with the page: the lucide names that it and what ships with it use, no more; every load pays for them.
  *
  * A robot's or constructor's XML may name any lucide icon; `Icon.tsx` fetches the whole set for a name that is not here.
  */
@@ -7,33 +7,26 @@ import type { LucideIcon } from "lucide-react";
 
 import Ampersand from "lucide-react/icons/ampersand";
 import ArrowDown from "lucide-react/icons/arrow-down";
-import ArrowLeft from "lucide-react/icons/arrow-left";
 import ArrowRight from "lucide-react/icons/arrow-right";
 import ArrowUp from "lucide-react/icons/arrow-up";
 import Ban from "lucide-react/icons/ban";
-import Battery from "lucide-react/icons/battery";
 import Bell from "lucide-react/icons/bell";
 import Blend from "lucide-react/icons/blend";
-import Bot from "lucide-react/icons/bot";
 import Box from "lucide-react/icons/box";
 import Boxes from "lucide-react/icons/boxes";
-import Camera from "lucide-react/icons/camera";
 import Check from "lucide-react/icons/check";
 import ChevronDown from "lucide-react/icons/chevron-down";
 import ChevronLeft from "lucide-react/icons/chevron-left";
 import ChevronRight from "lucide-react/icons/chevron-right";
 import ChevronUp from "lucide-react/icons/chevron-up";
 import Circle from "lucide-react/icons/circle";
-import CircleAlert from "lucide-react/icons/circle-alert";
 import CircleCheck from "lucide-react/icons/circle-check";
 import CircleDot from "lucide-react/icons/circle-dot";
-import CircleGauge from "lucide-react/icons/circle-gauge";
 import CircleHelp from "lucide-react/icons/circle-help";
 import CircleSlash2 from "lucide-react/icons/circle-slash-2";
 import CircleX from "lucide-react/icons/circle-x";
 import ClipboardCheck from "lucide-react/icons/clipboard-check";
 import ClipboardList from "lucide-react/icons/clipboard-list";
-import Clock from "lucide-react/icons/clock";
 import Columns2 from "lucide-react/icons/columns-2";
 import Compass from "lucide-react/icons/compass";
 import Copy from "lucide-react/icons/copy";
@@ -41,23 +34,15 @@ import Crosshair from "lucide-react/icons/crosshair";
 import Disc3 from "lucide-react/icons/disc-3";
 import DoorClosed from "lucide-react/icons/door-closed";
 import DoorOpen from "lucide-react/icons/door-open";
-import Ellipsis from "lucide-react/icons/ellipsis";
 import Equal from "lucide-react/icons/equal";
-import Eraser from "lucide-react/icons/eraser";
-import Fan from "lucide-react/icons/fan";
 import File from "lucide-react/icons/file";
 import Flag from "lucide-react/icons/flag";
-import Flame from "lucide-react/icons/flame";
-import FolderOpen from "lucide-react/icons/folder-open";
 import Gauge from "lucide-react/icons/gauge";
 import Footprints from "lucide-react/icons/footprints";
 import GitFork from "lucide-react/icons/git-fork";
 import Grab from "lucide-react/icons/grab";
 import GraduationCap from "lucide-react/icons/graduation-cap";
-import GripVertical from "lucide-react/icons/grip-vertical";
-import Hand from "lucide-react/icons/hand";
 import Hash from "lucide-react/icons/hash";
-import HelpCircle from "lucide-react/icons/help-circle";
 import Hourglass from "lucide-react/icons/hourglass";
 import InfinityIcon from "lucide-react/icons/infinity";
 import Info from "lucide-react/icons/info";
@@ -65,17 +50,12 @@ import Lightbulb from "lucide-react/icons/lightbulb";
 import LightbulbOff from "lucide-react/icons/lightbulb-off";
 import ListPlus from "lucide-react/icons/list-plus";
 import LogOut from "lucide-react/icons/log-out";
-import Magnet from "lucide-react/icons/magnet";
 import Map from "lucide-react/icons/map";
 import MapPin from "lucide-react/icons/map-pin";
 import Maximize from "lucide-react/icons/maximize";
 import MessageCircle from "lucide-react/icons/message-circle";
-import Milestone from "lucide-react/icons/milestone";
 import Minus from "lucide-react/icons/minus";
 import MousePointer2 from "lucide-react/icons/mouse-pointer-2";
-import Move from "lucide-react/icons/move";
-import Music from "lucide-react/icons/music";
-import Navigation from "lucide-react/icons/navigation";
 import OctagonX from "lucide-react/icons/octagon-x";
 import Package from "lucide-react/icons/package";
 import PackageMinus from "lucide-react/icons/package-minus";
@@ -83,22 +63,16 @@ import PackageOpen from "lucide-react/icons/package-open";
 import PackagePlus from "lucide-react/icons/package-plus";
 import Palette from "lucide-react/icons/palette";
 import Pause from "lucide-react/icons/pause";
-import Pencil from "lucide-react/icons/pencil";
 import Play from "lucide-react/icons/play";
-import Plug from "lucide-react/icons/plug";
 import Plus from "lucide-react/icons/plus";
 import Power from "lucide-react/icons/power";
 import PowerOff from "lucide-react/icons/power-off";
-import Puzzle from "lucide-react/icons/puzzle";
 import Radar from "lucide-react/icons/radar";
 import Radio from "lucide-react/icons/radio";
 import Redo2 from "lucide-react/icons/redo-2";
 import RefreshCw from "lucide-react/icons/refresh-cw";
 import Repeat from "lucide-react/icons/repeat";
-import RotateCcw from "lucide-react/icons/rotate-ccw";
 import RotateCw from "lucide-react/icons/rotate-cw";
-import Route from "lucide-react/icons/route";
-import Ruler from "lucide-react/icons/ruler";
 import ScanEye from "lucide-react/icons/scan-eye";
 import Search from "lucide-react/icons/search";
 import Settings from "lucide-react/icons/settings";
@@ -107,27 +81,16 @@ import SlidersHorizontal from "lucide-react/icons/sliders-horizontal";
 import Split from "lucide-react/icons/split";
 import Square from "lucide-react/icons/square";
 import SquareDashed from "lucide-react/icons/square-dashed";
-import Star from "lucide-react/icons/star";
 import StepForward from "lucide-react/icons/step-forward";
-import Sun from "lucide-react/icons/sun";
-import Tag from "lucide-react/icons/tag";
-import Thermometer from "lucide-react/icons/thermometer";
 import Timer from "lucide-react/icons/timer";
-import ToggleLeft from "lucide-react/icons/toggle-left";
 import ToggleRight from "lucide-react/icons/toggle-right";
 import Trash2 from "lucide-react/icons/trash-2";
-import Triangle from "lucide-react/icons/triangle";
 import TriangleAlert from "lucide-react/icons/triangle-alert";
-import Truck from "lucide-react/icons/truck";
 import Undo2 from "lucide-react/icons/undo-2";
 import Upload from "lucide-react/icons/upload";
 import Users from "lucide-react/icons/users";
 import Variable from "lucide-react/icons/variable";
-import Video from "lucide-react/icons/video";
-import Volume2 from "lucide-react/icons/volume-2";
 import Warehouse from "lucide-react/icons/warehouse";
-import Waves from "lucide-react/icons/waves";
-import Wifi from "lucide-react/icons/wifi";
 import Wrench from "lucide-react/icons/wrench";
 import X from "lucide-react/icons/x";
 import Zap from "lucide-react/icons/zap";
@@ -137,33 +100,26 @@ import ZoomOut from "lucide-react/icons/zoom-out";
 export const ICONS: Readonly<Record<string, LucideIcon>> = {
   ampersand: Ampersand,
   "arrow-down": ArrowDown,
-  "arrow-left": ArrowLeft,
   "arrow-right": ArrowRight,
   "arrow-up": ArrowUp,
   ban: Ban,
-  battery: Battery,
   bell: Bell,
   blend: Blend,
-  bot: Bot,
   box: Box,
   boxes: Boxes,
-  camera: Camera,
   check: Check,
   "chevron-down": ChevronDown,
   "chevron-left": ChevronLeft,
   "chevron-right": ChevronRight,
   "chevron-up": ChevronUp,
   circle: Circle,
-  "circle-alert": CircleAlert,
   "circle-check": CircleCheck,
   "circle-dot": CircleDot,
-  "circle-gauge": CircleGauge,
   "circle-help": CircleHelp,
   "circle-slash-2": CircleSlash2,
   "circle-x": CircleX,
   "clipboard-check": ClipboardCheck,
   "clipboard-list": ClipboardList,
-  clock: Clock,
   "columns-2": Columns2,
   compass: Compass,
   copy: Copy,
@@ -171,23 +127,15 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "disc-3": Disc3,
   "door-closed": DoorClosed,
   "door-open": DoorOpen,
-  ellipsis: Ellipsis,
   equal: Equal,
-  eraser: Eraser,
-  fan: Fan,
   file: File,
   flag: Flag,
-  flame: Flame,
-  "folder-open": FolderOpen,
   gauge: Gauge,
   footprints: Footprints,
   "git-fork": GitFork,
   grab: Grab,
   "graduation-cap": GraduationCap,
-  "grip-vertical": GripVertical,
-  hand: Hand,
   hash: Hash,
-  "help-circle": HelpCircle,
   hourglass: Hourglass,
   infinity: InfinityIcon,
   info: Info,
@@ -195,17 +143,12 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "lightbulb-off": LightbulbOff,
   "list-plus": ListPlus,
   "log-out": LogOut,
-  magnet: Magnet,
   map: Map,
   "map-pin": MapPin,
   maximize: Maximize,
   "message-circle": MessageCircle,
-  milestone: Milestone,
   minus: Minus,
   "mouse-pointer-2": MousePointer2,
-  move: Move,
-  music: Music,
-  navigation: Navigation,
   "octagon-x": OctagonX,
   package: Package,
   "package-minus": PackageMinus,
@@ -213,22 +156,16 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "package-plus": PackagePlus,
   palette: Palette,
   pause: Pause,
-  pencil: Pencil,
   play: Play,
-  plug: Plug,
   plus: Plus,
   power: Power,
   "power-off": PowerOff,
-  puzzle: Puzzle,
   radar: Radar,
   radio: Radio,
   "redo-2": Redo2,
   "refresh-cw": RefreshCw,
   repeat: Repeat,
-  "rotate-ccw": RotateCcw,
   "rotate-cw": RotateCw,
-  route: Route,
-  ruler: Ruler,
   "scan-eye": ScanEye,
   search: Search,
   settings: Settings,
@@ -237,27 +174,16 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   split: Split,
   square: Square,
   "square-dashed": SquareDashed,
-  star: Star,
   "step-forward": StepForward,
-  sun: Sun,
-  tag: Tag,
-  thermometer: Thermometer,
   timer: Timer,
-  "toggle-left": ToggleLeft,
   "toggle-right": ToggleRight,
   "trash-2": Trash2,
-  triangle: Triangle,
   "triangle-alert": TriangleAlert,
-  truck: Truck,
   "undo-2": Undo2,
   upload: Upload,
   users: Users,
   variable: Variable,
-  video: Video,
-  "volume-2": Volume2,
   warehouse: Warehouse,
-  waves: Waves,
-  wifi: Wifi,
   wrench: Wrench,
   x: X,
   zap: Zap,

@@ -1,0 +1,47 @@
+"""What a first load fetches stays small: scripts, styles, letters and pictures, as they travel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+MOST_BYTES = 350_000
+FETCHED = """() => {
+  const of = (kind) => performance.getEntriesByType(kind);
+  return [...of("navigation"), ...of("resource")]
+    .map(({ name, encodedBodySize }) => [new URL(name).pathname, encodedBodySize])
+    .filter(([path]) => !path.startsWith("/api/"));
+}"""
+
+OpenStudio = Callable[..., Studio]
+
+
+def fetched(studio: Studio) -> dict[str, int]:
+    """The bytes of each file that the page has fetched, once it has all that it fetches unasked."""
+    expect(studio.at("code-editor")).to_have_attribute("data-writable", "true", timeout=20_000)
+    studio.page.wait_for_load_state("networkidle")
+    return dict(studio.page.evaluate(FETCHED))
+
+
+@pytest.mark.parametrize("language", ["en", "fr", "ur"])
+def test_the_first_load_fits_in_350_kb(open_studio: OpenStudio, language: str) -> None:
+    files = fetched(open_studio("transport/transport.krt", locale=language))
+    assert any(path.endswith(".woff2") for path in files), "letters count"
+    assert len([path for path in files if path.endswith(".js")]) >= 2, "the editing part counts"
+    total = sum(files.values())
+    assert total <= MOST_BYTES, "\n".join(f"{size} {path}" for path, size in sorted(files.items(), key=lambda f: -f[1]))
+
+
+def test_what_is_fetched_later_is_not_fetched_at_first(open_studio: OpenStudio) -> None:
+    studio = open_studio("transport/transport.krt", locale="en")
+    first = fetched(studio)
+    assert [path for path in first if any(name in path for name in ("/all-icons", "/fr-", "/ur-", "/Sheets"))] == []
+    studio.page.keyboard.press("?")
+    expect(studio.page.get_by_role("dialog")).to_be_visible()
+    assert any("/Sheets" in path for path in fetched(studio))
