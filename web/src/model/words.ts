@@ -6,6 +6,7 @@
  */
 import { shortTitle, title } from "./parts";
 import type { Block } from "./structure";
+import { t } from "../words/words";
 import { text } from "./texts";
 
 /** A run of words, or an empty slot. `vertex` is the vertex they speak of, or whose slot it is. */
@@ -76,7 +77,7 @@ export function fieldWords(block: Block, name: string): string {
   const typed = block.vertex.settings[name] ?? "";
   const field = block.shape.fields.find((one) => one.name === name);
   if (field?.kind !== "boolean") return typed;
-  return isOn(typed) ? "true" : "false";
+  return t(isOn(typed) ? "parts.on" : "parts.off");
 }
 
 /** Whether a switch's setting means on. */

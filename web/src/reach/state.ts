@@ -21,7 +21,7 @@ export function closeOutline(): void {
 
 /** Explains the entry of the palette that has the focus, else the selected vertex. */
 export function explain(): void {
-  const row = document.activeElement?.closest<HTMLElement>('[data-testid^="part-"]')?.dataset["testid"];
+  const row = document.activeElement?.closest<HTMLElement>('[data-testid^="part-"]:not(input)')?.dataset["testid"];
   const state = useStudio.getState();
   const last = state.selection.at(-1);
   const selected = programInView(state)?.vertices.find((vertex) => vertex.id === last)?.element;

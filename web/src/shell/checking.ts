@@ -10,9 +10,13 @@ import type { Mission, Report } from "../api/types";
 import { useStudio } from "../model/studio";
 import { acceptReport, forgetReport, isChecked } from "./checked";
 import { complain, dismissBanner, useDocument } from "./document";
+import { languageInUse } from "../words/words";
 
 /** A question that takes longer than this is called off when there is a newer one. */
 const PATIENCE_MS = 3000;
+
+/** What the report that stands is said in. */
+let said = languageInUse();
 
 interface Checker<Answer> {
   check: (mission: Mission, path: string, signal: AbortSignal) => Promise<Answer>;
@@ -79,6 +83,10 @@ export function keepChecking(): () => void {
     const { mission, file } = useStudio.getState();
     if (useDocument.getState().ready && mission.programs.length > 0) request(mission, file.path);
   };
+  if (said !== languageInUse()) {
+    said = languageInUse();
+    forgetReport();
+  }
   again();
   const offMission = useStudio.subscribe((state, before) => {
     // Robots, constructors or the world are other ones: what was said of the mission may be wrong now.
