@@ -15,6 +15,7 @@ import logging
 import os
 import time
 from collections.abc import Callable
+from dataclasses import asdict
 from typing import Any
 
 import orjson
@@ -26,15 +27,22 @@ from kitrobot.server.pacing import SLOWEST, UNPACED, Pace
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     REQUEST,
+    BreakpointsRequest,
     ErrorMessage,
+    ForceRequest,
+    HitShape,
     PauseRequest,
     ProblemsMessage,
     ResumeRequest,
+    SeekRequest,
+    SetRequest,
     SpeedRequest,
     StartRequest,
     StateMessage,
+    Steering,
     StepRequest,
     StopRequest,
+    breakpoint_from_shape,
     mission_from_shape,
     problem_shapes,
 )
@@ -46,6 +54,8 @@ LARGEST_MESSAGE_BYTES = 16 * 1024 * 1024
 MOST_RUNS = 8
 """Runs that one studio has at a time: a forgotten page must not stop the others."""
 FRAME_S = 1 / 30
+
+Job = Callable[[], None]
 
 run_routes = APIRouter()
 _log = logging.getLogger("kitrobot.server")
@@ -70,10 +80,14 @@ class Session:
         self._wake = asyncio.Event()
         self._pace: Pace | None = None
         self._watch: Watch | None = None
-        self._early: list[PauseRequest | ResumeRequest | StepRequest | SpeedRequest] = []
+        self._early: list[Steering] = []
         """What was asked for while the mission was still being compiled."""
         self._steps = 0
+        self._jobs: list[Job] = []
+        """What is to be done to the run between two rounds, in a thread."""
         self._stopping = False
+        self._counts = False
+        """Whether it is one of the studio's runs; one that stands at its end is not."""
         self._said: tuple[str, int] = ("", -1)
 
     async def serve(self) -> None:
@@ -105,33 +119,58 @@ class Session:
 
     async def _start(self, request: StartRequest) -> None:
         if self._task is not None and not self._task.done():
-            await self._fail("a run is on already", "stop it first")
-            return
+            if self._counts:
+                await self._fail("a run is on already", "stop it first")
+                return
+            self._task.cancel()
+            await asyncio.gather(self._task, return_exceptions=True)
         if self._studio.runs >= MOST_RUNS:
             await self._fail(f"this studio has {MOST_RUNS} runs already", "stop one of them, perhaps in another tab")
             return
-        self._pace, self._watch, self._early, self._steps = None, None, [], 0
+        self._pace, self._watch, self._early, self._steps, self._jobs = None, None, [], 0, []
         self._stopping, self._said = False, ("", -1)
         self._wake.clear()
         self._task = asyncio.create_task(self._whole_run(request))
 
-    def _steer(self, request: PauseRequest | ResumeRequest | StepRequest | StopRequest | SpeedRequest) -> None:
+    def _steer(self, request: Steering) -> None:
         if isinstance(request, StopRequest):
             self._stopping = True
         elif self._pace is None or self._watch is None:
             self._early.append(request)
         else:
-            tick = self._watch.tick
-            if isinstance(request, PauseRequest | ResumeRequest):
-                self._pace.set_paused(isinstance(request, PauseRequest), tick)
-            elif isinstance(request, SpeedRequest):
-                self._pace.set_speed(_speed(request.value), tick)
-            elif self._pace.paused:
-                self._steps += 1
+            self._bid(request, self._watch, self._pace)
         self._wake.set()
 
+    def _bid(self, request: Steering, watch: Watch, pace: Pace) -> None:
+        match request:
+            case PauseRequest() | ResumeRequest():
+                pace.set_paused(isinstance(request, PauseRequest), watch.tick)
+            case SpeedRequest():
+                pace.set_speed(_speed(request.value), watch.tick)
+            case StepRequest(by="tick", back=False):
+                self._steps += pace.paused
+            case StepRequest(by="tick"):
+                self._jobs.append(lambda: watch.seek(watch.tick - 1, self._is_stopping))
+            case StepRequest(back=True):
+                self._jobs.append(lambda: watch.step_back(request.agent, self._is_stopping))
+            case StepRequest():
+                self._jobs.append(lambda: watch.step(request.agent, self._is_stopping))
+            case SeekRequest():
+                self._jobs.append(lambda: watch.seek(request.tick, self._is_stopping))
+            case ForceRequest():
+                self._jobs.append(lambda: watch.force(request.agent, request.sensor, request.value))
+            case SetRequest():
+                self._jobs.append(lambda: watch.set_variable(request.agent, request.variable, request.value))
+            case BreakpointsRequest():
+                self._jobs.append(lambda: watch.pause_at(breakpoint_from_shape(one) for one in request.breakpoints))
+        if isinstance(request, StepRequest | SeekRequest) and (request.type == "seek" or request.back):
+            pace.set_paused(True, watch.tick)
+
+    def _is_stopping(self) -> bool:
+        return self._stopping
+
     async def _whole_run(self, request: StartRequest) -> None:
-        self._studio.runs += 1
+        self._count(True)
         try:
             watch = await asyncio.to_thread(self._prepare, request)
             if isinstance(watch, ProblemsMessage):
@@ -150,7 +189,11 @@ class Session:
             _log.error("a run broke: %s: %s", type(error).__name__, error, exc_info=debugging)
             await self._fail("something went wrong inside KitRobot", "the run has ended; please report it")
         finally:
-            self._studio.runs -= 1
+            self._count(False)
+
+    def _count(self, counts: bool) -> None:
+        self._studio.runs += counts - self._counts
+        self._counts = counts
 
     def _prepare(self, request: StartRequest) -> Watch | ProblemsMessage:
         opened = self._studio.open(mission_from_shape(request.mission), request.path)
@@ -160,6 +203,7 @@ class Session:
             return ProblemsMessage(problems=problem_shapes(error.diagnostics))
 
     async def _drive(self, watch: Watch, pace: Pace) -> None:
+        """Goes round until the run is stopped. At its end it stands still, and can be taken back from there."""
         self._watch, self._pace = watch, pace
         for request in self._early:
             self._steer(request)
@@ -171,24 +215,45 @@ class Session:
             if self._stopping:
                 await self._state(watch, "stopped")
                 return
+            if await self._do_jobs(watch):
+                pace.set_paused(pace.paused, watch.tick)
+                await self._news(watch)
+            if watch.outcome:
+                await self._state(watch, watch.outcome)
+                pace.set_paused(True, watch.tick)
+                self._count(False)
+                await self._wake.wait()
+                self._count(True)
+                continue
             await self._state(watch, "paused" if pace.paused else "running")
             due = pace.due(watch.tick)
             if pace.paused:
                 due, self._steps = self._steps, 0
             if due != 0:
                 await asyncio.to_thread(watch.advance, due, began + FRAME_S, self._clock)
+                if watch.hits:
+                    pace.set_paused(True, watch.tick)
                 await self._news(watch)
-                if watch.outcome:
-                    await self._state(watch, watch.outcome)
-                    return
-                if pace.paused:
+                if pace.paused and not watch.outcome:
                     await self._state(watch, "paused")
             await self._rest(pace, watch, began)
+
+    async def _do_jobs(self, watch: Watch) -> bool:
+        """Does what was asked for meanwhile; says whether there was anything."""
+        jobs, self._jobs = self._jobs, []
+        for job in jobs:
+            if self._stopping:
+                break
+            try:
+                await asyncio.to_thread(job)
+            except KitRobotError as error:
+                await self._fail(error.message, error.help)
+        return bool(jobs)
 
     async def _rest(self, pace: Pace, watch: Watch, began: float) -> None:
         """Until the next tick is due, but not before the next frame may be sent; a request ends it at once."""
         until_due = pace.wait_s(watch.tick)
-        if self._steps or self._stopping:
+        if self._steps or self._jobs or self._stopping or watch.outcome:
             return
         if until_due is None:
             await self._wake.wait()
@@ -205,12 +270,18 @@ class Session:
 
     async def _state(self, watch: Watch, status: Any) -> None:
         """Says what became of the run, when that is new."""
-        said = (status, watch.tick if status == "paused" else -1)
+        said = (status, watch.tick if status != "running" else -1)
         if said == self._said:
             return
         self._said = said
         await self._tell(
-            StateMessage(status=status, tick=watch.tick, seconds=watch.seconds, sentence=spoken(watch.sentence))
+            StateMessage(
+                status=status,
+                tick=watch.tick,
+                seconds=watch.seconds,
+                sentence=spoken(watch.sentence),
+                hits=[HitShape(**asdict(hit)) for hit in watch.hits] if status == "paused" else [],
+            )
         )
 
     async def _tell(self, message: BaseModel) -> None:

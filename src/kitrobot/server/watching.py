@@ -8,30 +8,47 @@ Events are collected over all the ticks between two messages.
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
+from kitrobot.mission import Breakpoint
 from kitrobot.server.shapes import StartedAgentShape, StartedMessage, world_shape
-from kitrobot.sim import AgentView, Simulation
+from kitrobot.sim import AgentView, Event, Simulation
+from kitrobot.sim.breakpoints import Breakpoints, Hit
+from kitrobot.sim.timeline import Timeline
 from kitrobot.translation import said
 from kitrobot.workspace import OpenMission
+
+MOST_EVENTS_TOLD = 5000
+"""Events that are told at once when all of them are told again."""
 
 _TICKS_BETWEEN_LOOKS = 8
 """Ticks run between two looks at the clock."""
 
 
 class Watch:
-    """Watches one simulation of a mission."""
+    """Watches one simulation of a mission, and takes it back and on.
+
+    Raises:
+        ConditionError: the condition of a breakpoint cannot be understood.
+    """
 
     def __init__(self, opened: OpenMission, simulation: Simulation) -> None:
+        simulation.watch_programs()
         self._simulation = simulation
+        self._timeline = Timeline(simulation)
+        self._compiled = opened.compiled
         self._debug = {name: compiled.debug for name, compiled in opened.compiled.items()}
         self._told: dict[str, dict[str, Any]] = {}
-        self._events: list[dict[str, Any]] = []
+        self._events: list[Event] = []
+        self._again = False
+        self._breakpoints = Breakpoints(opened.mission.breakpoints, simulation.members, opened.compiled)
+        self.hits: list[Hit] = []
+        """Why `advance` came to an end before its time: who came to a breakpoint."""
 
     @property
     def tick(self) -> int:
-        """How many ticks were run."""
+        """The tick that the run stands at."""
         return self._simulation.tick
 
     @property
@@ -46,7 +63,7 @@ class Watch:
 
     @property
     def outcome(self) -> str | None:
-        """How the run ended, if it has."""
+        """How the run ended, if it stands at its end."""
         return self._simulation.outcome
 
     @property
@@ -54,18 +71,89 @@ class Watch:
         """Why it ended."""
         return self._simulation.sentence
 
+    # -- going on and back
+
     def advance(self, most: int | None, until: float, clock: Callable[[], float]) -> None:
-        """Runs ticks: at most `most` (None: as many as there is time for), and none begun long after `until`."""
+        """Runs ticks: at most `most` (None: as many as there is time for), none begun long after `until`, and none
+        after one in which somebody comes to a breakpoint.
+        """
         simulation, run = self._simulation, 0
-        while simulation.outcome is None and (most is None or run < most):
-            simulation.step()
-            run += 1
-            self._events += [
-                {"tick": event.tick, "kind": event.kind, "agent": event.agent, "text": event.text}
-                for event in simulation.events
-            ]
-            if run % _TICKS_BETWEEN_LOOKS == 0 and clock() >= until:
+        self.hits = []
+        while simulation.outcome is None and not self.hits and (most is None or run < most):
+            portion = _TICKS_BETWEEN_LOOKS if most is None else min(_TICKS_BETWEEN_LOOKS, most - run)
+            run += self._advance(1 if self._breakpoints else portion)
+            if (not self._breakpoints or run % _TICKS_BETWEEN_LOOKS == 0) and clock() >= until:
                 return
+
+    def _advance(self, ticks: int) -> int:
+        before = self._timeline.latest
+        done = self._timeline.advance(ticks)
+        self._events += [event for event in self._simulation.events if event.tick >= before]
+        if self._breakpoints:
+            self.hits = self._breakpoints.after_step(self.tick)
+        return done
+
+    def seek(self, tick: int, stop: Callable[[], bool]) -> None:
+        """Goes to a tick that was run already."""
+        self._timeline.go_to(tick, stop)
+        self._breakpoints.went_to(self.tick)
+        self.hits = []
+
+    def step(self, agent: str, stop: Callable[[], bool]) -> None:
+        """Runs ticks until the agent ("" for anybody) stands at another vertex, or somebody comes to a breakpoint."""
+        before = self._standing(agent)
+        self.hits = []
+        while self._simulation.outcome is None and not self.hits and not stop():
+            self._advance(1)
+            if self._standing(agent) != before:
+                return
+
+    def step_back(self, agent: str, stop: Callable[[], bool]) -> None:
+        """Goes back to the last tick at which the agent ("" for anybody) stood at another vertex."""
+        before = self._standing(agent)
+        self._timeline.go_back_to(lambda: self._standing(agent) != before, stop)
+        self._breakpoints.went_to(self.tick)
+        self.hits = []
+
+    def _standing(self, agent: str) -> list[tuple[str, tuple[str | None, ...]]]:
+        """Where the agent stands, or everybody."""
+        members = self._simulation.members
+        return [
+            (one.name, tuple(self._debug[one.program].vertex(instruction) for _, instruction in one.active))
+            for one in members
+            if agent in ("", one.name)
+        ]
+
+    # -- from outside
+
+    def force(self, agent: str, sensor: str, value: int | None) -> None:
+        """Puts a value in the place of what a sensor measures; None gives it back.
+
+        Raises:
+            KitRobotError: there is no such agent or sensor.
+        """
+        self._timeline.force(agent, sensor, value)
+        self._again = True
+
+    def set_variable(self, agent: str, variable: str, value: int) -> None:
+        """Sets a variable.
+
+        Raises:
+            KitRobotError: there is no such agent or variable.
+        """
+        self._timeline.set_variable(agent, variable, value)
+        self._again = True
+
+    def pause_at(self, breakpoints: Iterable[Breakpoint]) -> None:
+        """These are the breakpoints from now on; visits are counted anew.
+
+        Raises:
+            ConditionError: a condition cannot be understood.
+        """
+        self._breakpoints = Breakpoints(breakpoints, self._simulation.members, self._compiled)
+        self._breakpoints.went_to(self.tick)
+
+    # -- telling
 
     def started(self, run: str) -> StartedMessage:
         """The first message."""
@@ -100,11 +188,18 @@ class Watch:
             report = self._report(agent)
             if self._told.get(agent.name) != report:
                 changed[agent.name] = self._told[agent.name] = report
-        events = [{**event, "text": said(event["text"])} for event in self._events]
-        self._events = []
+        again = self._again
+        happened = self._timeline.events[-MOST_EVENTS_TOLD:] if again else self._events
+        events = [
+            {"tick": event.tick, "kind": event.kind, "agent": event.agent, "text": said(event.text)}
+            for event in happened
+        ]
+        self._events, self._again = [], False
         return {
             "type": "tick",
             "tick": simulation.tick,
+            "latest": self._timeline.latest,
+            "again": again,
             "seconds": simulation.seconds,
             "agents": changed,
             "stock": simulation.stock,
@@ -122,4 +217,5 @@ class Watch:
             "values": agent.values,
             "inputs": agent.inputs,
             "fault": agent.fault,
+            "forced": self._simulation.forced(agent.name),
         }

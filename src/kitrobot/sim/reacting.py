@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from kitrobot.sim.columns import ASLEEP, END, ENDED, PERIOD, PROGRAM, RUNNING, WIRES, tell
 from kitrobot.sim.commanding import give
-from kitrobot.sim.rows import same
+from kitrobot.sim.rows import copy_row, same
 from kitrobot_onboard.interpreter import tick
 
 
@@ -50,9 +50,9 @@ def react(
         its_threads = threads[i]
         its_pars = pars[i]
         its_out = out[i]
-        was_cells[:] = its_cells
-        was_threads[:] = its_threads
-        was_pars[:] = its_pars
+        copy_row(was_cells, its_cells)
+        copy_row(was_threads, its_threads)
+        copy_row(was_pars, its_pars)
         its_seen = seen[i]
         for number in range(len(its_seen)):
             its_seen[number] = 0

@@ -24,6 +24,7 @@ export interface AgentReport {
   values: Record<string, number>;
   inputs: Record<string, number>;
   fault: number;
+  forced: string[];
 }
 
 /** From the port `out` of one vertex to the port `at` of another. */
@@ -43,6 +44,12 @@ export interface Breakpoint {
   when?: string;
   hits?: number;
   enabled?: boolean;
+}
+
+/** Pause at these from now on. */
+export interface BreakpointsRequest {
+  type: "breakpoints";
+  breakpoints: Breakpoint[];
 }
 
 /** Every word that programs can be made of, and what was wrong with the files that hold them. */
@@ -163,6 +170,14 @@ export interface Followed {
   report: Report | null;
 }
 
+/** Put a value in the place of what a sensor measures; null gives the sensor back. */
+export interface ForceRequest {
+  type: "force";
+  agent: string;
+  sensor: string;
+  value: number | null;
+}
+
 /** Unsaved work that nobody wants. */
 export interface Forget {
   journal: string;
@@ -204,6 +219,14 @@ export interface Group {
 export interface HelloMessage {
   type: "hello";
   tab: string;
+}
+
+/** Why a run pauses: an agent came to the vertex of a breakpoint. */
+export interface Hit {
+  program: string;
+  vertex: string;
+  agent: string;
+  visit: number;
 }
 
 /** A program without errors, compiled: the bytes of its `.kri` in base64, and the text of its `.kra`. */
@@ -593,6 +616,12 @@ export interface Section {
   to_mm: number;
 }
 
+/** Go to a tick that was run already, and pause there; one beyond the end goes to the end. */
+export interface SeekRequest {
+  type: "seek";
+  tick: number;
+}
+
 /** Some vertices of a program; `path` is the mission's file, "" for a new one. */
 export interface Selected {
   mission: Mission;
@@ -606,6 +635,14 @@ export interface Session {
   version: string;
   path: string | null;
   workspace: string;
+}
+
+/** Set a variable of an agent. */
+export interface SetRequest {
+  type: "set";
+  agent: string;
+  variable: string;
+  value: number;
 }
 
 /** A hole of a constructor. */
@@ -674,18 +711,22 @@ export interface StartedMessage {
   total: number;
 }
 
-/** What became of the run; `sentence` says why it ended. */
+/** What became of the run; `sentence` says why it ended, `hits` why it pauses. */
 export interface StateMessage {
   type: "state";
   status: "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped";
   tick: number;
   seconds: number;
   sentence: string;
+  hits: Hit[];
 }
 
-/** Run one tick while paused. */
+/** Go one tick while paused, or until `agent` stands at another vertex ("" for anybody); `back` into the past. */
 export interface StepRequest {
   type: "step";
+  by?: "tick" | "vertex";
+  back?: boolean;
+  agent?: string;
 }
 
 /** End the run. */
@@ -717,10 +758,16 @@ export interface TextEdit {
   text: string;
 }
 
-/** The run as it stands; `agents` holds only those that changed since the last message. */
+/**
+ * The run as it stands; `agents` holds only those that changed since the last message. `latest` is the furthest tick of
+ * this future: less than before when another one has begun. `events` are those since the last message, or with `again`
+ * all up to `latest`.
+ */
 export interface TickMessage {
   type: "tick";
   tick: number;
+  latest: number;
+  again: boolean;
   seconds: number;
   agents: Record<string, AgentReport>;
   stock: Record<string, number>;
@@ -826,4 +873,14 @@ export interface WorldFile {
 
 export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsMessage | ErrorMessage;
 
-export type RunRequest = StartRequest | PauseRequest | ResumeRequest | StepRequest | StopRequest | SpeedRequest;
+export type RunRequest =
+  | StartRequest
+  | PauseRequest
+  | ResumeRequest
+  | StepRequest
+  | SeekRequest
+  | ForceRequest
+  | SetRequest
+  | BreakpointsRequest
+  | StopRequest
+  | SpeedRequest;

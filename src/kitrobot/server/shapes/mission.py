@@ -163,10 +163,7 @@ def mission_from_shape(shape: MissionShape) -> Mission:
     programs = [_program(program) for program in shape.programs]
     constructors = [own_constructor(constructor) for constructor in shape.constructors]
     variables = [own_variable(variable) for variable in shape.variables]
-    breakpoints = [
-        Breakpoint(one.program, one.vertex, tuple(one.agents), one.every, one.when, one.hits, one.enabled)
-        for one in shape.breakpoints
-    ]
+    breakpoints = [breakpoint_from_shape(one) for one in shape.breakpoints]
     failures = [Failure(one.agent, one.at_s, FailureKind(one.kind)) for one in shape.failures]
     return Mission(
         shape.version,
@@ -181,6 +178,12 @@ def mission_from_shape(shape: MissionShape) -> Mission:
         breakpoints,
         failures,
     )
+
+
+def breakpoint_from_shape(shape: BreakpointShape) -> Breakpoint:
+    """The breakpoint that travelled."""
+    agents = tuple(shape.agents)
+    return Breakpoint(shape.program, shape.vertex, agents, shape.every, shape.when, shape.hits, shape.enabled)
 
 
 def _program_shape(program: Program) -> ProgramShape:

@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from kitrobot.server.pacing import FASTEST
 from kitrobot.server.sentences import Sentence
-from kitrobot.server.shapes.mission import MissionShape
+from kitrobot.server.shapes.mission import MOST_AGENTS, BreakpointShape, MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.world import WorldShape
 
@@ -42,9 +42,44 @@ class ResumeRequest(BaseModel):
 
 
 class StepRequest(BaseModel):
-    """Run one tick while paused."""
+    """Go one tick while paused, or until `agent` stands at another vertex ("" for anybody); `back` into the past."""
 
     type: Literal["step"]
+    by: Literal["tick", "vertex"] = "tick"
+    back: bool = False
+    agent: str = ""
+
+
+class SeekRequest(BaseModel):
+    """Go to a tick that was run already, and pause there; one beyond the end goes to the end."""
+
+    type: Literal["seek"]
+    tick: Annotated[int, Field(ge=0, le=2**53)]
+
+
+class ForceRequest(BaseModel):
+    """Put a value in the place of what a sensor measures; null gives the sensor back."""
+
+    type: Literal["force"]
+    agent: str
+    sensor: str
+    value: Annotated[int, Field(ge=-(2**40), le=2**40)] | None
+
+
+class SetRequest(BaseModel):
+    """Set a variable of an agent."""
+
+    type: Literal["set"]
+    agent: str
+    variable: str
+    value: Annotated[int, Field(ge=-(2**40), le=2**40)]
+
+
+class BreakpointsRequest(BaseModel):
+    """Pause at these from now on."""
+
+    type: Literal["breakpoints"]
+    breakpoints: Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)]
 
 
 class StopRequest(BaseModel):
@@ -60,12 +95,21 @@ class SpeedRequest(BaseModel):
     value: Speed
 
 
-RunRequest = Annotated[
-    StartRequest | PauseRequest | ResumeRequest | StepRequest | StopRequest | SpeedRequest, Field(discriminator="type")
-]
-REQUEST: TypeAdapter[StartRequest | PauseRequest | ResumeRequest | StepRequest | StopRequest | SpeedRequest] = (
-    TypeAdapter(RunRequest)
+Steering = (
+    PauseRequest
+    | ResumeRequest
+    | StepRequest
+    | SeekRequest
+    | ForceRequest
+    | SetRequest
+    | BreakpointsRequest
+    | StopRequest
+    | SpeedRequest
 )
+"""What can be asked of a run that is on."""
+
+RunRequest = Annotated[StartRequest | Steering, Field(discriminator="type")]
+REQUEST: TypeAdapter[StartRequest | Steering] = TypeAdapter(RunRequest)
 
 
 class StartedAgentShape(BaseModel):
@@ -95,14 +139,24 @@ class StartedMessage(_Message):
     total: int
 
 
+class HitShape(BaseModel):
+    """Why a run pauses: an agent came to the vertex of a breakpoint."""
+
+    program: str
+    vertex: str
+    agent: str
+    visit: int
+
+
 class StateMessage(_Message):
-    """What became of the run; `sentence` says why it ended."""
+    """What became of the run; `sentence` says why it ended, `hits` why it pauses."""
 
     type: Literal["state"] = "state"
     status: Literal["running", "paused", "done", "failed", "stuck", "time", "stopped"]
     tick: int
     seconds: float
     sentence: Sentence
+    hits: list[HitShape] = []
 
 
 class AgentReportShape(BaseModel):
@@ -113,6 +167,7 @@ class AgentReportShape(BaseModel):
     values: dict[str, int]
     inputs: dict[str, int]
     fault: int
+    forced: list[str]
 
 
 class RunEventShape(BaseModel):
@@ -125,10 +180,16 @@ class RunEventShape(BaseModel):
 
 
 class TickMessage(_Message):
-    """The run as it stands; `agents` holds only those that changed since the last message."""
+    """The run as it stands; `agents` holds only those that changed since the last message.
+
+    `latest` is the furthest tick of this future: less than before when another one has begun. `events` are those since
+    the last message, or with `again` all up to `latest`.
+    """
 
     type: Literal["tick"] = "tick"
     tick: int
+    latest: int
+    again: bool
     seconds: float
     agents: dict[str, AgentReportShape]
     stock: dict[str, int]
@@ -160,6 +221,10 @@ REQUEST_MODELS: tuple[type[BaseModel], ...] = (
     PauseRequest,
     ResumeRequest,
     StepRequest,
+    SeekRequest,
+    ForceRequest,
+    SetRequest,
+    BreakpointsRequest,
     StopRequest,
     SpeedRequest,
 )

@@ -1,0 +1,152 @@
+"""Breakpoints of a run: told of each step, they say who came to which vertex.
+
+An agent comes to a vertex in the step in which its program runs something of that vertex, unless it stood there
+already at the end of its step before: waiting is one visit. A condition is a program of its own, `[when](WAIT(1))`,
+tried by the one interpreter on a copy of the agent's inputs and variables: where it is true the program waits, else it
+ends at once. So it means exactly what it means in the graph. A visit counts when the condition holds.
+
+Left to others: pausing (whoever steers the run), keeping breakpoints (mission).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from kitrobot.compiler import Compiled, compile_text
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.image import Machine
+from kitrobot.lll import Conditional, parse
+from kitrobot.mission import Breakpoint
+from kitrobot.primitives import Robot
+from kitrobot.sim.agents import Agent
+
+
+class ConditionError(KitRobotError):
+    """A breakpoint's condition cannot be understood."""
+
+
+@dataclass(frozen=True)
+class Hit:
+    """An agent came to the vertex of a breakpoint. `visit` counts from 1."""
+
+    program: str
+    vertex: str
+    agent: str
+    visit: int
+
+
+class Condition:
+    """A condition of LLL that can be asked of any agent with this robot.
+
+    Raises:
+        ConditionError: it is no condition, or speaks of something that the robot has not.
+    """
+
+    def __init__(self, text: str, robot: Robot) -> None:
+        source = f"[{text}](WAIT(1));"
+        parsed = parse(source, "condition")
+        items = parsed.program.items
+        if not parsed.ok or len(items) != 1 or not isinstance(items[0], Conditional) or items[0].orelse is not None:
+            raise ConditionError(f"`{text}` is no condition", "write one like Count.GreaterThan(3) & Run.IsTrue()")
+        compiled = compile_text(source, robot, "condition")
+        if compiled.image is None:
+            first = next(item for item in compiled.diagnostics if item.is_error)
+            raise ConditionError(first.message, first.help)
+        self._machine = Machine(compiled.image, robot)
+        self._first = self._machine.snapshot()
+
+    def holds(self, machine: Machine) -> bool:
+        """Whether it is true of what this machine has read and holds."""
+        mine = self._machine
+        mine.restore(self._first)
+        known = mine.layout.cells
+        mine.cells[:known] = [int(number) for number in machine.cells[:known]]
+        mine.tick()
+        return not mine.ended
+
+
+@dataclass
+class _Watched:
+    """One breakpoint: whom it watches, the instructions of its vertex, and when each agent came there."""
+
+    breakpoint: Breakpoint
+    instructions: frozenset[int]
+    condition: Condition | None
+    agents: Sequence[Agent]
+    visits: dict[int, list[int]] = field(default_factory=dict)
+    there: set[int] = field(default_factory=set)
+    """Who stands there now."""
+
+
+class Breakpoints:
+    """The breakpoints of a run, armed. The run must be one that watches its programs.
+
+    Args:
+        breakpoints: those of the mission; one that is off, or whose program or vertex is gone, does nothing.
+        agents: the members of the run.
+        images: the compiled programs by name.
+
+    Raises:
+        ConditionError: a condition cannot be understood.
+    """
+
+    def __init__(
+        self, breakpoints: Iterable[Breakpoint], agents: Sequence[Agent], images: Mapping[str, Compiled]
+    ) -> None:
+        self._watched: list[_Watched] = []
+        for breakpoint in breakpoints:
+            mine = [agent for agent in agents if agent.program == breakpoint.program]
+            wanted = [agent for agent in mine if not breakpoint.agents or agent.name in breakpoint.agents]
+            compiled = images.get(breakpoint.program)
+            if not breakpoint.enabled or not wanted or compiled is None:
+                continue
+            instructions = frozenset(
+                number
+                for number in range(len(compiled.debug.origins))
+                if compiled.debug.vertex(number) == breakpoint.vertex
+            )
+            condition = Condition(breakpoint.when, wanted[0].robot) if breakpoint.when.strip() else None
+            if instructions:
+                self._watched.append(_Watched(breakpoint, instructions, condition, wanted))
+
+    def __bool__(self) -> bool:
+        return bool(self._watched)
+
+    def after_step(self, tick: int) -> list[Hit]:
+        """Who came where in the step that led to `tick`, as far as the run is to pause for it."""
+        hits: list[Hit] = []
+        for watched in self._watched:
+            came = [agent for agent in watched.agents if self._comes(watched, agent, tick)]
+            counted = [agent for agent in came if len(watched.visits[agent.index]) >= watched.breakpoint.hits]
+            everybody = all(agent.index in watched.there for agent in watched.agents)
+            if counted and (everybody or not watched.breakpoint.every):
+                program, vertex = watched.breakpoint.program, watched.breakpoint.vertex
+                hits += [Hit(program, vertex, agent.name, len(watched.visits[agent.index])) for agent in counted]
+        return hits
+
+    def went_to(self, tick: int) -> None:
+        """The run stands at another step now: visits after it have not been."""
+        for watched in self._watched:
+            watched.visits = {agent: [at for at in ticks if at <= tick] for agent, ticks in watched.visits.items()}
+            watched.there = {agent.index for agent in watched.agents if _stands(watched, agent)}
+
+    def _comes(self, watched: _Watched, agent: Agent, tick: int) -> bool:
+        """Whether the agent came to the vertex in this step, and the condition holds; counts the visit."""
+        seen = agent.machine.seen
+        before = agent.index in watched.there
+        runs = any(seen[number] for number in watched.instructions)
+        if _stands(watched, agent) or (runs and watched.breakpoint.every):
+            watched.there.add(agent.index)
+        else:
+            watched.there.discard(agent.index)
+        if not runs or before:
+            return False
+        if watched.condition is not None and not watched.condition.holds(agent.machine):
+            return False
+        watched.visits.setdefault(agent.index, []).append(tick)
+        return True
+
+
+def _stands(watched: _Watched, agent: Agent) -> bool:
+    return any(instruction in watched.instructions for _, instruction in agent.active)

@@ -1,0 +1,197 @@
+"""A run that can be gone back in: to any step that was made, and on from there, the same way or another way.
+
+A run is its first state and what was done to it from outside (`Intervention`s), each at its step; everything between
+follows. So going to a step is restoring the nearest state that was kept before it and running up to it. States are
+kept along the way, as many as there is room for: when there is no more, every other one goes. Going forward from the
+past runs the same future again, up to the step where the person does something else: then what was to come is
+forgotten, and a new future begins.
+
+Left to others: how a step is made (simulation), pausing, pace, who watches.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from kitrobot.sim.sayings import Event
+from kitrobot.sim.simulation import Simulation
+
+ROOM_BYTES = 64 * 1024 * 1024
+FIRST_SPACING = 25
+"""Steps between two kept states, to begin with."""
+ASKED_EVERY = 100
+"""Steps between two questions whether to go on, on the way to a step."""
+MOST_EVENTS = 100_000
+"""Events of the past that are kept to be told again; the oldest go first."""
+
+
+@dataclass(frozen=True)
+class Intervention:
+    """What was done to a run from outside, before the step `tick`. `name` is a sensor's or a variable's."""
+
+    tick: int
+    kind: Literal["force", "set"]
+    agent: str
+    name: str
+    value: int | None
+
+
+class Timeline:
+    """A simulation with its past. `latest` is the furthest step that was made on this future.
+
+    Nobody else may step, force or restore the simulation meanwhile.
+    """
+
+    def __init__(self, simulation: Simulation, room_bytes: int = ROOM_BYTES) -> None:
+        self.simulation = simulation
+        self.latest = simulation.tick
+        self.interventions: list[Intervention] = []
+        self.events: list[Event] = []
+        """Everything that happened up to `latest`."""
+        self._room = room_bytes
+        self._spacing = FIRST_SPACING
+        self._ticks = [simulation.tick]
+        self._states = [simulation.snapshot()]
+        self._bytes = len(self._states[0])
+
+    @property
+    def tick(self) -> int:
+        """The step that the run stands at."""
+        return self.simulation.tick
+
+    def advance(self, steps: int) -> int:
+        """Goes on for up to so many steps and gives how many; `simulation.events` is what happened in them."""
+        done, events = 0, list[Event]()
+        while done < steps and self.simulation.outcome is None:
+            made = self._advance_to(min(self.tick + steps - done, self._next_stop()))
+            events += self.simulation.events
+            if made == 0:
+                break
+            done += made
+        self.simulation.events = events
+        return done
+
+    def go_to(self, tick: int, stop: Callable[[], bool] = lambda: False) -> None:
+        """Goes to a step between the first and `latest`; nearer than asked for when `stop` says so on the way."""
+        tick = max(self._ticks[0], min(tick, self.latest))
+        if tick < self.tick or self._ticks[self._kept_before(tick)] > self.tick:
+            self.simulation.restore(self._states[self._kept_before(tick)])
+        while self.tick < tick and not stop():
+            self._advance_to(min(tick, self._next_stop(), self.tick + ASKED_EVERY))
+
+    def go_back_to(self, wanted: Callable[[], bool], stop: Callable[[], bool] = lambda: False) -> None:
+        """Goes back to the last step before this one at which `wanted` says yes, or to the first step."""
+        now = self.tick
+        for at in range(self._kept_before(max(self._ticks[0], now - 1)), -1, -1):
+            self.simulation.restore(self._states[at])
+            last = self.tick if wanted() else None
+            while self.tick < now - 1:
+                if stop():
+                    return
+                self._advance_to(self.tick + 1)
+                if wanted():
+                    last = self.tick
+            if last is not None:
+                self.go_to(last)
+                return
+            now = self._ticks[at]
+        self.go_to(self._ticks[0])
+
+    def force(self, agent: str, sensor: str, value: int | None) -> None:
+        """As `Simulation.force`, and part of the run from this step on.
+
+        Raises:
+            KitRobotError: there is no such agent or sensor.
+        """
+        self._intervene(Intervention(self.tick, "force", agent, sensor, value))
+
+    def set_variable(self, agent: str, variable: str, value: int) -> None:
+        """As `Simulation.set_variable`, and part of the run from this step on.
+
+        Raises:
+            KitRobotError: there is no such agent or variable.
+        """
+        self._intervene(Intervention(self.tick, "set", agent, variable, value))
+
+    def events_until(self, tick: int) -> list[Event]:
+        """What happened in the steps before this one."""
+        return [event for event in self.events if event.tick < tick]
+
+    # -- inside
+
+    def _intervene(self, intervention: Intervention) -> None:
+        self._apply(intervention)
+        self._forget_what_was_to_come()
+        self.interventions.append(intervention)
+        # The state that is kept of this very step is from before it.
+        if self._ticks[-1] == self.tick and len(self._ticks) > 1:
+            self._drop(-1)
+        elif self._ticks[-1] == self.tick:
+            self._bytes -= len(self._states[0])
+            self._states[0] = self.simulation.snapshot()
+            self._bytes += len(self._states[0])
+            self.interventions = [one for one in self.interventions if one.tick != self.tick]
+
+    def _apply(self, intervention: Intervention) -> None:
+        if intervention.kind == "force":
+            self.simulation.force(intervention.agent, intervention.name, intervention.value)
+        else:
+            self.simulation.set_variable(intervention.agent, intervention.name, intervention.value or 0)
+
+    def _forget_what_was_to_come(self) -> None:
+        tick = self.tick
+        self.interventions = [one for one in self.interventions if one.tick <= tick]
+        self.events = self.events_until(tick)
+        while self._ticks[-1] > tick:
+            self._drop(-1)
+        self.latest = tick
+
+    def _next_stop(self) -> int:
+        """The next step at which something is to be done: a known intervention, or a state to keep."""
+        tick = self.tick
+        known = [one.tick for one in self.interventions if one.tick > tick]
+        keep = tick - tick % self._spacing + self._spacing
+        return min([keep, *known])
+
+    def _advance_to(self, tick: int) -> int:
+        """Runs up to a step between which and now nothing is to be done."""
+        simulation = self.simulation
+        begin = simulation.tick
+        happened: list[Event] = []
+        while simulation.tick < tick and simulation.outcome is None:
+            simulation.advance(tick - simulation.tick)
+            happened += simulation.events
+        simulation.events = happened
+        now = simulation.tick
+        if now > self.latest:
+            self.events += [event for event in happened if event.tick >= self.latest]
+            del self.events[:-MOST_EVENTS]
+            self.latest = now
+        for intervention in self.interventions:
+            if intervention.tick == now:
+                self._apply(intervention)
+        if now > self._ticks[-1] and now % self._spacing == 0:
+            self._keep()
+        return now - begin
+
+    def _kept_before(self, tick: int) -> int:
+        return bisect_right(self._ticks, tick) - 1
+
+    def _keep(self) -> None:
+        """Keeps the state of now; it holds what was done at this step already."""
+        state = self.simulation.snapshot()
+        self._ticks.append(self.tick)
+        self._states.append(state)
+        self._bytes += len(state)
+        while self._bytes > self._room and len(self._ticks) > 2:
+            self._spacing *= 2
+            for at in range(len(self._ticks) - 1, 0, -1):
+                if self._ticks[at] % self._spacing and self._bytes > self._room // 2:
+                    self._drop(at)
+
+    def _drop(self, at: int) -> None:
+        self._bytes -= len(self._states[at])
+        del self._ticks[at], self._states[at]
