@@ -2,8 +2,8 @@
 
     python tools/fonts.py
 
-Weights from 400 to 700 only, no hinting, and of the features those that hold letters together, kerning, and figures of
-one width. All letters stay. It needs `fonttools` and `brotli`, which nothing else here does: install them for the
+Weights from 400 to 700 only, no hinting, and of the features kerning, letters of a language, and figures of one width.
+All letters stay; a browser puts letter and accent together by itself where the font has both in one. It needs `fonttools` and `brotli`, which nothing else here does: install them for the
 occasion, after the packages' fonts have changed, and commit what it makes (web/src/theme/fonts).
 """
 
@@ -17,8 +17,8 @@ WEB = Path(__file__).resolve().parent.parent / "web"
 MADE = WEB / "src" / "theme" / "fonts"
 WEIGHTS = (400, 700)
 FEATURES = {
-    "inter": ["kern", "mark", "mkmk", "ccmp", "locl", "tnum"],
-    "jetbrains-mono": ["ccmp", "locl", "mark"],
+    "inter": ["kern", "locl", "tnum"],
+    "jetbrains-mono": ["locl"],
 }
 
 
