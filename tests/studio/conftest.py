@@ -9,6 +9,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
@@ -77,11 +78,14 @@ class Studio:
 
 @pytest.fixture
 def open_studio(browser: Browser, tmp_path: Path) -> Iterator[object]:
-    """A function that opens the studio on a copy of an example, or on an empty folder with None."""
+    """A function that opens the studio on a copy of an example, or on an empty folder with None.
+
+    Words that follow say what device the page is on, as Playwright's contexts do: `viewport`, `has_touch`, …
+    """
     servers: list[subprocess.Popen[str]] = []
     pages: list[Studio] = []
 
-    def open_on(example: str | None) -> Studio:
+    def open_on(example: str | None, **device: Any) -> Studio:
         target = tmp_path / "missions"
         if example is not None:
             shutil.copytree((EXAMPLES / example).parent, target)
@@ -94,7 +98,7 @@ def open_studio(browser: Browser, tmp_path: Path) -> Iterator[object]:
         assert server.stdout is not None
         address = re.search(r"http://\S+", server.stdout.readline())
         assert address is not None, "the studio says its address on its first line"
-        context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT})
+        context = browser.new_context(**{"viewport": {"width": WIDTH, "height": HEIGHT}, **device})
         page = context.new_page()
         faults: list[str] = []
         page.on("pageerror", lambda error: faults.append(str(error)))

@@ -1,0 +1,251 @@
+"""Fingers instead of a mouse: a tablet and a phone, with real touch events."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from playwright.sync_api import CDPSession, Locator, ViewportSize, expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+TRANSPORT = "transport/transport.krt"
+TABLET = ViewportSize(width=1024, height=768)
+PHONE = ViewportSize(width=390, height=844)
+
+
+@pytest.fixture
+def open_with_fingers(open_studio: Callable[..., Studio]) -> Callable[[ViewportSize], Studio]:
+    """The studio as a device without a mouse shows it."""
+
+    def open_on(size: ViewportSize) -> Studio:
+        studio = open_studio(TRANSPORT, viewport=size, has_touch=True, is_mobile=True)
+        expect(studio.page.locator(".vertex").first).to_be_visible()
+        return studio
+
+    return open_on
+
+
+class Hand:
+    """Fingers on the glass, as the browser hears of them."""
+
+    def __init__(self, studio: Studio) -> None:
+        self.glass: CDPSession = studio.page.context.new_cdp_session(studio.page)
+
+    def put(self, kind: str, *points: tuple[float, float]) -> None:
+        touches: list[dict[str, Any]] = [{"x": x, "y": y, "id": index} for index, (x, y) in enumerate(points)]
+        self.glass.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
+
+    def move(self, *strokes: tuple[tuple[float, float], tuple[float, float]], steps: int = 6) -> None:
+        """Moves fingers that are down, each along its stroke."""
+        for step in range(1, steps + 1):
+            share = step / steps
+            self.put("touchMove", *((a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share) for a, b in strokes))
+
+
+def middle(at: Locator) -> tuple[float, float]:
+    box = at.bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def camera(studio: Studio) -> tuple[float, float, float]:
+    """x, y and zoom of the canvas."""
+    found = studio.page.evaluate(
+        "(() => { const m = new DOMMatrix(getComputedStyle(document.querySelector('.react-flow__viewport')).transform);"
+        " return [m.e, m.f, m.a]; })()"
+    )
+    return found[0], found[1], found[2]
+
+
+def test_a_tap_selects_and_a_tap_beside_selects_nothing(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
+    studio = open_with_fingers(TABLET)
+    studio.at("vertex-start").tap()
+    expect(studio.at("vertex-start")).to_have_attribute("aria-current", "true")
+    studio.page.touchscreen.tap(240, 300)
+    expect(studio.at("vertex-start")).to_have_attribute("aria-current", "false")
+
+
+def test_a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(
+    open_with_fingers: Callable[[ViewportSize], Studio],
+) -> None:
+    studio = open_with_fingers(PHONE)
+    hand = Hand(studio)
+    loop = studio.page.locator(".vertex", has_text="While").first
+    box = loop.bounding_box()
+    assert box is not None
+    hand.put("touchStart", (box["x"] + 60, box["y"] + 22))
+    expect(studio.at("context-menu")).to_be_visible()
+    hand.put("touchEnd")
+    menu = studio.page.get_by_role("menu").bounding_box()
+    assert menu is not None
+    assert menu["x"] >= 0
+    assert menu["x"] + menu["width"] <= PHONE["width"]
+    studio.at("menu-context-note").tap()
+    expect(studio.at("note-field")).to_be_visible()
+
+
+def test_a_part_is_dragged_from_the_palette_onto_an_arc(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
+    studio = open_with_fingers(TABLET)
+    hand = Hand(studio)
+    begin, end = middle(studio.at("part-Wait")), middle(studio.at("arc-start.next"))
+    hand.put("touchStart", begin)
+    expect(studio.page.locator(".ghost")).to_be_visible()
+    hand.move((begin, end))
+    expect(studio.page.locator(".arc.is-aimed")).to_have_count(1)
+    hand.put("touchEnd")
+    studio.expect_code("WAIT(10);")
+
+
+def test_a_tap_on_a_part_adds_it(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
+    studio = open_with_fingers(PHONE)
+    studio.at("vertex-start").tap()
+    studio.at("room-palette").tap()
+    studio.at("part-Wait").tap()
+    expect(studio.page.locator(".vertex-name", has_text="Wait")).to_be_in_viewport()
+
+
+def test_two_fingers_zoom_and_move_even_on_vertices(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
+    studio = open_with_fingers(PHONE)
+    hand = Hand(studio)
+    x, y = middle(studio.page.locator(".vertex", has_text="While").first)
+    before = camera(studio)
+    hand.put("touchStart", (x - 40, y), (x + 40, y))
+    hand.move(((x - 40, y), (x - 80, y)), ((x + 40, y), (x + 80, y)))
+    hand.put("touchEnd")
+    zoomed = camera(studio)
+    assert zoomed[2] == pytest.approx(2 * before[2], rel=0.05)
+    a, b = (x - 30, y), (x + 30, y)
+    hand.put("touchStart", a, b)
+    hand.move((a, (a[0] + 50, a[1] + 120)), (b, (b[0] + 50, b[1] + 120)))
+    hand.put("touchEnd")
+    moved = camera(studio)
+    assert moved[2] == pytest.approx(zoomed[2], rel=0.01)
+    assert moved[0] - zoomed[0] == pytest.approx(50, abs=3)
+    assert moved[1] - zoomed[1] == pytest.approx(120, abs=3)
+    expect(studio.at("saved-state")).to_have_text("saved")
+    expect(studio.page.locator(".ghost")).to_have_count(0)
+
+
+def test_one_finger_moves_the_canvas(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
+    studio = open_with_fingers(TABLET)
+    hand = Hand(studio)
+    canvas = studio.at("canvas").bounding_box()
+    assert canvas is not None
+    begin = (canvas["x"] + 24, canvas["y"] + 40)
+    before = camera(studio)
+    hand.put("touchStart", begin)
+    hand.move((begin, (begin[0] + 60, begin[1] + 90)))
+    hand.put("touchEnd")
+    after = camera(studio)
+    assert after[1] - before[1] > 60
+
+
+TOO_SMALL = """() => {
+    const px = (style, side) => Math.max(0, -parseFloat(style[side]) || 0);
+    const reach = (one) => {
+        const box = one.getBoundingClientRect();
+        let [w, h] = [box.width, box.height];
+        for (const pseudo of ['::before', '::after']) {
+            const style = getComputedStyle(one, pseudo);
+            if (style.content === 'none' || style.position !== 'absolute') continue;
+            w = Math.max(w, box.width + px(style, 'left') + px(style, 'right'));
+            h = Math.max(h, box.height + px(style, 'top') + px(style, 'bottom'));
+        }
+        const label = one.closest('label');
+        if (label === null) return [w, h];
+        const around = label.getBoundingClientRect();
+        return [Math.max(w, around.width), Math.max(h, around.height)];
+    };
+    // The dot of an arc stands for a line, which is pressed anywhere; a text is not pressed but read.
+    const others = '.arc-spot, .react-flow__attribution a, .cm-editor *, .hole, [role=separator]';
+    const pressed = 'button, a[href], input, select, textarea, summary, [role=button], [role=treeitem], '
+        + '[role^=menuitem], [role=tab], [role=option]';
+    return [...document.querySelectorAll(pressed)]
+        .filter(one => one.checkVisibility() && !one.matches(others))
+        .map(one => [one.dataset.testid ?? one.className, ...reach(one).map(Math.round)])
+        .filter(([, w, h]) => w < 44 || h < 44);
+}"""
+WIDER = "() => document.documentElement.scrollWidth > innerWidth"
+
+
+@pytest.mark.parametrize("size", [TABLET, PHONE], ids=["tablet", "phone"])
+def test_everything_that_is_pressed_is_44_px(
+    open_with_fingers: Callable[[ViewportSize], Studio], size: ViewportSize
+) -> None:
+    studio = open_with_fingers(size)
+    page = studio.page
+    assert page.evaluate(TOO_SMALL) == []
+    studio.page.locator(".vertex", has_text="While").first.locator(".vertex-name").tap()
+    assert page.evaluate(TOO_SMALL) == [], "inspector"
+    for menu in ("File", "View"):
+        studio.at(f"menu-{menu}").tap()
+        expect(page.get_by_role("menu")).to_be_visible()
+        assert page.evaluate(TOO_SMALL) == [], menu
+        page.keyboard.press("Escape")
+    page.keyboard.press("Control+f")
+    expect(studio.at("find-input")).to_be_focused()
+    page.keyboard.type("while")
+    expect(studio.at("find-hit-1")).to_be_visible()
+    assert page.evaluate(TOO_SMALL) == [], "find"
+    page.keyboard.press("Escape")
+    studio.at("problems").tap()
+    assert page.evaluate(TOO_SMALL) == [], "problems"
+    if size is PHONE:
+        for room in ("palette", "inspector", "code", "arena"):
+            studio.at(f"room-{room}").tap()
+            assert page.evaluate(TOO_SMALL) == [], room
+    studio.at("menu-Help").tap()
+    studio.at("menu-help-shortcuts").tap()
+    assert page.evaluate(TOO_SMALL) == [], "shortcuts"
+
+
+CUT_OFF = """() => [...document.querySelectorAll(
+    'button, .menubar-title, .palette-name, .vertex-name, .side-head h2, .team-stop, .run-button, h2, .narrow-tabs button'
+)].filter(one => one.checkVisibility() && getComputedStyle(one).display !== 'inline'
+    && !one.matches('.note-strip, .fold') && one.scrollWidth > one.clientWidth + 1)
+  .map(one => `${one.className} ${one.textContent}`)"""
+
+
+@pytest.mark.parametrize("language", ["en", "ur"])
+@pytest.mark.parametrize("size", [TABLET, PHONE], ids=["tablet", "phone"])
+def test_nothing_is_cut_off_and_stop_is_always_there(
+    open_with_fingers: Callable[[ViewportSize], Studio], size: ViewportSize, language: str
+) -> None:
+    studio = open_with_fingers(size)
+    page = studio.page
+    if language == "ur":
+        studio.at("menu-View").tap()
+        studio.at("menu-view-ur").tap()
+        expect(studio.at("run-button")).to_have_text("چلائیں")
+    assert page.evaluate(WIDER) is False
+    assert page.evaluate(CUT_OFF) == []
+    stop = studio.at("team-stop").bounding_box()
+    assert stop is not None
+    assert stop["x"] >= 0
+    assert stop["x"] + stop["width"] <= size["width"]
+    run = studio.at("run-button").bounding_box()
+    assert run is not None
+    assert run["x"] + run["width"] <= stop["x"] or stop["x"] + stop["width"] <= run["x"]
+    canvas = studio.at("canvas").bounding_box()
+    assert canvas is not None
+    assert canvas["width"] >= 380
+    if size is PHONE:
+        for room, shown in (("palette", "part-find"), ("code", "code"), ("arena", "arena-canvas")):
+            studio.at(f"room-{room}").tap()
+            expect(studio.at(shown)).to_be_in_viewport()
+            expect(studio.at("canvas")).to_be_in_viewport()
+            assert page.evaluate(WIDER) is False, room
+        studio.at("room-arena").tap()
+        expect(studio.at("arena-canvas")).not_to_be_visible()
+
+
+def test_a_mission_runs_on_a_phone(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
+    studio = open_with_fingers(PHONE)
+    studio.at("run-button").tap()
+    expect(studio.page.locator(".vertex.is-active").first).to_be_attached(timeout=10_000)
+    studio.at("team-stop").tap()
+    expect(studio.at("status")).to_contain_text("Stopped")
