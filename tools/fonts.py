@@ -3,8 +3,9 @@
     python tools/fonts.py
 
 Weights from 400 to 700 only, no hinting, and of the features kerning, letters of a language, and figures of one width.
-All letters stay; a browser puts letter and accent together by itself where the font has both in one. It needs `fonttools` and `brotli`, which nothing else here does: install them for the
-occasion, after the packages' fonts have changed, and commit what it makes (web/src/theme/fonts).
+All letters stay; a browser puts letter and accent together by itself where the font has both in one. It needs
+`fonttools` and `brotli`, which nothing else here does: install them for the occasion, after the packages' fonts have
+changed, and commit what it makes (web/src/theme/fonts).
 """
 
 from __future__ import annotations
