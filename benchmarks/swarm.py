@@ -2,7 +2,7 @@
 
 They stand on a grid of 400 mm in a square arena with a wall around and a short wall for every eight robots, each
 looking another way. Each has three range sensors, wheels and a motor; its program reads all three sensors in every
-tick, keeps a count, and gives a command when something is near: 20 instructions a tick, `instructions_a_tick` counts them.
+tick, keeps a count, and tells its motor what to do: 20 instructions a tick or more (`instructions_a_tick`).
 """
 
 from __future__ import annotations
@@ -33,16 +33,18 @@ ROBOT = f"""<robot name="rover" version="1" tick="20" wait-unit="100">
   </actuator>
   {_EYE.format(name="Front", angle=0)}{_EYE.format(name="Left", angle=45)}{_EYE.format(name="Right", angle=-45)}
   <variable name="Count" type="integer" min="0" max="100" initial="0"/>
+  <variable name="Way" type="integer" min="0" max="1000" initial="0"/>
   <variable name="Near" type="integer" min="0" max="100" initial="0"/>
 </robot>
 """
 PROGRAM = """Wheel.Advance(30);
 *[Near.LessThan(100)](
-  Count.Add(1);
+  Count.Add(1); Way.Add(Count.Value()); Way.Sub(Count.Value());
   [Count.EqualTo(90)]( Count.Set(0); )
   [Left.LessThan(15)]( Near.Set(1); )!( Near.Set(0); )
   [Right.LessThan(15)]( Near.Add(1); )
-  [Front.LessThan(20)]( Motor.Turn(60); )!( Motor.Stop(); )
+  [Front.LessThan(20)]( Near.Add(2); )
+  [Near.GreaterThan(1)]( Motor.Turn(60); )!( Motor.Stop(); )
 );
 """
 

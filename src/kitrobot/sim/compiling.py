@@ -63,8 +63,12 @@ _MODULES = (
     "state",
     "stepping",
 )
-_NOT_LOOPS = frozenset(("fixed", "numbers", "as_arrays", "row_lengths", "advance", "same"))
+_NOT_LOOPS = frozenset(("fixed", "numbers", "as_arrays", "row_lengths", "advance", "same", "copy_row"))
 """Functions of those modules that are not for Numba, or told to it in another way."""
+
+_OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False}
+"""One core, other threads go on beside. No division by zero can happen. Nothing is allocated, so the references to the
+arrays need not be counted, which alone would take two thirds of the time of a ray."""
 
 READY = "ready"
 """The file in the cache folder that says that all of it is there."""
@@ -169,7 +173,7 @@ def _told(folder: Path) -> Advance:
     from kitrobot.sim import rows
     from kitrobot.sim.stepping import advance
 
-    @overload(rows.same, jit_options={"error_model": "numpy", "nogil": True})
+    @overload(rows.same, jit_options=_OPTIONS)
     def same_arrays(one: Any, other: Any) -> Any:
         def same(one: Any, other: Any) -> bool:
             k = 0
@@ -179,13 +183,21 @@ def _told(folder: Path) -> Advance:
 
         return same
 
+    @overload(rows.copy_row, jit_options=_OPTIONS)
+    def copy_arrays(to: Any, row: Any) -> Any:
+        def copy_row(to: Any, row: Any) -> None:
+            for k in range(len(row)):
+                to[k] = row[k]
+
+        return copy_row
+
     for loop in (*loops().values(), interpreter.tick):
-        register_jitable(error_model="numpy", nogil=True)(loop)
+        register_jitable(**_OPTIONS)(loop)
     config: Any = numba.config
     kept = config.CACHE_DIR
     config.CACHE_DIR = str(folder)
     try:
-        made: Advance = numba.njit(cache=True, nogil=True, error_model="numpy")(advance)
+        made: Advance = numba.njit(cache=True, **_OPTIONS)(advance)
     finally:
         config.CACHE_DIR = kept
     return made

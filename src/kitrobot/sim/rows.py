@@ -1,8 +1,16 @@
-"""Whether two rows of numbers are the same: the one thing that lists and Numba's arrays do not say alike."""
+"""The two things that lists and Numba's arrays do not say alike, or not as fast as they could.
+
+`compiling` tells Numba in loops what they mean for arrays.
+"""
 
 from __future__ import annotations
 
 
 def same(one: list[int], other: list[int]) -> bool:
-    """Whether two rows hold the same numbers. `compiling` tells Numba what this means for arrays."""
+    """Whether two rows hold the same numbers."""
     return one == other
+
+
+def copy_row(to: list[int], row: list[int]) -> None:
+    """Makes a row hold what another one holds; a list also becomes as long."""
+    to[:] = row

@@ -9,7 +9,7 @@ a cycle), so a program that only polls is found out too, whatever its period.
 from __future__ import annotations
 
 from kitrobot.sim.columns import CHANCE, CYCLE, DISTANCE, ENDED, KEPT, PATIENCE, QUIET, STUCK, TICK, UNTIL
-from kitrobot.sim.rows import same
+from kitrobot.sim.rows import copy_row, same
 
 QUIET_STEPS = 50
 """Steps without motion or command, besides what the latest sensor needs, before it is worth while to look."""
@@ -36,9 +36,9 @@ def look_for_standstill(
         clock[KEPT] = 1
         for i in range(len(ended)):
             if ended[i] == 0:
-                kept_cells[i][:] = cells[i]
-                kept_threads[i][:] = threads[i]
-                kept_pars[i][:] = pars[i]
+                copy_row(kept_cells[i], cells[i])
+                copy_row(kept_threads[i], threads[i])
+                copy_row(kept_pars[i], pars[i])
         return
     clock[DISTANCE] += 1
     for i in range(len(ended)):

@@ -7,7 +7,7 @@ nothing stirs, it is asked whether anything ever will.
 Everything here and in what it calls is in the part of Python that Numba takes: loops over rows of numbers, whole
 numbers that fit 64 bits, no division by zero, no function of the C library but the square root. So both give the same
 numbers, bit by bit, and a run may pass from one to the other at any step. Rows are lists under CPython and arrays under
-Numba; `row[:] = other` copies in both.
+Numba. Nothing is allocated: the state has room for everything.
 """
 
 from __future__ import annotations
