@@ -91,6 +91,7 @@ interface Letter {
   text: string;
 }
 
+const SPACE = 0x20;
 const graphemes = new Intl.Segmenter();
 
 export class Fonts {
@@ -139,8 +140,10 @@ export class Fonts {
   }
 
   #place(letters: Letter[], text: string, bold: boolean, pieces: Piece[]): void {
-    const fonts = letters.map(({ code }) => this.#fontOf(code, bold));
     const last = pieces.at(-1);
+    // A space is of the font before it.
+    const before = last?.kind === "glyphs" && text === " " && last.font.face.glyph(SPACE) !== 0 ? last.font : null;
+    const fonts = letters.map(({ code }) => before ?? this.#fontOf(code, bold));
     if (fonts.includes(null)) {
       if (last?.kind === "words") last.text += text;
       else pieces.push({ kind: "words", text });

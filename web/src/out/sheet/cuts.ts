@@ -82,7 +82,7 @@ export function partsOf(layout: Layout, paper: Paper, margin: number): Part[] {
   const [wide, tall] = [w + 2 * margin, h + 2 * margin];
   let scale = Math.max(paper.smallest, Math.min(paper.largest, paper.width / wide));
   const whole = (paper.height - paper.heading) / tall;
-  if (whole < scale && whole >= scale * WORTH_ONE_PAGE) scale = whole;
+  if (whole < scale && whole >= Math.max(paper.smallest, scale * WORTH_ONE_PAGE)) scale = whole;
   const boxes = layout.nodes.map((node) => ({ x: node.x, y: node.y, w: node.w, h: node.h }));
   const across = cuts(
     x,
