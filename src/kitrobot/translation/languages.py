@@ -43,4 +43,5 @@ def said_in() -> str:
 
 def said(sentence: str) -> str:
     """A sentence of a room in the reader's language; English where there is no translation."""
-    return translated(sentence, _reader.get())
+    language = _reader.get()
+    return sentence if language == ENGLISH else translated(sentence, language)

@@ -41,7 +41,7 @@ _HOLE = re.compile(r"\{([0-9]+)\}")
 _JOINTS = re.compile(r"(, | and | or )")
 _NUMBER = re.compile(r"-?[0-9]+(\.[0-9]+)?")
 _PREFIX = 4
-"""Letters at the beginning of a key by which it is found."""
+"""Letters at the beginning of a key by which it is found, fewer where it begins with fewer."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,7 @@ class _Sentence:
 
     stretches: tuple[str, ...]
     said: tuple[str, ...]
+    weight: int
     is_phrase: bool
 
     def holes(self, text: str) -> list[str] | None:
@@ -88,9 +89,9 @@ class Table:
             if len(stretches) == 1:
                 self._whole.setdefault(english, other)
             else:
-                prefix = stretches[0][:_PREFIX] if len(stretches[0]) >= _PREFIX else ""
-                sentence = _Sentence(stretches, tuple(_HOLE.split(other)), is_phrase)
-                self._beginning.setdefault(prefix, []).append(sentence)
+                weight = sum(map(len, stretches))
+                sentence = _Sentence(stretches, tuple(_HOLE.split(other)), weight, is_phrase)
+                self._beginning.setdefault(stretches[0][:_PREFIX], []).append(sentence)
 
     def translate(self, text: str) -> str:
         """The text in this language; as it is when it is no sentence of the table."""
@@ -114,19 +115,17 @@ class Table:
         if whole is not None:
             return whole
         best = None
-        for prefix in (bare[:_PREFIX], ""):
-            for sentence in self._beginning.get(prefix, ()):
+        for length in range(min(_PREFIX, len(bare)), -1, -1):
+            for sentence in self._beginning.get(bare[:length], ()):
+                if best is not None and sentence.weight <= best[0].weight:
+                    break  # the others of this beginning have fewer letters
                 if sentence.is_phrase and depth == DEEPEST:
                     continue
                 # The first letter is the key's, or that of a name.
                 holes = sentence.holes(bare if sentence.stretches[0] else as_written)
-                if holes is None:
-                    continue
-                weight = sum(map(len, sentence.stretches))
-                if best is None or weight > best[0]:
-                    best = weight, sentence, holes
-                break  # the others of this beginning have fewer letters
-        return None if best is None else self._filled(best[1].said, best[2], depth - 1)
+                if holes is not None:
+                    best = sentence, holes
+        return None if best is None else self._filled(best[0].said, best[1], depth - 1)
 
     def _filled(self, said: tuple[str, ...], holes: list[str], depth: int) -> str:
         made: list[str] = []
