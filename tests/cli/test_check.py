@@ -16,6 +16,11 @@ CONSTRUCTORS = (
     "<code>*[Run.IsTrue()]({body})</code></constructor></group></constructors>"
 )
 
+TUTORIAL = (
+    '<tutorial version="1" start="x.krt"><label>T</label><step><label>S</label>'
+    "<contains><code>4*({body})</code></contains></step></tutorial>"
+)
+
 
 @pytest.fixture
 def write(here):
@@ -36,11 +41,24 @@ def test_the_example_has_no_errors(kitrobot):
 
 @pytest.mark.parametrize(
     ("name", "content"),
-    [("mine.robot.xml", ROBOT), ("small.world.xml", WORLD), ("c.xml", CONSTRUCTORS), ("r.xml", "<!-- x -->" + ROBOT)],
+    [
+        ("mine.robot.xml", ROBOT),
+        ("small.world.xml", WORLD),
+        ("c.xml", CONSTRUCTORS),
+        ("r.xml", "<!-- x -->" + ROBOT),
+        ("mine.tutorial.xml", TUTORIAL),
+        ("t.xml", TUTORIAL),
+    ],
 )
 def test_a_good_file_of_each_kind_of_xml_has_no_errors(kitrobot, write, name, content):
     said = kitrobot("check", write(name, content))
     assert (said.status, said.out) == (0, "")
+
+
+def test_a_mistake_in_the_code_of_a_tutorial_is_shown_at_its_place(kitrobot, write):
+    said = kitrobot("check", write("t.tutorial.xml", TUTORIAL.replace("{body}", "{body")))
+    assert said.status == 1
+    assert said.out.startswith(f"t.tutorial.xml:1:{TUTORIAL.index('{body') + 1}: error: ")
 
 
 def test_a_problem_has_its_place_the_line_a_caret_and_help(kitrobot, write):
@@ -195,7 +213,9 @@ HOSTILE = [
 
 @pytest.mark.timeout(60)
 @pytest.mark.parametrize("data", HOSTILE, ids=range(len(HOSTILE)))
-@pytest.mark.parametrize("name", ["x.robot.xml", "x.world.xml", "x.xml", "x.krt", "x.lll", "x.kri", "x.kra"])
+@pytest.mark.parametrize(
+    "name", ["x.robot.xml", "x.world.xml", "x.tutorial.xml", "x.xml", "x.krt", "x.lll", "x.kri", "x.kra"]
+)
 def test_a_damaged_or_hostile_file_is_an_error_with_its_place(kitrobot, write, name, data):
     said = kitrobot("check", write(name, data), "--json")
     if name == "x.lll" and data == b"":

@@ -75,6 +75,13 @@ def test_the_wheel_carries_every_file_of_the_packages(wheel_names: list[str]) ->
     assert sources - set(wheel_names) == set()
 
 
+def test_the_wheel_carries_every_example_and_tutorial(wheel_names: list[str]) -> None:
+    kept = subprocess.run(["git", "ls-files", "examples"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    examples = {f"kitrobot/{name}" for name in kept.splitlines() if (ROOT / name).exists()}
+    assert "kitrobot/examples/tutorials/first-steps/first-steps.tutorial.xml" in examples
+    assert examples - set(wheel_names) == set()
+
+
 def test_the_wheel_carries_nothing_else(wheel_names: list[str]) -> None:
     tops = {name.split("/")[0] for name in wheel_names}
     assert {top for top in tops if not top.endswith(".dist-info")} <= {"kitrobot", "kitrobot_onboard"}

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 import xmlschema
 
 import kitrobot.primitives
-from kitrobot.lll import Call, Repeat, While
-from kitrobot.tutorial import EVENTS, Point, read_tutorial
+from kitrobot.lll import Call, Repeat, While, parse
+from kitrobot.tutorial import EVENTS, Point, read_tutorial, steps_fit
 from kitrobot.tutorial.reading import BUTTONS, DEEPEST_PATTERN, MOST_STEPS, PANELS
 from tests.primitives.samples import TUTORIAL, messages
 
@@ -147,3 +148,21 @@ def test_a_pattern_is_nested_up_to_the_limit() -> None:
     within = (DEEPEST_PATTERN - 1) // 2
     assert read_tutorial(nested(within).encode(), "f")[0] is not None
     assert read_tutorial(nested(within + 1).encode(), "f")[0] is None
+
+
+def test_the_example_of_the_docs_is_right_and_a_program_can_do_it() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "tutorials.md").read_text(encoding="utf-8")
+    [example] = re.findall(r"```xml\n(.*?)```", page, re.DOTALL)
+    SCHEMA.validate(example)
+    found, problems = read_tutorial(example.encode(), "tutorials.md")
+    assert found is not None
+    assert problems == []
+    text = "3*(Light.LightOn(); WAIT(5); Light.LightOff(); WAIT(5));"
+    assert steps_fit(found, {"blink": parse(text).program}) == [True, True, True]
+    assert steps_fit(found, {"blink": parse(text.replace("5", "6")).program}) == [True, False, True]
+
+
+def test_the_docs_name_everything_that_can_be_pointed_at_and_every_event() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "tutorials.md").read_text(encoding="utf-8")
+    for name in (*BUTTONS, *PANELS, *EVENTS):
+        assert f"`{name}`" in page, name

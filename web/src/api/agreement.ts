@@ -5,6 +5,7 @@
  */
 import type * as server from "./generated";
 import type { Made, MissionEntry, Saved, Session } from "./client";
+import type { Tutorial, TutorialFit } from "./tutorials";
 import type { Fragment, Mission, MissionFile, Report } from "./types";
 import type { RunMessage, RunRequest } from "./wire";
 
@@ -19,6 +20,8 @@ export type Received = [
   Fits<Saved, server.Saved>,
   Fits<Made, server.Image>,
   Fits<RunMessage, server.RunMessage>,
+  Fits<Tutorial, server.Tutorial>,
+  Fits<TutorialFit, server.TutorialFit>,
 ];
 
 export type Sent = [Fits<server.Mission, Mission>, Fits<server.RunRequest, RunRequest>];
