@@ -17,10 +17,12 @@ import importlib.util
 import inspect
 import os
 import platform
+import shutil
 import subprocess
 import sys
 import threading
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from types import ModuleType
@@ -73,10 +75,12 @@ arrays need not be counted, which alone would take two thirds of the time of a r
 READY = "ready"
 """The file in the cache folder that says that all of it is there."""
 
+MONTH_S = 30 * 24 * 3600
+
 _lock = threading.Lock()
+_making = threading.Lock()
 _made: Advance | None = None
 _asked: threading.Thread | None = None
-_failed = False
 
 
 def available() -> bool:
@@ -156,24 +160,40 @@ def make() -> Advance:
     global _made
     from kitrobot.sim.example import small_state
 
-    folder = cache_folder()
-    folder.mkdir(parents=True, exist_ok=True)
-    function = _told(folder)
-    function(small_state(), 0)
-    (folder / READY).touch()
-    _made = function
-    return function
+    with _making:
+        if _made is None:
+            folder = cache_folder()
+            folder.mkdir(parents=True, exist_ok=True)
+            function = _told(folder)
+            function(small_state(), 0)
+            (folder / READY).touch()
+            _forget_old(folder)
+            _made = function
+        return _made
+
+
+def _forget_old(folder: Path) -> None:
+    """Deletes what other versions left in the cache and nobody has used for a month."""
+    used = (folder / READY).stat().st_mtime
+    for other in folder.parent.glob("step-*"):
+        with suppress(OSError):
+            if other != folder and used - max(other.stat().st_mtime, _used(other)) > MONTH_S:
+                shutil.rmtree(other, ignore_errors=True)
+
+
+def _used(folder: Path) -> float:
+    ready = folder / READY
+    return ready.stat().st_mtime if ready.exists() else 0.0
 
 
 def _told(folder: Path) -> Advance:
     """`advance` as a function of Numba's, which has been told everything that it calls."""
     import numba
-    from numba.extending import overload, register_jitable
+    from numba import extending
 
     from kitrobot.sim import rows
     from kitrobot.sim.stepping import advance
 
-    @overload(rows.same, jit_options=_OPTIONS)
     def same_arrays(one: Any, other: Any) -> Any:
         def same(one: Any, other: Any) -> bool:
             k = 0
@@ -183,7 +203,6 @@ def _told(folder: Path) -> Advance:
 
         return same
 
-    @overload(rows.copy_row, jit_options=_OPTIONS)
     def copy_arrays(to: Any, row: Any) -> Any:
         def copy_row(to: Any, row: Any) -> None:
             for k in range(len(row)):
@@ -191,8 +210,12 @@ def _told(folder: Path) -> Advance:
 
         return copy_row
 
+    # Numba's annotations know fewer options than Numba does.
+    options: Any = _OPTIONS
+    extending.overload(rows.same, jit_options=options)(same_arrays)
+    extending.overload(rows.copy_row, jit_options=options)(copy_arrays)
     for loop in (*loops().values(), interpreter.tick):
-        register_jitable(**_OPTIONS)(loop)
+        extending.register_jitable(**_OPTIONS)(loop)
     config: Any = numba.config
     kept = config.CACHE_DIR
     config.CACHE_DIR = str(folder)
@@ -205,15 +228,10 @@ def _told(folder: Path) -> Advance:
 
 def _make_in_peace() -> None:
     """What `ask` does in its thread: a machine where it cannot be done goes on plain."""
-    global _failed
-    try:
-        if not (cache_folder() / READY).is_file() and not _compile_elsewhere():
-            _failed = True
-            return
-        make()
-    except Exception:
-        # Numba may fail in any way on a machine we do not know; the plain step is as right as the compiled one.
-        _failed = True
+    # Numba may fail in any way on a machine we do not know; the plain step is as right as the compiled one.
+    with suppress(Exception):
+        if (cache_folder() / READY).is_file() or _compile_elsewhere():
+            make()
 
 
 def _compile_elsewhere() -> bool:

@@ -22,6 +22,7 @@ from typing import Literal
 
 from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.lll import collection_paused
 from kitrobot.mission import Mission, write_mission
 from kitrobot.primitives import Catalogue
 from kitrobot.sim import columns
@@ -116,7 +117,8 @@ class Simulation:
         seed: int = 0,
         seconds: float | None = None,
     ) -> None:
-        staging = Staging(mission, world, images, catalogue, seed)
+        with collection_paused():
+            staging = Staging(mission, world, images, catalogue, seed)
         self.mission = mission
         self.world = world
         self.seed = seed
