@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import random
 from dataclasses import replace
-from statistics import mean, stdev
+from pathlib import Path
+from statistics import correlation, mean, stdev
 
 import pytest
 from hypothesis import given
@@ -14,6 +16,7 @@ from hypothesis import strategies as st
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import ALARM, LAMP, Simulation, SimulationError
 from kitrobot.sim.angles import direction
+from kitrobot.sim.chance import drawn, gauss, keys
 from kitrobot.sim.devices import Actuator, Sensor, actuators, sensors
 from kitrobot.sim.grids import fill, fixed
 from kitrobot.sim.settings import find_device, read_settings
@@ -390,3 +393,127 @@ def test_a_device_that_cannot_be_simulated_is_an_error_in_a_sentence(part: str, 
 def test_a_setting_at_its_limit_is_right() -> None:
     robot = avatar(WHEEL.format(settings='speed="1"'))
     assert run_of({"a": (robot, "WAIT(1);")}, empty_world(a=(1000, 1000, 0))).tick == 0
+
+
+# ---- drop-outs and noise, of every device
+
+
+def test_every_device_has_latency_and_drop_outs_and_every_measure_has_noise() -> None:
+    for device in (*actuators().values(), *sensors().values()):
+        names = {setting.name for setting in device.settings}
+        assert {"latency", "dropout"} <= names, device.name
+        assert "noise" in names or device.name in {"lamp", "switch"}, device.name
+
+
+def test_the_kinds_of_devices_are_numbered_in_the_order_of_their_names() -> None:
+    for known in (actuators(), sensors()):
+        assert [device.kind for device in known.values()] == list(range(len(known)))
+        assert list(known) == sorted(known)
+
+
+def test_a_lost_reading_leaves_the_one_before() -> None:
+    fast = WHEEL.format(settings='speed="1000" acceleration="1e6"')
+    eyes = [RANGE.format(most=1000, settings=f'reach="1000" {lost}') for lost in ("", 'dropout="50"', 'dropout="100"')]
+    runs = [
+        run_of({"a": (avatar(fast, eye), "Wheel.Advance(100); WAIT(600);")}, empty_world(a=(2900, 1000, 0)))
+        for eye in eyes
+    ]
+    fresh, half, never = ([sensed(run, "Captor") for _ in range(40)] for run in runs)
+    assert never == [0] * 40
+    kept = [now == before for before, now in itertools.pairwise(half)]
+    assert 8 < sum(kept) < 32
+    assert all(value in ([0, *fresh]) for value in half)
+    assert all(now in (true, before) for before, now, true in zip([0, *half], half, fresh, strict=False))
+
+
+def test_a_boolean_sensor_with_noise_is_wrong_as_often_as_it_says() -> None:
+    robot = avatar(WHEEL.format(settings=""), SENSOR.format(name="Button", device="button", settings='noise="30"'))
+    run = run_of({"a": (robot, "WAIT(600);")}, empty_world(a=(1000, 1000, 0)), seconds=100)
+    readings = [sensed(run, "Button") for _ in range(2000)]
+    assert mean(readings) == pytest.approx(0.3, abs=0.04)
+
+
+def test_a_colour_sensor_with_noise_reads_every_other_colour_now_and_then() -> None:
+    eye = """<sensor name="Light" device="colour" min="0" max="3" noise="50">
+      <operation name="Value" value="yes"/></sensor>"""
+    robot = avatar(WHEEL.format(settings=""), eye)
+    run = run_of({"a": (robot, "WAIT(600);")}, empty_world(a=(1000, 1000, 0)), seconds=100)
+    readings = [sensed(run, "Light") for _ in range(2000)]
+    counts = [readings.count(colour) / 2000 for colour in range(4)]
+    assert counts == pytest.approx([0.5, 1 / 6, 1 / 6, 1 / 6], abs=0.04)
+
+
+LIGHT = """<actuator name="Light" device="lamp" {settings}>
+  <procedure name="LightOn"/><procedure name="LightOff"/></actuator>"""
+
+
+def test_a_lost_command_says_so_and_the_next_one_may_arrive() -> None:
+    lossy = avatar(LIGHT.format(settings='dropout="90"'), '<variable name="Go" type="boolean" initial="true"/>')
+    run = run_of({"a": (lossy, "*[Go.IsTrue()]( Light.LightOn(); );")}, empty_world(a=(1000, 1000, 0)))
+    texts = [event.text for _ in range(60) for event in steps(run, 1).events]
+    assert 0 < len(texts) < 59
+    assert set(texts) == {"a command did not reach Light"}
+    assert run.agents[0].flags & LAMP
+    never = avatar(LIGHT.format(settings='dropout="100"'))
+    run = steps(run_of({"a": (never, "Light.LightOn(); WAIT(9);")}, empty_world(a=(1000, 1000, 0))), 2)
+    assert not run.agents[0].flags & LAMP
+
+
+def test_a_door_with_noise_takes_a_little_more_or_less_each_time() -> None:
+    door = """<actuator name="Door" device="door" time="1000" noise="10">
+      <procedure name="Open" completes="later"/><procedure name="Close" completes="later"/></actuator>"""
+    text = "9*( Door.Open(); Door.Close(); );"
+    run = run_of({"a": (avatar(door), text)}, empty_world(a=(1000, 1000, 0)), seconds=100)
+    while run.outcome is None:
+        run.step()
+    assert run.tick == pytest.approx(18 * 50, rel=0.1)
+    assert run.tick != 18 * 50 + 1
+
+
+def test_a_motor_with_noise_turns_by_about_the_angle() -> None:
+    motor = """<actuator name="Motor" device="turn" rate="720" noise="5">
+      <procedure name="AbsoluteTurn" completes="later">
+      <parameter name="angle" min="0" max="100"/><parameter name="speed" min="0" max="100"/></procedure></actuator>"""
+
+    def turned(seed: int) -> float:
+        run = run_of({"a": (avatar(motor), "Motor.AbsoluteTurn(25, 100);")}, empty_world(a=(1000, 1000, 0)), seed=seed)
+        while run.outcome is None:
+            run.step()
+        return run.agents[0].heading_rad
+
+    angles = [turned(seed) for seed in range(40)]
+    assert mean(angles) == pytest.approx(math.pi / 2, rel=0.04)
+    assert stdev(angles) == pytest.approx(0.05 * math.pi / 2, rel=0.4)
+
+
+# ---- chance and angles
+
+
+@given(st.floats(-100, 100))
+def test_sine_and_cosine_are_those_of_the_library_to_the_last_bits(angle: float) -> None:
+    assert direction(angle) == pytest.approx((math.cos(angle), math.sin(angle)), abs=5e-16)
+
+
+def test_chance_is_even_and_normal_and_neighbours_have_nothing_in_common() -> None:
+    a, b = keys(1, "robot", "sensor", "Eye")
+    c, d = keys(1, "robot", "sensor", "Ear")
+    draws = [drawn(a, b, n) / 2**32 for n in range(20_000)]
+    others = [drawn(c, d, n) / 2**32 for n in range(20_000)]
+    assert mean(draws) == pytest.approx(0.5, abs=0.01)
+    assert stdev(draws) == pytest.approx(math.sqrt(1 / 12), abs=0.01)
+    assert abs(correlation(draws[:-1], draws[1:])) < 0.03
+    assert abs(correlation(draws, others)) < 0.03
+    deviates = [gauss(a, b, 3 * n) for n in range(20_000)]
+    assert mean(deviates) == pytest.approx(0, abs=0.03)
+    assert stdev(deviates) == pytest.approx(1, abs=0.02)
+    assert sum(abs(deviate) > 2 for deviate in deviates) / 20_000 == pytest.approx(0.0455, abs=0.006)
+
+
+def test_the_documentation_names_every_device_and_setting() -> None:
+    text = (Path(__file__).parents[2] / "docs" / "xml.md").read_text(encoding="utf-8")
+    table = text[text.index("## Devices of the simulator") :]
+    lines = {line.split("|")[1].strip(): line for line in table.splitlines() if line.startswith("| `")}
+    for device in (*actuators().values(), *sensors().values()):
+        for setting in device.settings:
+            assert setting.help in lines[f"`{device.name}`"] or setting.name in {"latency", "dropout"} or setting.words
+            assert f"`{setting.name}`" in table
