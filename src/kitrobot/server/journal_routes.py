@@ -101,8 +101,9 @@ def difference(studio: StudioOf, wanted: DifferenceAskShape) -> DifferenceShape:
 
 
 def _in_words(difference: Difference) -> str:
-    """What is different, after the program that it is about: the words are a sentence, the name is none."""
-    return f"{difference.program}: {said(difference.words)}" if difference.program else said(difference.words)
+    """What is different, after the program that it is about: the words are a sentence, the name stays as it is."""
+    words = said(difference.words)
+    return f"{difference.program}: {words}" if difference.program else words[:1].upper() + words[1:]
 
 
 @journal_routes.websocket("/watch")

@@ -180,14 +180,14 @@ class Session:
             else:
                 await self._drive(watch, Pace(watch.tick_s, self._clock, _speed(request.speed)))
         except KitRobotError as error:
-            await self._fail(error.message, error.help)
+            await self._fail(error.message, error.help, ended=True)
         except (RuntimeError, OSError, WebSocketDisconnect):
             # The page is gone in the middle of a message; `serve` hears of it too.
             _log.debug("the page left during a run", exc_info=True)
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a run broke: %s: %s", type(error).__name__, error, exc_info=debugging)
-            await self._fail("something went wrong inside KitRobot", "the run has ended; please report it")
+            await self._fail("something went wrong inside KitRobot", "the run has ended; please report it", ended=True)
         finally:
             self._count(False)
 
@@ -287,8 +287,8 @@ class Session:
     async def _tell(self, message: BaseModel) -> None:
         await self._socket.send_text(message.model_dump_json())
 
-    async def _fail(self, message: str, help: str) -> None:
-        await self._tell(ErrorMessage(message=spoken(message), help=spoken(help)))
+    async def _fail(self, message: str, help: str, ended: bool = False) -> None:
+        await self._tell(ErrorMessage(message=spoken(message), help=spoken(help), ended=ended))
 
 
 def _speed(wanted: float) -> float:

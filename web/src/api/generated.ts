@@ -138,11 +138,12 @@ export interface Dock {
   heading_rad: number;
 }
 
-/** A request that could not be followed. */
+/** A request that could not be followed; `ended` when there is no run any more because of it. */
 export interface ErrorMessage {
   type: "error";
   message: string;
   help: string;
+  ended: boolean;
 }
 
 /** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */

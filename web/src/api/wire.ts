@@ -4,7 +4,7 @@
  * Lengths in mm, angles in radians, x to the right, y up, heading 0 along +x and counter-clockwise. Poses come as binary
  * frames (see `decodeFrame`), everything else as JSON with a `type`.
  */
-import type { Mission, Problem, World } from "./types";
+import type { Breakpoint, Mission, Problem, World } from "./types";
 
 export type Road = World["roads"][number];
 export type Dock = World["docks"][number];
@@ -27,6 +27,16 @@ export interface AgentReport {
   values: Record<string, number>;
   inputs: Record<string, number>;
   fault: number;
+  /** Sensors in whose place a value stands. */
+  forced: string[];
+}
+
+/** Why a run pauses: an agent came to the vertex of a breakpoint. */
+export interface Hit {
+  program: string;
+  vertex: string;
+  agent: string;
+  visit: number;
 }
 
 export type RunEventKind = "load" | "unload" | "message" | "collision" | "end";
@@ -49,10 +59,21 @@ export type RunMessage =
       stock: Record<string, number>;
       total: number;
     }
-  | { type: "state"; status: "running" | "paused" | RunOutcome; tick: number; seconds: number; sentence: string }
+  | {
+      type: "state";
+      status: "running" | "paused" | RunOutcome;
+      tick: number;
+      seconds: number;
+      sentence: string;
+      hits: Hit[];
+    }
   | {
       type: "tick";
       tick: number;
+      /** The furthest tick of this future; less than before when another one has begun. */
+      latest: number;
+      /** Whether `events` are all up to `latest`, not only those since the last message. */
+      again: boolean;
       seconds: number;
       agents: Record<string, AgentReport>;
       stock: Record<string, number>;
@@ -61,14 +82,18 @@ export type RunMessage =
       events: RunEvent[];
     }
   | { type: "problems"; problems: Problem[] }
-  | { type: "error"; message: string; help: string };
+  | { type: "error"; message: string; help: string; ended: boolean };
 
 export type RunRequest =
   | { type: "start"; mission: Mission; path: string; seed: number; speed: number }
   | { type: "pause" }
   | { type: "resume" }
   | { type: "stop" }
-  | { type: "step" }
+  | { type: "step"; by: "tick" | "vertex"; back: boolean; agent: string }
+  | { type: "seek"; tick: number }
+  | { type: "force"; agent: string; sensor: string; value: number | null }
+  | { type: "set"; agent: string; variable: string; value: number }
+  | { type: "breakpoints"; breakpoints: Breakpoint[] }
   | { type: "speed"; value: number };
 
 /** One robot as a frame shows it. */

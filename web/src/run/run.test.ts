@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 
 import type { AgentReport, RunMessage } from "../api/wire";
 import { clearFrames, posesAt, pushFrame } from "./poses";
-import { applyMessage, useActiveVertices, useRun, watchedAgent } from "./run";
+import { applyMessage, canGoBack, useActiveVertices, useRun, watchedAgent } from "./run";
 
 const report = (active: [number, string][], inputs: Record<string, number> = {}): AgentReport => ({
   active,
@@ -11,6 +11,7 @@ const report = (active: [number, string][], inputs: Record<string, number> = {})
   values: {},
   inputs,
   fault: 0,
+  forced: [],
 });
 
 const agent = (name: string, program: string, number: number) => ({ name, program, robot: "r", number, kind: "r" });
@@ -30,6 +31,8 @@ function tick(agents: Record<string, AgentReport>, at = 1): RunMessage {
   return {
     type: "tick",
     tick: at,
+    latest: at,
+    again: false,
     seconds: at * 0.02,
     agents,
     stock: { A: 11 },
@@ -79,7 +82,7 @@ describe("a run", () => {
 
   it("ends with a sentence", () => {
     hear(STARTED);
-    hear({ type: "state", status: "done", tick: 9, seconds: 0.18, sentence: "B holds all." });
+    hear({ type: "state", status: "done", tick: 9, seconds: 0.18, sentence: "B holds all.", hits: [] });
     expect([useRun.getState().status, useRun.getState().sentence]).toEqual(["done", "B holds all."]);
   });
 
@@ -91,8 +94,40 @@ describe("a run", () => {
 
   it("that the server breaks off is stopped with its words", () => {
     hear(STARTED);
-    hear({ type: "error", message: "No.", help: "Yes." });
+    hear({ type: "error", message: "Not that.", help: "", ended: false });
+    expect(useRun.getState().status).toBe("running");
+    hear({ type: "error", message: "No.", help: "Yes.", ended: true });
     expect([useRun.getState().status, useRun.getState().error]).toEqual(["stopped", { message: "No.", help: "Yes." }]);
+  });
+});
+
+describe("a run in its past", () => {
+  const at = (tick: number, latest: number, more: Partial<RunMessage> = {}) =>
+    ({ ...tick_(tick), latest, ...more }) as RunMessage;
+  const tick_ = (number: number) => tick({}, number);
+
+  it("keeps what happened until another future begins", () => {
+    hear(STARTED);
+    hear(at(1, 1));
+    hear(at(2, 2));
+    hear(at(1, 2, { events: [] }));
+    expect([useRun.getState().tick, useRun.getState().latest]).toEqual([1, 2]);
+    expect(useRun.getState().events.map((event) => event.tick)).toEqual([1, 2]);
+    hear(at(1, 1, { again: true, events: [{ tick: 1, kind: "load", agent: "l", text: "" }] }));
+    expect([useRun.getState().latest, useRun.getState().events.length]).toEqual([1, 1]);
+  });
+
+  it("says why it pauses", () => {
+    hear(STARTED);
+    const hits = [{ program: "carrier", vertex: "v1", agent: "c-1", visit: 2 }];
+    hear({ type: "state", status: "paused", tick: 3, seconds: 0.06, sentence: "", hits });
+    expect(useRun.getState().hits).toEqual(hits);
+  });
+
+  it("can be gone back in while it is on or stands at its end", () => {
+    const yes = ["running", "paused", "done", "failed", "stuck", "time"] as const;
+    expect(yes.every(canGoBack)).toBe(true);
+    expect((["idle", "connecting", "stopped"] as const).some(canGoBack)).toBe(false);
   });
 });
 

@@ -10,7 +10,7 @@ import { create } from "zustand";
 
 import type { Mission, Problem, World } from "../api/types";
 import { type Failure, openRunSocket, type RunSocket } from "../api/socket";
-import type { AgentReport, RunEvent, RunMessage, StartedAgent } from "../api/wire";
+import type { AgentReport, Hit, RunEvent, RunMessage, StartedAgent } from "../api/wire";
 import { clearFrames, pushFrame } from "./poses";
 
 export type RunStatus = "idle" | "connecting" | "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped";
@@ -20,6 +20,10 @@ export interface RunAgent extends StartedAgent, AgentReport {}
 export interface RunState {
   status: RunStatus;
   tick: number;
+  /** The furthest tick of this future: further than `tick` when the run stands in its past. */
+  latest: number;
+  /** Why it pauses; empty when it was asked to. */
+  hits: Hit[];
   seconds: number;
   tickMs: number;
   sentence: string;
@@ -42,7 +46,13 @@ export interface RunState {
   pause: () => void;
   resume: () => void;
   stop: () => void;
-  step: () => void;
+  /** One tick, or until the agent (anybody where it is empty) stands at another vertex; back pauses the run. */
+  step: (by?: "tick" | "vertex", back?: boolean, agent?: string) => void;
+  /** Goes to a tick that was run already, and pauses there. */
+  seek: (tick: number) => void;
+  /** Puts a value in the place of what a sensor measures; null gives it back. */
+  force: (agent: string, sensor: string, value: number | null) => void;
+  setVariable: (agent: string, variable: string, value: number) => void;
   setSpeed: (speed: number) => void;
   /** Watches that agent in its program's tab; before a run its program has to be said. */
   selectAgent: (name: string, program?: string) => void;
@@ -56,6 +66,8 @@ const MOST_EVENTS = 5000;
 const NOTHING = {
   status: "idle" as RunStatus,
   tick: 0,
+  latest: 0,
+  hits: [] as Hit[],
   seconds: 0,
   tickMs: 20,
   sentence: "",
@@ -86,6 +98,16 @@ function merge(agents: RunAgent[], reports: Record<string, AgentReport>): RunAge
   });
 }
 
+function statusAfter(before: RunStatus, ended: boolean): RunStatus {
+  if (before === "connecting") return "idle";
+  return ended && isLive(before) ? "stopped" : before;
+}
+
+function eventsAfter(before: RunEvent[], { again, events }: { again: boolean; events: RunEvent[] }): RunEvent[] {
+  if (again) return events;
+  return events.length === 0 ? before : [...before, ...events].slice(-MOST_EVENTS);
+}
+
 /** What a message of the server changes. */
 export function applyMessage(state: RunState, message: RunMessage): Partial<RunState> {
   switch (message.type) {
@@ -105,25 +127,33 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
           values: {},
           inputs: {},
           fault: 0,
+          forced: [],
         })),
       };
     case "state":
-      return { status: message.status, tick: message.tick, seconds: message.seconds, sentence: message.sentence };
+      return {
+        status: message.status,
+        tick: message.tick,
+        seconds: message.seconds,
+        sentence: message.sentence,
+        hits: message.hits,
+      };
     case "tick":
       return {
         tick: message.tick,
+        latest: message.latest,
         seconds: message.seconds,
         agents: merge(state.agents, message.agents),
         stock: message.stock,
         delivered: message.delivered,
         collisions: message.collisions,
-        events: message.events.length === 0 ? state.events : [...state.events, ...message.events].slice(-MOST_EVENTS),
+        events: eventsAfter(state.events, message),
       };
     case "problems":
       return { ...NOTHING, problems: message.problems };
     case "error":
       return {
-        status: isLive(state.status) ? "stopped" : state.status,
+        status: statusAfter(state.status, message.ended),
         error: { message: message.message, help: message.help },
       };
   }
@@ -133,7 +163,35 @@ export function isLive(status: RunStatus): boolean {
   return status === "connecting" || status === "running" || status === "paused";
 }
 
+/** Whether the run has a past that can be gone to: one that was stopped is over. */
+export function canGoBack(status: RunStatus): boolean {
+  return status === "running" || status === "paused" || isEnded(status);
+}
+
+/** Whether it stands at its end. */
+export function isEnded(status: RunStatus): boolean {
+  return status === "done" || status === "failed" || status === "stuck" || status === "time";
+}
+
+/** While the handle of the timeline is dragged, only the newest place is asked for, and one at a time. */
+let wanted: number | null = null;
+let seeking = false;
+
+function sendSeek(): void {
+  if (wanted === null) return;
+  socket?.send({ type: "seek", tick: wanted });
+  wanted = null;
+  seeking = true;
+}
+
+function sought(): void {
+  seeking = false;
+  sendSeek();
+}
+
 function hangUp(): void {
+  wanted = null;
+  seeking = false;
   socket?.close();
   socket = null;
 }
@@ -153,7 +211,9 @@ export const useRun = create<RunState>((set, get) => ({
       onOpen: (opened) => opened.send({ type: "start", mission, path, seed, speed }),
       onMessage: (message) => {
         set((state) => applyMessage(state, message));
-        if (message.type === "problems" || message.type === "error") hangUp();
+        if (seeking && message.type === "tick") sought();
+        if (message.type === "problems" || (message.type === "error" && (message.ended || !canGoBack(get().status))))
+          hangUp();
       },
       onFrame: (frame) => pushFrame(frame, performance.now()),
       onLost: (failure) => {
@@ -177,8 +237,20 @@ export const useRun = create<RunState>((set, get) => ({
       socket.send({ type: "stop" });
     }
   },
-  step: () => {
-    if (get().status === "paused") socket?.send({ type: "step" });
+  step: (by = "tick", back = false, agent = "") => {
+    const { status, tick } = get();
+    if (back ? tick > 0 && canGoBack(status) : status === "paused") socket?.send({ type: "step", by, back, agent });
+  },
+  seek: (tick) => {
+    if (!canGoBack(get().status)) return;
+    wanted = Math.round(tick);
+    if (!seeking) sendSeek();
+  },
+  force: (agent, sensor, value) => {
+    socket?.send({ type: "force", agent, sensor, value });
+  },
+  setVariable: (agent, variable, value) => {
+    socket?.send({ type: "set", agent, variable, value });
   },
   setSpeed: (speed) => {
     set({ speed });

@@ -1,18 +1,21 @@
 /**
- * The strip of what has happened so far: a time axis with ▲ load ▼ unload ○ message ✕ collision ■ end.
+ * The timeline: what has happened so far, ▲ load ▼ unload ○ message ✕ collision ■ end, and a handle to go back to any moment
+ * and on again.
  *
- * It only shows; nothing on it can be dragged. The axis is one minute long and doubles when the run outgrows it.
+ * A slider like any other for keys and screen readers. The axis is one minute long and doubles when the run outgrows it.
  */
-import { useLayoutEffect, useMemo, useRef, useState } from "react";
+import { type KeyboardEvent, type PointerEvent, useLayoutEffect, useMemo, useRef, useState } from "react";
 
 import type { RunEvent, RunEventKind } from "../api/wire";
-import { useRun } from "../run/run";
+import { canGoBack, useRun } from "../run/run";
 import { t } from "../words/words";
 import { axisTime, clock, grouped } from "../words/numbers";
 
 const FIRST_S = 60;
 const LANE = 11;
 const GAP_PX = 9;
+/** Where the axis begins, from the left of the strip. */
+const EDGE = 18;
 
 /** How much of the axis may be used before it doubles: the label of the moment needs room at its right. */
 const FULL = 0.86;
@@ -57,8 +60,24 @@ function Mark({ kind, x, title }: { kind: RunEventKind; x: number; title: string
   );
 }
 
+/** Where a key leads on the timeline, or null. */
+export function keyTarget(key: string, tick: number, latest: number, second: number): number | null {
+  const steps: Record<string, number> = {
+    ArrowLeft: tick - 1,
+    ArrowDown: tick - 1,
+    ArrowRight: tick + 1,
+    ArrowUp: tick + 1,
+    PageDown: tick - second,
+    PageUp: tick + second,
+    Home: 0,
+    End: latest,
+  };
+  const wanted = steps[key];
+  return wanted === undefined ? null : Math.min(Math.max(wanted, 0), latest);
+}
+
 export function EventStrip() {
-  const { events, seconds, tick, tickMs, status } = useRun();
+  const { events, seconds, tick, latest, tickMs, status, seek } = useRun();
   const box = useRef<HTMLDivElement>(null);
   const [width, setWidth] = useState(800);
   useLayoutEffect(() => {
@@ -71,22 +90,59 @@ export function EventStrip() {
     return () => watcher.disconnect();
   }, []);
 
-  const { length, step } = axisFor(seconds);
+  const { length, step } = axisFor((latest * tickMs) / 1000);
   const room = width - 56;
   const shown = useMemo(() => {
     const place = (event: RunEvent) => (((event.tick * tickMs) / 1000) * room) / length;
     return thinned(events, place, GAP_PX).map((event) => ({ event, x: place(event) }));
   }, [events, tickMs, room, length]);
   const now = (seconds * room) / length;
+  const known = (((latest * tickMs) / 1000) * room) / length;
+  const past = canGoBack(status);
+  const goTo = (event: PointerEvent) => {
+    const left = box.current?.querySelector("svg")?.getBoundingClientRect().left ?? 0;
+    seek(Math.min(Math.max(((event.clientX - left - EDGE) * length * 1000) / (room * tickMs), 0), latest));
+  };
+  const onPointerDown = (event: PointerEvent<HTMLDivElement>) => {
+    if (event.button !== 0 || !past) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
+    goTo(event);
+  };
+  const onPointerMove = (event: PointerEvent<HTMLDivElement>) => {
+    if (past && event.currentTarget.hasPointerCapture(event.pointerId)) goTo(event);
+  };
+  const onKeyDown = (event: KeyboardEvent) => {
+    const target = past ? keyTarget(event.key, tick, latest, Math.round(1000 / tickMs)) : null;
+    if (target === null) return;
+    event.preventDefault();
+    seek(target);
+  };
   const marks = Array.from({ length: 7 }, (_, index) => index * step);
   const counts = (kind: RunEventKind) => events.filter((event) => event.kind === kind).length;
   const idle = status === "idle" || status === "connecting";
   const label = t("strip.now", { time: clock(seconds), tick: grouped(tick) });
   return (
-    <div className="strip" ref={box} data-testid="event-strip">
-      <svg width={width} height={44} role="img" aria-label={t("strip.label")}>
-        <g transform="translate(18 0)">
+    <div
+      className="strip"
+      ref={box}
+      dir="ltr"
+      data-testid="event-strip"
+      role="slider"
+      tabIndex={past ? 0 : -1}
+      aria-label={t("strip.label")}
+      aria-disabled={!past}
+      aria-valuemin={0}
+      aria-valuemax={latest}
+      aria-valuenow={tick}
+      aria-valuetext={label}
+      onPointerDown={onPointerDown}
+      onPointerMove={onPointerMove}
+      onKeyDown={onKeyDown}
+    >
+      <svg width={width} height={44} aria-hidden="true">
+        <g transform={`translate(${String(EDGE)} 0)`}>
           <rect className="strip-track" x={-3} y={20} width={room + 6} height={6} rx={3} />
+          {idle ? null : <rect className="strip-known" x={-3} y={20} width={known + 3} height={6} rx={3} />}
           {idle ? null : <rect className="strip-past" x={-3} y={20} width={now + 3} height={6} rx={3} />}
           {marks.map((mark) => (
             <g key={mark} transform={`translate(${String((mark * room) / length)} 0)`}>
@@ -114,6 +170,7 @@ export function EventStrip() {
           {idle ? null : (
             <>
               <path className="strip-now" d={`M${now.toFixed(1)} 3v28`} />
+              {past ? <circle className="strip-handle" cx={now} cy={23} r={6} data-testid="strip-handle" /> : null}
               <text className="strip-now-label" x={now + 8} y={12}>
                 {label}
               </text>

@@ -1,10 +1,10 @@
 /** The tools under the menus: undo and redo, the run and its speed, what it is doing; STOP at the end. */
 import { useStudio } from "../model/studio";
-import { isLive, useRun } from "../run/run";
+import { canGoBack, isLive, useRun } from "../run/run";
 import { Icon } from "../theme";
 import { keyFor } from "../reach/key-table";
 import { t } from "../words/words";
-import { pause, run } from "./actions";
+import { pause, run, stepVertex } from "./actions";
 import { RunStatus } from "./RunStatus";
 import { SpeedControl } from "./SpeedControl";
 
@@ -39,6 +39,7 @@ export function Toolbar() {
   const { canUndo, canRedo, undoLabel, redoLabel } = useStudio();
   const { undo, redo } = useStudio.getState();
   const status = useRun((state) => state.status);
+  const goesBack = useRun((state) => canGoBack(state.status) && state.tick > 0);
   const paused = status === "paused";
   const live = isLive(status);
   return (
@@ -81,12 +82,28 @@ export function Toolbar() {
         onPress={pause}
       />
       <Tool
+        icon="step-back"
+        label={t("run.step-back")}
+        keys={keyFor.page("stepBack")}
+        disabled={!goesBack}
+        testId="step-back-button"
+        onPress={() => useRun.getState().step("tick", true)}
+      />
+      <Tool
         icon="step-forward"
         label={t("run.step")}
         keys={keyFor.page("step")}
         disabled={!paused}
         testId="step-button"
-        onPress={useRun.getState().step}
+        onPress={() => useRun.getState().step()}
+      />
+      <Tool
+        icon="redo-dot"
+        label={t("run.step-vertex")}
+        keys={keyFor.page("stepVertex")}
+        disabled={!paused}
+        testId="step-vertex-button"
+        onPress={() => stepVertex(false)}
       />
       <Tool
         icon="square"

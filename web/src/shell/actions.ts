@@ -5,7 +5,7 @@ import { addProgram, removeProgram } from "../model/commands/changePrograms";
 import { moveProgram } from "../model/commands/moveProgram";
 import { useStudio } from "../model/studio";
 import type { Mission, World } from "../model/types";
-import { isLive, useRun } from "../run/run";
+import { isLive, useRun, watchedAgent } from "../run/run";
 import { closeTeam, openTeam } from "../team/view";
 import { t } from "../words/words";
 import { dismissBanner, useDocument } from "./document";
@@ -24,6 +24,13 @@ export function pause(): void {
   const { status, pause: hold, resume } = useRun.getState();
   if (status === "paused") resume();
   else hold();
+}
+
+/** To the next vertex of the agent that is watched in the open program, or back to the one before. */
+export function stepVertex(back: boolean): void {
+  const { activeProgram } = useStudio.getState();
+  const state = useRun.getState();
+  state.step("vertex", back, watchedAgent(state, activeProgram)?.name ?? "");
 }
 
 /** `stem-1`, `stem-2`, …: the first that is not taken. */

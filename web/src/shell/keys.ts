@@ -12,7 +12,7 @@ import { useRun } from "../run/run";
 import { openFind } from "../editor/view";
 import { type KeyRow, keyIn, PAGE_KEYS } from "../reach/key-table";
 import { closeHelp, explain, toggleOutline, useReach } from "../reach/state";
-import { changeSpeed, goToProgram, moveActiveProgram, pause, run } from "./actions";
+import { changeSpeed, goToProgram, moveActiveProgram, pause, run, stepVertex } from "./actions";
 import { newMission, save, show, useDocument } from "./document";
 import { useRenaming } from "./renaming";
 import { goToRoom } from "./rooms";
@@ -28,6 +28,9 @@ const ACTIONS: Record<keyof typeof PAGE_KEYS, () => void> = {
   run,
   pause,
   step: () => useRun.getState().step(),
+  stepBack: () => useRun.getState().step("tick", true),
+  stepVertex: () => stepVertex(false),
+  stepVertexBack: () => stepVertex(true),
   stop: () => useRun.getState().stop(),
   slower: () => changeSpeed(-1),
   faster: () => changeSpeed(1),

@@ -5,13 +5,16 @@
 import { useMemo } from "react";
 
 import { useView, type Viewport } from "../editor/view";
+import { ownConstructors } from "../model/own";
 import { useStudio } from "../model/studio";
+import { shareParts } from "../own/share";
+import { canSave, openSave } from "../own/state";
 import { keyFor } from "../reach/key-table";
 import { explain, toggleOutline, useReach } from "../reach/state";
 import { chooseParts } from "../parts/take";
 import { newVariable } from "../parts/variables";
 import { openTeam } from "../team/view";
-import { isLive, useRun } from "../run/run";
+import { canGoBack, isLive, useRun } from "../run/run";
 import { type ThemeChoice, useTheme } from "../theme";
 import { text } from "../model/texts";
 import type { Tutorial } from "../api/tutorials";
@@ -19,7 +22,7 @@ import { begin as beginTutorial } from "../tutorial/opening";
 import { useTutorial } from "../tutorial/state";
 import { useLanguage } from "../words/language";
 import { type Key, type Language, languageInUse, LANGUAGES, t } from "../words/words";
-import { changeSpeed, goToProgram, moveActiveProgram, pause, removeProgramNamed, run } from "./actions";
+import { changeSpeed, goToProgram, moveActiveProgram, pause, removeProgramNamed, run, stepVertex } from "./actions";
 import { printSheet } from "../out/print";
 import { robotEntries } from "./AddProgram";
 import { downloadMission, downloadProgram, newMission, save, show } from "./document";
@@ -147,11 +150,27 @@ function viewMenu(
   ];
 }
 
-function programMenu(robots: MenuEntry[], program: string, several: boolean): MenuEntry[] {
+function ownEntries(selected: boolean, own: boolean): MenuEntry[] {
+  return [
+    {
+      kind: "item",
+      id: "program-save-part",
+      label: t("own.save"),
+      keys: keyFor.graph("savePart"),
+      disabled: !selected,
+      run: () => void openSave(),
+    },
+    { kind: "item", id: "program-share-parts", label: t("own.share"), disabled: !own, run: () => void shareParts() },
+  ];
+}
+
+function programMenu(robots: MenuEntry[], own: MenuEntry[], program: string, several: boolean): MenuEntry[] {
   return [
     { kind: "heading", id: "program-add", label: t("program.add") },
     ...robots,
     line("program-1"),
+    ...own,
+    line("program-2"),
     { kind: "item", id: "program-team", label: t("team.open"), keys: keyFor.page("team"), run: () => openTeam() },
     {
       kind: "item",
@@ -197,7 +216,8 @@ function neighbours(several: boolean): MenuEntry[] {
 }
 
 function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
-  const { stop, step, setSpeed } = useRun.getState();
+  const { stop, step, setSpeed, tick } = useRun.getState();
+  const goesBack = tick > 0 && canGoBack(useRun.getState().status);
   const paused = status === "paused";
   return [
     {
@@ -216,7 +236,38 @@ function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
       disabled: status !== "running",
       run: pause,
     },
-    { kind: "item", id: "run-step", label: t("run.step"), keys: keyFor.page("step"), disabled: !paused, run: step },
+    {
+      kind: "item",
+      id: "run-step",
+      label: t("run.step"),
+      keys: keyFor.page("step"),
+      disabled: !paused,
+      run: () => step(),
+    },
+    {
+      kind: "item",
+      id: "run-step-vertex",
+      label: t("run.step-vertex"),
+      keys: keyFor.page("stepVertex"),
+      disabled: !paused,
+      run: () => stepVertex(false),
+    },
+    {
+      kind: "item",
+      id: "run-step-back",
+      label: t("run.step-back"),
+      keys: keyFor.page("stepBack"),
+      disabled: !goesBack,
+      run: () => step("tick", true),
+    },
+    {
+      kind: "item",
+      id: "run-step-vertex-back",
+      label: t("run.step-vertex-back"),
+      keys: keyFor.page("stepVertexBack"),
+      disabled: !goesBack,
+      run: () => stepVertex(true),
+    },
     { kind: "item", id: "run-stop", label: t("run.stop"), keys: keyFor.page("stop"), disabled: !live, run: stop },
     { kind: "heading", id: "run-speed", label: t("run.speed") },
     { kind: "item", id: "run-slower", label: t("run.slower"), keys: keyFor.page("slower"), run: () => changeSpeed(-1) },
@@ -268,7 +319,12 @@ export function useMenus(): MenuPart[] {
       {
         id: "Program",
         label: t("menu.program"),
-        entries: programMenu(robotEntries(catalogue.robots), activeProgram, mission.programs.length > 1),
+        entries: programMenu(
+          robotEntries(catalogue.robots),
+          ownEntries(studio.selection.length > 0 && canSave(), ownConstructors(mission).length > 0),
+          activeProgram,
+          mission.programs.length > 1,
+        ),
       },
       { id: "Run", label: t("menu.run"), entries: runMenu(status, isLive(status), speed) },
       { id: "Help", label: t("menu.help"), entries: helpMenu(tutorials ?? []) },

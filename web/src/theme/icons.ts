@@ -34,6 +34,7 @@ import Crosshair from "lucide-react/icons/crosshair";
 import Disc3 from "lucide-react/icons/disc-3";
 import DoorClosed from "lucide-react/icons/door-closed";
 import DoorOpen from "lucide-react/icons/door-open";
+import Ellipsis from "lucide-react/icons/ellipsis";
 import Equal from "lucide-react/icons/equal";
 import File from "lucide-react/icons/file";
 import Flag from "lucide-react/icons/flag";
@@ -81,6 +82,8 @@ import SlidersHorizontal from "lucide-react/icons/sliders-horizontal";
 import Split from "lucide-react/icons/split";
 import Square from "lucide-react/icons/square";
 import SquareDashed from "lucide-react/icons/square-dashed";
+import RedoDot from "lucide-react/icons/redo-dot";
+import StepBack from "lucide-react/icons/step-back";
 import StepForward from "lucide-react/icons/step-forward";
 import Timer from "lucide-react/icons/timer";
 import ToggleRight from "lucide-react/icons/toggle-right";
@@ -127,6 +130,7 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "disc-3": Disc3,
   "door-closed": DoorClosed,
   "door-open": DoorOpen,
+  ellipsis: Ellipsis,
   equal: Equal,
   file: File,
   flag: Flag,
@@ -174,6 +178,8 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   split: Split,
   square: Square,
   "square-dashed": SquareDashed,
+  "redo-dot": RedoDot,
+  "step-back": StepBack,
   "step-forward": StepForward,
   timer: Timer,
   "toggle-right": ToggleRight,

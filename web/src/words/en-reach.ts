@@ -2,6 +2,7 @@
 export const REACH_EN = {
   "reach.undone": "Undone: {what}",
   "reach.redone": "Done again: {what}",
+  "reach.selected": "Selected: {what}",
 
   "outline.title": "Outline",
   "outline.of": "Outline of {name}",

@@ -1,6 +1,7 @@
 import { EDITOR_EN } from "./en-editor";
 import { JOURNAL_EN } from "./en-journal";
 import { OUT_EN } from "./en-out";
+import { OWN_EN } from "./en-own";
 import { REACH_EN } from "./en-reach";
 import { TEAM_EN } from "./en-team";
 import { TUTORIAL_EN } from "./en-tutorial";
@@ -10,6 +11,7 @@ export const EN = {
   ...EDITOR_EN,
   ...JOURNAL_EN,
   ...OUT_EN,
+  ...OWN_EN,
   ...REACH_EN,
   ...TEAM_EN,
   ...TUTORIAL_EN,
@@ -75,6 +77,9 @@ export const EN = {
   "run.resume": "Resume",
   "run.pause": "Pause",
   "run.step": "Step one tick",
+  "run.step-back": "Back one tick",
+  "run.step-vertex": "To the next vertex",
+  "run.step-vertex-back": "Back to the vertex before",
   "run.stop": "Stop",
   "run.speed": "Speed",
   "run.slower": "Slower",

@@ -4,6 +4,7 @@ import type { Table } from "./words";
 export const REACH_FR = {
   "reach.undone": "Annulé : {what}",
   "reach.redone": "Rétabli : {what}",
+  "reach.selected": "Choisi : {what}",
 
   "outline.title": "Plan",
   "outline.of": "Plan de {name}",

@@ -2,6 +2,7 @@
 import { EDITOR_FR } from "./fr-editor";
 import { JOURNAL_FR } from "./fr-journal";
 import { OUT_FR } from "./fr-out";
+import { OWN_FR } from "./fr-own";
 import { REACH_FR } from "./fr-reach";
 import { TEAM_FR } from "./fr-team";
 import { TUTORIAL_FR } from "./fr-tutorial";
@@ -11,6 +12,7 @@ export const FR = {
   ...EDITOR_FR,
   ...JOURNAL_FR,
   ...OUT_FR,
+  ...OWN_FR,
   ...REACH_FR,
   ...TEAM_FR,
   ...TUTORIAL_FR,
@@ -76,6 +78,9 @@ export const FR = {
   "run.resume": "Reprendre",
   "run.pause": "Pause",
   "run.step": "Avancer d'un pas",
+  "run.step-back": "Reculer d'un pas",
+  "run.step-vertex": "Au sommet suivant",
+  "run.step-vertex-back": "Au sommet précédent",
   "run.stop": "Arrêter",
   "run.speed": "Vitesse",
   "run.slower": "Plus lent",

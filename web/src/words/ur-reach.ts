@@ -4,6 +4,7 @@ import type { Table } from "./words";
 export const REACH_UR = {
   "reach.undone": "واپس ہوا: {what}",
   "reach.redone": "دوبارہ ہوا: {what}",
+  "reach.selected": "چنا گیا: {what}",
 
   "outline.title": "فہرستِ پروگرام",
   "outline.of": "{name} کی فہرست",

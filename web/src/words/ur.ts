@@ -2,6 +2,7 @@
 import { EDITOR_UR } from "./ur-editor";
 import { JOURNAL_UR } from "./ur-journal";
 import { OUT_UR } from "./ur-out";
+import { OWN_UR } from "./ur-own";
 import { REACH_UR } from "./ur-reach";
 import { TEAM_UR } from "./ur-team";
 import { TUTORIAL_UR } from "./ur-tutorial";
@@ -11,6 +12,7 @@ export const UR = {
   ...EDITOR_UR,
   ...JOURNAL_UR,
   ...OUT_UR,
+  ...OWN_UR,
   ...REACH_UR,
   ...TEAM_UR,
   ...TUTORIAL_UR,
@@ -76,6 +78,9 @@ export const UR = {
   "run.resume": "جاری رکھیں",
   "run.pause": "وقفہ",
   "run.step": "ایک قدم چلیں",
+  "run.step-back": "ایک قدم پیچھے",
+  "run.step-vertex": "اگلے ورٹیکس تک",
+  "run.step-vertex-back": "پچھلے ورٹیکس تک",
   "run.stop": "روکیں",
   "run.speed": "رفتار",
   "run.slower": "آہستہ",

@@ -206,11 +206,12 @@ class ProblemsMessage(_Message):
 
 
 class ErrorMessage(_Message):
-    """A request that could not be followed."""
+    """A request that could not be followed; `ended` when there is no run any more because of it."""
 
     type: Literal["error"] = "error"
     message: Sentence
     help: Sentence
+    ended: bool
 
 
 RunMessage = Annotated[
