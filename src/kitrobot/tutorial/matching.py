@@ -47,23 +47,29 @@ MOST_STEPS = 200_000
 
 def steps_fit(tutorial: Tutorial, programs: Mapping[str, Seq]) -> list[bool]:
     """For each step, whether the programs (by name) are as it wants them; events are no matter here."""
-    return [all(any(_holds(pattern, programs) for pattern in row) for row in step.wants) for step in tutorial.steps]
+    walked: dict[int, list[Node]] = {}
+    return [
+        all(any(_holds(pattern, programs, walked) for pattern in row) for row in step.wants) for step in tutorial.steps
+    ]
 
 
-def _holds(pattern: Pattern, programs: Mapping[str, Seq]) -> bool:
+def _holds(pattern: Pattern, programs: Mapping[str, Seq], walked: dict[int, list[Node]]) -> bool:
     meant = [seq for name, seq in programs.items() if pattern.program in ("", name)]
     wanted = pattern.programs
     for seq in meant:
-        wanted -= fits(pattern, seq)
+        wanted -= fits(pattern, seq, walked)
         if wanted == 0:
             return True
     return False
 
 
-def fits(pattern: Pattern, program: Seq) -> bool:
-    """Whether one program is what the pattern says."""
+def fits(pattern: Pattern, program: Seq, walked: dict[int, list[Node]] | None = None) -> bool:
+    """Whether one program is what the pattern says.
+
+    `walked` keeps what was walked through, for other patterns on the same programs.
+    """
     code = pattern.code
-    matching = _Matching(pattern)
+    matching = _Matching(pattern, {} if walked is None else walked)
     try:
         if pattern.whole:
             body = code if isinstance(code, Seq) else Seq([code])  # type: ignore[list-item]
@@ -81,9 +87,13 @@ class _TooMuchError(Exception):
 
 
 class _Matching:
-    """One comparison. Each method gives one `None` for every way to bind the holes; `bound` is what they hold then."""
+    """One comparison; `walked` is shared by those of one program.
 
-    def __init__(self, pattern: Pattern) -> None:
+    Each method gives one `None` for every way to bind the holes; `bound` is what they hold then.
+    """
+
+    def __init__(self, pattern: Pattern, walked: dict[int, list[Node]]) -> None:
+        self.walked = walked
         self.whole = pattern.whole
         self.ranges = pattern.ranges
         self.bound: dict[str, Any] = {}
@@ -230,8 +240,9 @@ class _Matching:
 
     def anywhere(self, pattern: Node, program: Seq) -> Iterator[None]:
         """A condition, wherever in the program it stands."""
-        for node in nodes(program):
-            yield from self.ways(pattern, node)
+        for node in self.inside(program):
+            if type(node) is type(pattern):
+                yield from self.ways(pattern, node)
 
     # -- bodies
 
@@ -258,8 +269,11 @@ class _Matching:
         if not patterns:
             yield
             return
-        for inner in nodes(body):
-            if isinstance(inner, Seq) and len(inner.items) >= len(patterns):
+        if len(patterns) == 1:
+            yield from self.item(patterns[0], body)
+            return
+        for inner in self.inside(body):
+            if type(inner) is Seq and len(inner.items) >= len(patterns):
                 yield from self.in_order(patterns, inner.items)
 
     def in_order(self, patterns: list[Any], items: list[Any]) -> Iterator[None]:
@@ -280,8 +294,22 @@ class _Matching:
 
     def item(self, pattern: Any, item: Any) -> Iterator[None]:
         """An instruction: this one, or one inside it."""
-        for node in nodes(item):
+        kind = type(pattern)
+        for node in self.inside(item):
+            found = type(node)
+            if kind is found:
+                if kind is Call and (node.method != pattern.method or node.object != pattern.object):
+                    continue
+            elif kind is not Call or found is not Interrupt or self.whole:
+                continue
             yield from self.ways(pattern, node)
+
+    def inside(self, root: Any) -> list[Any]:
+        """A node of the program and all inside it."""
+        found = self.walked.get(id(root))
+        if found is None:
+            found = self.walked[id(root)] = nodes(root)
+        return found
 
     def branches(self, patterns: list[Seq], values: list[Seq]) -> Iterator[None]:
         """Each branch of the pattern as another branch of the program, in any order."""
