@@ -5,6 +5,9 @@ import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react"
 
 import { beginDrag, justDragged } from "../editor/drag";
 import { addPart } from "../editor/edits";
+import { OwnMore } from "../own/OwnMore";
+import { ownHandlers, ownKey, restOnOwn } from "../own/row";
+import { isOwn } from "../own/state";
 import { partsOf } from "../model/parts";
 import { programInView, useStudio } from "../model/studio";
 import { variableHandlers } from "../parts/variable-row";
@@ -39,7 +42,9 @@ export function Palette() {
       useReveal.subscribe(({ element }) => {
         const key = `part ${element}`;
         setQuery("");
-        setFolded((before) => ({ ...before, ...unfoldedFor(parts, element) }));
+        // A part that was made a moment ago is not drawn yet.
+        const now = partsOf(useStudio.getState().catalogue, robot);
+        setFolded((before) => ({ ...before, ...unfoldedFor(now, element) }));
         setAt(key);
         // The row is there once the palette is drawn with it.
         requestAnimationFrame(() => {
@@ -48,7 +53,7 @@ export function Palette() {
           found?.focus({ preventScroll: true });
         });
       }),
-    [parts],
+    [robot],
   );
 
   const go = (row: Row | undefined) => {
@@ -82,6 +87,7 @@ export function Palette() {
       variableKey(event, { robot, name: row.object.name }, () => document.activeElement?.getBoundingClientRect())
     )
       event.stopPropagation();
+    else if (row.kind === "part" && isOwn(row.shape) && ownKey(event, row.shape.element)) event.stopPropagation();
     else if (event.key === "Enter" || event.key === " ") {
       if (row.kind === "fold") fold(row, !row.open);
       else if (row.kind === "new") newVariable();
@@ -186,7 +192,7 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
     return (
       <div
         {...common}
-        {...(variable === null ? {} : variableHandlers(variable))}
+        {...(variable === null ? {} : { ...variableHandlers(variable), "data-removable": true })}
         className="palette-fold"
         aria-expanded={row.open}
         data-testid={`fold-${row.label}`}
@@ -212,8 +218,10 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
       className="palette-part"
       data-testid={`part-${shape.element}`}
       title={text(shape.help)}
+      {...(isOwn(shape) ? { ...ownHandlers(shape.element), "data-removable": true } : {})}
       onPointerDown={(event) => {
         beginDrag(event, { kind: "part", element: shape.element });
+        if (isOwn(shape)) restOnOwn(event, shape.element);
       }}
       onClick={() => {
         if (!justDragged()) addPart(shape.element);
@@ -222,6 +230,7 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
       <Tile icon={icon} colour={shape.colour} size={22} />
       <span className="palette-name">{row.label}</span>
       {row.aside === "" ? null : <span className="palette-aside">{row.aside}</span>}
+      {isOwn(shape) ? <OwnMore name={shape.element} /> : null}
     </div>
   );
 }

@@ -102,7 +102,7 @@ function Form({ robot, was, name }: { robot: string; was: string; name: string }
         close();
       }}
     >
-      <h3 id={`${id}-title`}>{title}</h3>
+      <h2 id={`${id}-title`}>{title}</h2>
       <p>{t("variable.of", { robot: text(label ?? {}, robot) })}</p>
       <label>
         <span className="field-label">{t("variable.name")}</span>

@@ -1,6 +1,5 @@
 /** The menu of a variable in the palette: by the right button, the menu key, or a finger that rests. */
 import { useEffect, useLayoutEffect, useRef, useState } from "react";
-import { createPortal } from "react-dom";
 
 import { Menu } from "../shell/Menu";
 import type { MenuEntry } from "../shell/menu-model";
@@ -12,7 +11,7 @@ const EDGE = 8;
 export function VariableMenu() {
   const menu = useVariables((state) => state.menu);
   if (menu === null) return null;
-  return createPortal(<Open key={`${menu.name} ${String(menu.y)}`} {...menu} />, document.body);
+  return <Open key={`${menu.name} ${String(menu.y)}`} {...menu} />;
 }
 
 function Open({ robot, name, x, y }: { robot: string; name: string; x: number; y: number }) {

@@ -10,6 +10,8 @@ const STILL_PX = 8;
 export function variableHandlers(of: Named) {
   const open = (x: number, y: number) => useVariables.setState({ menu: { ...of, x, y } });
   return {
+    // The graph leaves Delete to it.
+    "data-removable": true,
     onDoubleClick: () => renameVariable(of),
     onContextMenu: (event: MouseEvent) => {
       event.preventDefault();

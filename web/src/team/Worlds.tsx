@@ -45,16 +45,6 @@ function Card({ entry, chosen }: { entry: WorldEntry; chosen: boolean }) {
   const starts = t("team.starts", { count: world?.starts.length ?? 0 });
   return (
     <label className="team-world" data-testid={`world-${stemOf(href)}`} title={text(help)}>
-      <input
-        type="radio"
-        name="team-world"
-        checked={chosen}
-        onChange={() => {
-          foreseeWorld(href, world);
-          const command = changeWorld(useStudio.getState().mission, href);
-          if (command !== null) useStudio.getState().execute(command);
-        }}
-      />
       <span className="team-world-picture">
         {world === null ? (
           <Icon name="map" size={24} />
@@ -62,9 +52,21 @@ function Card({ entry, chosen }: { entry: WorldEntry; chosen: boolean }) {
           <WorldPicture world={world} agents={world.starts.map((start) => start.name)} />
         )}
       </span>
-      <strong>
-        <bdi>{text(label, stemOf(href))}</bdi>
-      </strong>
+      <span className="team-world-name">
+        <input
+          type="radio"
+          name="team-world"
+          checked={chosen}
+          onChange={() => {
+            foreseeWorld(href, world);
+            const command = changeWorld(useStudio.getState().mission, href);
+            if (command !== null) useStudio.getState().execute(command);
+          }}
+        />
+        <strong>
+          <bdi>{text(label, stemOf(href))}</bdi>
+        </strong>
+      </span>
       <small>
         {world === null
           ? t("team.world-broken")

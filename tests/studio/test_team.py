@@ -1,0 +1,189 @@
+"""The team's tab: robots, goals, world and title, by mouse and by keys, and every change undone."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.test_reach import choose, find_nothing
+from tests.studio.test_variables import save
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+TRANSPORT = "transport/transport.krt"
+SQUARE = "square/square.krt"
+
+
+def undo_all(studio: Studio) -> None:
+    """Ctrl+Z until there is nothing to undo."""
+    studio.page.evaluate("document.activeElement?.blur()")
+    for _ in range(100):
+        studio.at("menu-Edit").click()
+        done = studio.at("menu-edit-undo").get_attribute("aria-disabled") == "true"
+        studio.page.keyboard.press("Escape")
+        if done:
+            return
+        studio.page.keyboard.press("Control+z")
+    raise AssertionError("undo never ends")
+
+
+def test_robots_are_added_named_given_a_program_moved_copied_and_removed(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    file = "transport.krt"
+    before = (studio.folder / file).read_text(encoding="utf-8")
+    studio.at("tab-of-team").click()
+    expect(studio.at("agent-name-6")).to_have_value("store-manager-B")
+    studio.at("add-agent").click()
+    name = studio.at("agent-name-7")
+    expect(name).to_be_focused()
+    name.fill("carrier-1")
+    expect(studio.page.get_by_role("alert").first).to_contain_text("There is a robot carrier-1 already.")
+    name.fill("scout")
+    studio.page.keyboard.press("Enter")
+    studio.at("agent-program-7").select_option("loader")
+    studio.at("agent-start-7").select_option("loader")
+    saved = save(studio, file)
+    assert '<agent name="scout" program="loader" start="loader"/>' in saved
+    studio.at("agent-up-7").click()
+    expect(studio.at("agent-name-6")).to_have_value("scout")
+    expect(studio.at("agent-up-6")).to_be_focused()
+    studio.at("agent-copy-6").click()
+    expect(studio.at("agent-name-7")).to_have_value("scout-1")
+    studio.at("agent-remove-7").click()
+    studio.at("agent-remove-6").click()
+    expect(studio.at("agent-name-6")).to_have_value("store-manager-B")
+    assert save(studio, file) == before
+    undo_all(studio)
+    assert save(studio, file) == before
+
+
+def test_a_robot_that_is_renamed_stays_where_it_is(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.at("tab-of-team").click()
+    studio.at("agent-name-0").fill("first")
+    studio.page.keyboard.press("Enter")
+    expect(studio.at("agent-start-0")).to_have_value("carrier-1")
+    assert '<agent name="first" program="carrier" start="carrier-1"/>' in save(studio, "transport.krt")
+    expect(studio.at("problems")).to_contain_text("0")
+
+
+def test_goals_are_added_changed_and_removed(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.at("tab-of-team").click()
+    studio.at("goal-all-0").select_option("")
+    studio.at("goal-stock-0").fill("7")
+    assert '<stock storehouse="B" is="7"/>' in save(studio, "transport.krt") or "7" in save(studio, "transport.krt")
+    expect(studio.at("arena")).to_be_visible()
+    studio.at("add-goal").click()
+    expect(studio.at("goal-house-1")).to_be_focused()
+    expect(studio.at("goal-house-1")).to_have_value("A")
+    studio.at("goal-remove-1").click()
+    expect(studio.at("goal-1")).to_have_count(0)
+    studio.at("canvas").focus()
+    undo_all(studio)
+    expect(studio.at("goal-all-0")).to_have_value("all")
+
+
+def test_another_world_is_in_the_arena_at_once_and_undo_brings_the_old_one_back(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    summary = studio.page.locator(".arena h2, .arena header").first
+    expect(summary).to_contain_text("ring")
+    studio.at("tab-of-team").click()
+    studio.at("world-empty").locator("input").check()
+    expect(summary).not_to_contain_text("ring")
+    expect(studio.page.locator(".team [role=status]").first).to_contain_text("7 robots have no start in this world")
+    expect(studio.at("problems")).to_contain_text("8")
+    studio.page.keyboard.press("F8")
+    expect(studio.at("agent-start-0")).to_be_focused()
+    expect(studio.at("goal-house-0")).to_have_attribute("aria-invalid", "true")
+    studio.page.evaluate("document.activeElement?.blur()")
+    studio.page.keyboard.press("Control+z")
+    expect(summary).to_contain_text("ring")
+    studio.page.keyboard.press("Control+y")
+    expect(summary).not_to_contain_text("ring")
+
+
+def test_robots_without_a_start_are_put_on_free_ones_by_one_click(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    studio.at("tab-of-team").click()
+    studio.at("world-ring").locator("input").check()
+    studio.at("place-agents").click()
+    expect(studio.at("place-agents")).to_have_count(0)
+    assert 'world href="ring.world.xml"' in save(studio, "square.krt")
+
+
+def test_the_title_is_written_in_the_language_of_the_page(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    before = (studio.folder / "square.krt").read_text(encoding="utf-8")
+    choose(studio, "ur")
+    studio.at("tab-of-team").click()
+    studio.at("team-title").fill("میرا مربع")
+    studio.at("team-help").press_sequentially("چلتا ہے")
+    studio.page.keyboard.press("Control+s")
+    expect(studio.at("saved-state")).to_have_text("محفوظ")
+    assert '<label xml:lang="ur">میرا مربع</label>' in (studio.folder / "square.krt").read_text(encoding="utf-8")
+    undo_all(studio)
+    studio.page.keyboard.press("Control+s")
+    expect(studio.at("saved-state")).to_have_text("محفوظ")
+    assert (studio.folder / "square.krt").read_text(encoding="utf-8") == before
+
+
+def test_the_tabs_are_walked_by_arrows_to_the_team_and_back(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.at("tab-carrier").focus()
+    studio.page.keyboard.press("End")
+    expect(studio.at("tab-of-team")).to_be_focused()
+    expect(studio.at("team")).to_be_visible()
+    studio.page.keyboard.press("ArrowRight")
+    expect(studio.at("tab-carrier")).to_be_focused()
+    expect(studio.at("team")).to_be_hidden()
+    expect(studio.at("canvas")).to_be_visible()
+    studio.page.keyboard.press("Alt+t")
+    expect(studio.at("team")).to_be_visible()
+    studio.at("tab-carrier").click()
+    expect(studio.at("team")).to_be_hidden()
+
+
+def test_a_robot_is_moved_by_keys(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.page.keyboard.press("Alt+t")
+    studio.at("agent-name-0").focus()
+    studio.page.keyboard.press("Alt+ArrowDown")
+    expect(studio.at("agent-name-1")).to_have_value("carrier-1")
+    expect(studio.at("agent-name-1")).to_be_focused()
+
+
+def test_a_program_without_a_free_start_says_so_and_leads_to_the_team(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    studio.at("add-program").click()
+    studio.at("menu-add-carrier").click()
+    expect(studio.at("banner")).to_contain_text("program-1 has no robot yet")
+    studio.page.get_by_role("button", name="Open the team").click()
+    studio.at("add-agent").click()
+    expect(studio.at("agent-program-1")).to_have_value("program-1")
+
+
+@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast",), ("light", "ur"), ("light", "fr")], ids=str)
+def test_axe_finds_nothing_in_the_team(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
+    studio = open_studio(TRANSPORT)
+    choose(studio, *look)
+    studio.page.keyboard.press("Alt+t")
+    expect(studio.at("world-ring")).to_be_visible()
+    find_nothing(studio, "the team")
+    studio.at("world-empty").locator("input").check()
+    expect(studio.page.locator(".team [role=status]").first).to_be_visible()
+    find_nothing(studio, "a team in the wrong world")
+
+
+def test_a_world_of_the_folder_can_be_chosen(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    shutil.copy(EXAMPLES / "stripes" / "stripes.world.xml", studio.folder / "yard.world.xml")
+    studio.page.keyboard.press("Alt+t")
+    expect(studio.at("world-yard")).to_contain_text("from this folder")
+    studio.at("world-yard").locator("input").check()
+    assert 'href="yard.world.xml"' in save(studio, "square.krt")
