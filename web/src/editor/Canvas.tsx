@@ -28,9 +28,10 @@ import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
 import { Marquee } from "./Marquee";
 import { Minimap } from "./Minimap";
-import { type GraphNode, NODE_TYPES } from "./Nodes";
+import { type GraphNode, NODE_TYPES, PLAIN_TYPES } from "./Nodes";
 import { NoteEditor } from "./Notes";
 import { LEAST_ZOOM, MOST_ZOOM, usePinch } from "./pinch";
+import { usePlain } from "./Plain";
 import { Said } from "./Said";
 import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "./targets";
 import { useView } from "./view";
@@ -80,6 +81,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
     if (payload === null) return "";
     return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
   });
+  const plain = usePlain();
   const empty = drawing.nodes.has("place");
   const last = useStudio((state) => state.selection.at(-1));
 
@@ -88,6 +90,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       ref={root}
       className="canvas"
       data-accepts={accepts}
+      data-plain={plain}
       role="application"
       tabIndex={0}
       aria-activedescendant={last === undefined ? undefined : `vertex-${last}`}
@@ -96,7 +99,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
     >
       <ReactFlow
         nodes={nodes}
-        nodeTypes={NODE_TYPES}
+        nodeTypes={plain ? PLAIN_TYPES : NODE_TYPES}
         defaultViewport={first}
         onInit={onReady}
         minZoom={LEAST_ZOOM}
@@ -121,8 +124,8 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
           useView.setState({ arc: null, adding: null });
         }}
       >
-        <Background variant={BackgroundVariant.Dots} gap={16} size={2} color="var(--canvas-dot)" />
-        <Lines drawing={drawing} />
+        {plain ? null : <Background variant={BackgroundVariant.Dots} gap={16} size={2} color="var(--canvas-dot)" />}
+        <Lines drawing={drawing} plain={plain} />
         {empty ? <EmptyTeaching drawing={drawing} extras={emptyExtras} /> : null}
       </ReactFlow>
       <ZoomControl />

@@ -11,8 +11,9 @@ import { FoldControls } from "./Folding";
 import { Leaps } from "./Leaps";
 import { useView } from "./view";
 
-/** What is shown is chosen by tiles, so that panning renders only now and then. */
+/** What is shown is chosen by tiles, so that panning renders only now and then; from far away they are larger. */
 const TILE = 512;
+const PLAIN_TILE = 4096;
 
 interface Window {
   x0: number;
@@ -21,15 +22,15 @@ interface Window {
   y1: number;
 }
 
-function useWindow(): Window {
+function useWindow(size: number): Window {
   const tiles = useStore(({ transform: [x, y, zoom], width, height }) => {
-    const tile = (value: number) => Math.floor(value / zoom / TILE);
+    const tile = (value: number) => Math.floor(value / zoom / size);
     return [tile(-x) - 1, tile(-y) - 1, tile(width - x) + 2, tile(height - y) + 2].join(" ");
   });
   return useMemo(() => {
-    const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = tiles.split(" ").map((tile) => Number(tile) * TILE);
+    const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = tiles.split(" ").map((tile) => Number(tile) * size);
     return { x0, y0, x1, y1 };
-  }, [tiles]);
+  }, [tiles, size]);
 }
 
 function arcInside({ points }: Pick<LayoutArc, "points">, { x0, y0, x1, y1 }: Window): boolean {
@@ -43,8 +44,9 @@ function arcInside({ points }: Pick<LayoutArc, "points">, { x0, y0, x1, y1 }: Wi
   return left < x1 && right > x0 && top < y1 && bottom > y0;
 }
 
-export function Lines({ drawing: { layout } }: { drawing: Drawing }) {
-  const window = useWindow();
+/** `plain`: without what could not be read or aimed at from far away. */
+export function Lines({ drawing: { layout }, plain }: { drawing: Drawing; plain: boolean }) {
+  const window = useWindow(plain ? PLAIN_TILE : TILE);
   const arcs = useMemo(() => layout.arcs.filter((arc) => arcInside(arc, window)), [layout, window]);
   const frames = useMemo(
     () =>
@@ -57,7 +59,7 @@ export function Lines({ drawing: { layout } }: { drawing: Drawing }) {
   const seen = new Set<string>();
   return (
     <>
-      <FoldControls frames={frames} />
+      {plain ? null : <FoldControls frames={frames} />}
       <ViewportPortal>
         <svg className="frames" width="1" height="1" aria-hidden="true">
           {frames.map((frame) => (
@@ -70,7 +72,7 @@ export function Lines({ drawing: { layout } }: { drawing: Drawing }) {
             // An arc that is drawn in two strokes (around the place of a new program) is one arc to hands and tests.
             const again = seen.has(arc.id);
             seen.add(arc.id);
-            return <Arc key={again ? `${arc.id} 2` : arc.id} arc={arc} again={again} />;
+            return <Arc key={again ? `${arc.id} 2` : arc.id} arc={arc} again={again} plain={plain} />;
           })}
         </svg>
       </ViewportPortal>
@@ -115,12 +117,12 @@ export function spotOfArc(id: string): Point | null {
   return arc === undefined ? null : spotOf(arc);
 }
 
-const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }) {
+const Arc = memo(function Arc({ arc, again, plain }: { arc: LayoutArc; again: boolean; plain: boolean }) {
   const { id, points, colour, head, label, missing, dead } = arc;
   const selected = useView((state) => state.arc === id);
   const aimed = useDrag((state) => state.target?.key === `arc:${id}`);
   const path = roundedPath(points, head);
-  const tip = head ? headPath(points) : "";
+  const tip = head && !plain ? headPath(points) : "";
   const spot = spotOf(arc);
   const classes = ["arc"];
   if (selected) classes.push("is-selected");
@@ -135,9 +137,9 @@ const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }
   return (
     <g className={classes.join(" ")} data-colour={colour} data-arc={id} onClick={select}>
       <path className="arc-reach" d={path} />
-      <path className="arc-line" d={path} style={moving(path)} />
-      {head ? <path className="arc-head" d={tip} style={moving(tip)} /> : null}
-      {label === null ? null : (
+      <path className="arc-line" d={path} style={plain ? undefined : moving(path)} />
+      {tip !== "" ? <path className="arc-head" d={tip} style={moving(tip)} /> : null}
+      {label === null || plain ? null : (
         <text
           className="arc-label"
           style={{ transform: shift(label) }}
@@ -147,7 +149,7 @@ const Arc = memo(function Arc({ arc, again }: { arc: LayoutArc; again: boolean }
           {label.text}
         </text>
       )}
-      {again ? null : (
+      {again || plain ? null : (
         <g
           className="arc-spot"
           data-testid={`arc-${id}`}
@@ -173,7 +175,7 @@ function shift({ x, y }: Point): string {
   return `translate(${String(x)}px, ${String(y)}px)`;
 }
 
-function spokenArc({ source, out }: LayoutArc): string {
+export function spokenArc({ source, out }: LayoutArc): string {
   const drawing = currentDrawing();
   const shape = drawing?.parts.shape(drawing.program.vertices.find((one) => one.id === source)?.element ?? "");
   const name = shape === undefined ? source : title(shape);

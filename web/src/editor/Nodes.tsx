@@ -12,6 +12,7 @@ import { useThreadsAmong, useThreadsAt } from "./active";
 import { Threads, Trouble } from "./Badges";
 import { beginDrag, justDragged, useDrag } from "./drag";
 import { NoteStrip } from "./Notes";
+import { PlainNode } from "./Plain";
 import { ChipView, selectVertex, spoken, Vertex } from "./Vertex";
 import { useView } from "./view";
 import { waitedVertices } from "./waiting";
@@ -36,7 +37,14 @@ function NodeView({ data: { node } }: NodeProps<GraphNode>) {
   }
 }
 
+function PlainView(props: NodeProps<GraphNode>) {
+  const { node } = props.data;
+  return node.kind === "place" ? <FirstPlace node={node} /> : <PlainNode node={node} />;
+}
+
 export const NODE_TYPES: NodeTypes = { vertex: memo(NodeView) };
+/** For a graph that is looked at from far away. */
+export const PLAIN_TYPES: NodeTypes = { vertex: memo(PlainView) };
 
 function Terminal({ node }: { node: LayoutNode }) {
   const { vertex: id, kind, w, h } = node;

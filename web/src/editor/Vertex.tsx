@@ -25,7 +25,7 @@ export function selectVertex(id: string, event: { shiftKey: boolean; ctrlKey: bo
 }
 
 /** The vertices that a drag of this one takes along: all selected ones, if it is one of them. */
-function dragVertices(event: PointerEvent, id: string, element: string): void {
+export function dragVertices(event: PointerEvent, id: string, element: string): void {
   const { selection } = useStudio.getState();
   beginDrag(event, { kind: "vertices", ids: selection.includes(id) ? selection : [id], element });
 }
