@@ -46,6 +46,8 @@ def french() -> Table:
         ("expected “a, b or c”, found “x”", "attendu “a, b or c”, trouvé “x”"),
         ("Box-1 holds  after box", "Box-1 contient  après caisse"),
         (" after box", " after box"),
+        ("the robot `a` has no door `b`", "the robot `a` has no door `b`"),
+        ("the robot `a` of `b` has no `c`", "the robot `a` of `b` has no `c`"),
         ("nobody says this", "nobody says this"),
         ("", ""),
     ],

@@ -67,6 +67,9 @@ class _Sentence:
             found.append(text[at:begin])
             at = begin + len(stretch)
         found.append(text[at:end])
+        # A name between back quotes has none in it: else this is another sentence that begins and ends alike.
+        if any("`" in hole for hole, before in zip(found, self.stretches, strict=False) if before.endswith("`")):
+            return None
         return found
 
 

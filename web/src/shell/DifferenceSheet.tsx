@@ -4,7 +4,7 @@ import { useEffect, useState } from "react";
 import { journalApi } from "../api/journal";
 import { useStudio } from "../model/studio";
 import { Said } from "../words/Said";
-import { sentence, t } from "../words/words";
+import { t } from "../words/words";
 import { Sheet } from "./Sheet";
 
 export function DifferenceSheet() {
@@ -36,7 +36,7 @@ export function DifferenceSheet() {
           <ul data-testid="differences">
             {changes.map((change, at) => (
               <li key={at}>
-                <Said text={sentence(change)} />
+                <Said text={change} />
               </li>
             ))}
           </ul>
