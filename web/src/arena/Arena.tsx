@@ -9,6 +9,7 @@ import { Icon, useTheme } from "../theme";
 import { decimal } from "../words/numbers";
 import { t } from "../words/words";
 import "./arena.css";
+import { EmptyArena } from "./EmptyArena";
 import { Painter } from "./painter";
 import { lookAt, type Scene, sceneBefore, sceneOf } from "./scene";
 import { summary } from "./summary";
@@ -217,6 +218,7 @@ export function Arena() {
             grip.current = null;
           }}
         />
+        <EmptyArena scene={scene} />
       </div>
       <p className="only-spoken" id="arena-summary" data-testid="arena-summary">
         {spoken}

@@ -186,7 +186,7 @@ export const EN = {
 
   "problems.title": "Problems",
   "problems.count": { one: "{count} problem", other: "{count} problems" },
-  "problems.none": "No problems.",
+  "problems.none": "No problems. Press Run to see the program at work.",
   "problems.error": "Error",
   "problems.warning": "Warning",
   "problems.hint": "Hint",
@@ -200,6 +200,8 @@ export const EN = {
   "arena.seed": "seed {seed}",
   "arena.label": "Arena: the world with its robots",
   "arena.empty": "empty",
+  "arena.no-world": "There is no world to show. The list of problems says why.",
+  "arena.no-robot": "No robot is here yet. The tab Team adds one.",
   "arena.size": "{width} × {height} m",
   "arena.zoom-in": "Zoom in",
   "arena.zoom-out": "Zoom out",

@@ -187,7 +187,7 @@ export const FR = {
 
   "problems.title": "Problèmes",
   "problems.count": { one: "{count} problème", other: "{count} problèmes" },
-  "problems.none": "Aucun problème.",
+  "problems.none": "Aucun problème. Appuyez sur Lancer pour voir le programme à l'œuvre.",
   "problems.error": "Erreur",
   "problems.warning": "Avertissement",
   "problems.hint": "Conseil",
@@ -201,6 +201,8 @@ export const FR = {
   "arena.seed": "graine {seed}",
   "arena.label": "Arène : le monde avec ses robots",
   "arena.empty": "vide",
+  "arena.no-world": "Il n'y a pas de monde à montrer. La liste des problèmes dit pourquoi.",
+  "arena.no-robot": "Aucun robot n'est encore là. L'onglet Équipe en ajoute un.",
   "arena.size": "{width} × {height} m",
   "arena.zoom-in": "Agrandir",
   "arena.zoom-out": "Réduire",

@@ -187,7 +187,7 @@ export const UR = {
 
   "problems.title": "مسائل",
   "problems.count": { one: "{count} مسئلہ", other: "{count} مسائل" },
-  "problems.none": "کوئی مسئلہ نہیں۔",
+  "problems.none": "کوئی مسئلہ نہیں۔ پروگرام کو کام کرتے دیکھنے کے لیے چلائیں دبائیں۔",
   "problems.error": "غلطی",
   "problems.warning": "تنبیہ",
   "problems.hint": "مشورہ",
@@ -201,6 +201,8 @@ export const UR = {
   "arena.seed": "بیج {seed}",
   "arena.label": "میدان: روبوٹوں کی دنیا",
   "arena.empty": "خالی",
+  "arena.no-world": "دکھانے کو کوئی دنیا نہیں۔ مسائل کی فہرست بتاتی ہے کیوں۔",
+  "arena.no-robot": "ابھی یہاں کوئی روبوٹ نہیں۔ ٹیم والے ٹیب سے شامل کریں۔",
   "arena.size": "{width} × {height} میٹر",
   "arena.zoom-in": "بڑا کریں",
   "arena.zoom-out": "چھوٹا کریں",

@@ -1,0 +1,14 @@
+/** What an arena without a world or without robots says: why it is empty, and what to do about it. */
+import { useStudio } from "../model/studio";
+import { t } from "../words/words";
+import type { Scene } from "./scene";
+
+export function EmptyArena({ scene }: { scene: Scene | null }) {
+  const opened = useStudio((studio) => studio.mission.programs.length > 0);
+  if (!opened || (scene !== null && scene.actors.length > 0)) return null;
+  return (
+    <p className="arena-empty" data-testid="arena-empty">
+      {t(scene === null ? "arena.no-world" : "arena.no-robot")}
+    </p>
+  );
+}
