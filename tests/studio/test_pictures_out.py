@@ -25,7 +25,7 @@ def export(studio: Studio, kind: str, folder: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("kind", ["svg", "png"])
+@pytest.mark.parametrize("kind", ["svg", "png", "pdf"])
 def test_an_exported_picture_holds_the_whole_mission_and_opens_again(
     open_studio: OpenStudio, tmp_path: Path, kind: str
 ) -> None:

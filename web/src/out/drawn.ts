@@ -6,7 +6,7 @@ import { createRoot } from "react-dom/client";
 import type { Drawing } from "../editor/drawing";
 import { loadIcons } from "../theme";
 import { GraphDrawing } from "./GraphDrawing";
-import { onPaper } from "./ink";
+import { inTheme, onPaper } from "./ink";
 
 /** What an icon looks like whose name is not known yet. */
 export const UNKNOWN_ICON = ".lucide-square-dashed";
@@ -31,7 +31,7 @@ export async function drawn(drawing: Drawing, { inside = "", paper = false }: Wa
     if (picture === undefined) throw new Error("the graph was not drawn");
     return picture;
   };
-  const now = () => (paper ? onPaper(draw) : draw());
+  const now = () => (paper ? onPaper(draw) : inTheme(draw));
   const first = now();
   if (first.querySelector(UNKNOWN_ICON) === null) return first;
   await loadIcons();

@@ -8,7 +8,7 @@ import { GraphDrawing, MARGIN } from "../GraphDrawing";
 import { type Paper, partsOf } from "./cuts";
 
 /** What A4 and Letter both have inside of margins of 15 mm, with a line for what the part is called. */
-const PAPER: Paper = { width: 680, height: 890, heading: 64, largest: 0.8, smallest: 0.4 };
+const PAPER: Paper = { width: 680, height: 910, heading: 64, largest: 0.8, smallest: 0.4 };
 /** A text that is not longer stays on one page. */
 const LINES_OF_A_PAGE = 50;
 

@@ -37,7 +37,7 @@ const PAPER: Paper = { width: 680, height: 890, heading: 64, largest: 0.8, small
 function layoutOf(columns: number, rows: number): Layout {
   const nodes = Array.from({ length: columns * rows }, (_, index): LayoutNode => {
     const place = { x: (index % columns) * 260, y: Math.floor(index / columns) * 80, w: 200, h: 44 };
-    return { id: String(index), ...place } as LayoutNode;
+    return { id: String(index), note: "", ...place } as LayoutNode;
   });
   const bounds = { x: 0, y: 0, w: columns * 260 - 60, h: rows * 80 - 36 };
   return { nodes, arcs: [], frames: [], leaps: [], bounds };
@@ -67,7 +67,10 @@ describe("a graph on paper", () => {
         nodes
           .filter(
             ({ x, y, w, h }) =>
-              x >= bounds.x && x + w <= bounds.x + bounds.w && y >= bounds.y && y + h <= bounds.y + bounds.h,
+              x >= bounds.x - 32 &&
+              x + w <= bounds.x + bounds.w + 32 &&
+              y >= bounds.y - 32 &&
+              y + h <= bounds.y + bounds.h + 32,
           )
           .map(({ id }) => id),
       ),

@@ -3,7 +3,7 @@
  *
  * Measures are px of the layout. A part is a layout of its own that holds what touches its stretch of the whole.
  */
-import type { Layout } from "../../model/layout";
+import { type Layout, NOTE } from "../../model/layout";
 
 interface Stretch {
   from: number;
@@ -73,6 +73,8 @@ export interface Part {
   width: number;
 }
 
+/** So that what fits exactly is not cut. */
+const ROUNDING = 0.01;
 /** Rather a little smaller than on two pages. */
 const WORTH_ONE_PAGE = 0.8;
 
@@ -83,28 +85,32 @@ export function partsOf(layout: Layout, paper: Paper, margin: number): Part[] {
   let scale = Math.max(paper.smallest, Math.min(paper.largest, paper.width / wide));
   const whole = (paper.height - paper.heading) / tall;
   if (whole < scale && whole >= Math.max(paper.smallest, scale * WORTH_ONE_PAGE)) scale = whole;
-  const boxes = layout.nodes.map((node) => ({ x: node.x, y: node.y, w: node.w, h: node.h }));
+  const boxes = layout.nodes.map((node) => {
+    const above = node.note === "" ? 0 : NOTE;
+    return { x: node.x, y: node.y - above, w: node.w, h: node.h + above };
+  });
   const across = cuts(
-    x,
-    x + w,
-    () => paper.width / scale - 2 * margin + 1,
+    x - margin,
+    x + w + margin,
+    () => paper.width / scale + ROUNDING,
     boxes.map((box) => ({ from: box.x, to: box.x + box.w })),
   );
   return across.flatMap((column, index) =>
     cuts(
-      y,
-      y + h,
-      (part) => (paper.height - (index + part === 0 ? paper.heading : 0)) / scale - 2 * margin + 1,
+      y - margin,
+      y + h + margin,
+      (part) => (paper.height - (index + part === 0 ? paper.heading : 0)) / scale + ROUNDING,
       boxes.map((box) => ({ from: box.y, to: box.y + box.h })),
     ).map((row) => {
-      const area = { x: column.from, y: row.from, w: column.to - column.from, h: row.to - row.from };
-      return { layout: within(layout, area, margin), width: (area.w + 2 * margin) * scale };
+      const seen = { x: column.from, y: row.from, w: column.to - column.from, h: row.to - row.from };
+      return { layout: within(layout, seen, margin), width: seen.w * scale };
     }),
   );
 }
 
-function within(layout: Layout, area: Area, margin: number): Layout {
-  const seen = { x: area.x - margin, y: area.y - margin, w: area.w + 2 * margin, h: area.h + 2 * margin };
+/** What is seen of a layout in an area; a drawing puts its margin around the bounds again. */
+function within(layout: Layout, seen: Area, margin: number): Layout {
+  const bounds = { x: seen.x + margin, y: seen.y + margin, w: seen.w - 2 * margin, h: seen.h - 2 * margin };
   const meets = (box: Area) =>
     box.x <= seen.x + seen.w && box.x + box.w >= seen.x && box.y <= seen.y + seen.h && box.y + box.h >= seen.y;
   const along = ({ points }: { points: readonly { x: number; y: number }[] }) => {
@@ -114,7 +120,7 @@ function within(layout: Layout, area: Area, margin: number): Layout {
   };
   return {
     ...layout,
-    bounds: area,
+    bounds,
     nodes: layout.nodes.filter((node) => meets({ ...node, y: node.y - STRIP, h: node.h + STRIP })),
     frames: layout.frames.filter(meets),
     arcs: layout.arcs.filter(along),
