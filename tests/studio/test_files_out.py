@@ -1,0 +1,229 @@
+"""What a user keeps and prints: PDF that opens again when it is dropped, image and listing, the printed sheet."""
+
+from __future__ import annotations
+
+import base64
+import re
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from kitrobot.image import Image, assemble
+from kitrobot.workspace import carried_mission
+from tests.studio.conftest import EXAMPLES, Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+
+
+def keep(studio: Studio, item: str, folder: Path) -> Path:
+    """Chooses an entry of the menu File that hands out a file."""
+    with studio.page.expect_download() as waiting:
+        studio.at("menu-File").click()
+        studio.at(f"menu-file-{item}").click()
+    path = folder / waiting.value.suggested_filename
+    waiting.value.save_as(path)
+    return path
+
+
+def drop_file(studio: Studio, path: Path) -> None:
+    """Drops a file from the desktop onto the window."""
+    data = studio.page.evaluate_handle(
+        """([name, body]) => {
+            const bytes = Uint8Array.from(atob(body), (letter) => letter.charCodeAt(0));
+            const transfer = new DataTransfer();
+            transfer.items.add(new File([bytes], name));
+            return transfer;
+        }""",
+        [path.name, base64.b64encode(path.read_bytes()).decode()],
+    )
+    for event in ("dragenter", "dragover", "drop"):
+        studio.at("canvas").dispatch_event(event, {"dataTransfer": data})
+
+
+def pages_of(pdf: bytes) -> int:
+    return len(re.findall(rb"/Type\s*/Page\b", pdf))
+
+
+def streams_of(pdf: bytes) -> list[bytes]:
+    """The unpacked streams of a PDF, as far as they are packed by zlib."""
+    found = []
+    for match in re.finditer(rb"stream\r?\n", pdf):
+        unpacker = zlib.decompressobj()
+        try:
+            found.append(unpacker.decompress(pdf[match.end() :]))
+        except zlib.error:
+            continue
+    return found
+
+
+def speak(studio: Studio, language: str) -> None:
+    studio.at("menu-View").click()
+    studio.at(f"menu-view-{language}").click()
+    expect(studio.page.locator("html")).to_have_attribute("lang", language)
+
+
+@pytest.mark.parametrize("kind", ["svg", "png", "pdf"])
+def test_a_picture_that_is_dropped_on_the_window_opens_its_mission(
+    open_studio: OpenStudio, tmp_path: Path, kind: str
+) -> None:
+    studio = open_studio("transport/transport.krt")
+    before = studio.code()
+    path = keep(studio, f"export-{kind}", tmp_path)
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    expect(studio.at("first-place")).to_be_visible()
+    drop_file(studio, path)
+    expect(studio.at("tab-store-manager-A")).to_be_visible()
+    studio.expect_code("Collision.IsPressed")
+    assert studio.code() == before
+    again = keep(studio, "download-krt", tmp_path)
+    assert again.read_bytes().strip() == (EXAMPLES / "transport" / "transport.krt").read_bytes().strip()
+
+
+def test_all_graphs_go_into_one_pdf_a_page_each(open_studio: OpenStudio, tmp_path: Path) -> None:
+    studio = open_studio("transport/transport.krt")
+    one = keep(studio, "export-pdf", tmp_path).read_bytes()
+    path = keep(studio, "export-pdf-all", tmp_path)
+    assert path.name == "transport.pdf"
+    assert (pages_of(one), pages_of(path.read_bytes())) == (1, 5)
+    assert carried_mission(one, "a.pdf")[0] == carried_mission(path.read_bytes(), "a.pdf")[0]
+
+
+def test_a_pdf_is_drawn_in_lines_and_letters_and_is_light_in_every_theme(
+    open_studio: OpenStudio, tmp_path: Path
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    light = keep(studio, "export-pdf", tmp_path).read_bytes()
+    assert b"/Subtype /Image" not in light
+    assert b"/BaseFont /Inter-SemiBold" in light
+    studio.at("menu-View").click()
+    studio.at("menu-view-dark").click()
+    assert keep(studio, "export-pdf", tmp_path).read_bytes() == light
+
+
+def test_a_pdf_in_urdu_has_its_letters_joined_in_our_font(open_studio: OpenStudio, tmp_path: Path) -> None:
+    studio = open_studio("blink/blink.krt")
+    speak(studio, "ur")
+    pdf = keep(studio, "export-pdf", tmp_path).read_bytes()
+    assert b"/Subtype /Image" not in pdf
+    assert b"/BaseFont /NotoSansArabic-SemiBold" in pdf
+    # The way back from glyphs to letters knows the letters of the word for Start.
+    back = b"".join(stream for stream in streams_of(pdf) if b"beginbfchar" in stream)
+    for letter in "آغاز":
+        assert b"<%04x>" % ord(letter) in back
+
+
+def test_the_image_and_the_listing_are_handed_out(open_studio: OpenStudio, tmp_path: Path) -> None:
+    studio = open_studio("transport/transport.krt")
+    image = keep(studio, "download-kri", tmp_path)
+    listing = keep(studio, "download-kra", tmp_path)
+    assert (image.name, listing.name) == ("carrier.kri", "carrier.kra")
+    made = Image.from_bytes(image.read_bytes()).to_bytes()
+    assert assemble(listing.read_text(encoding="utf-8"), "carrier.kra").to_bytes() == made
+
+
+def test_a_program_with_errors_has_no_image_and_the_page_says_what_to_do(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.drop("While", "arc-start.next")
+    expect(studio.page.locator('.vertex [class*="trouble"]').first).to_be_visible()
+    for kind in ("kri", "kra"):
+        studio.at("menu-File").click()
+        studio.at(f"menu-file-download-{kind}").click()
+        expect(studio.at("banner")).to_contain_text("“blink” has errors, so there is no image of it yet.")
+        studio.page.get_by_role("button", name="Show the error").click()
+        expect(studio.at("banner")).to_have_count(0)
+
+
+def printed(studio: Studio) -> bytes:
+    """What File, Print… prints: it asks the browser, and the browser makes a PDF."""
+    studio.page.evaluate("window.print = () => { document.title = 'printing'; }")
+    studio.at("menu-File").click()
+    studio.at("menu-file-print").click()
+    expect(studio.page).to_have_title("printing")
+    return studio.page.pdf(prefer_css_page_size=True, format="A4")
+
+
+def sheet(studio: Studio) -> None:
+    """Shows the sheet as it is while the browser prints."""
+    studio.page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
+    studio.page.emulate_media(media="print")
+
+
+def test_the_sheet_has_everything_and_nothing_of_the_studio(open_studio: OpenStudio) -> None:
+    studio = open_studio("transport/transport.krt")
+    pdf = printed(studio)
+    # The title and the team, then each program with its graph and its text.
+    assert 6 <= pages_of(pdf) <= 11
+    sheet(studio)
+    place = studio.at("print-sheet")
+    expect(place.get_by_role("heading", level=1)).to_have_text("Transport as a team")
+    expect(place).to_contain_text("Three carriers")
+    expect(place.locator("tbody tr")).to_have_count(7)
+    names = ["carrier", "loader", "unloader", "store-manager-A", "store-manager-B"]
+    expect(place.locator(".sheet-program > h2")).to_have_text(names)
+    expect(place.locator("pre").first).to_contain_text("<Collision.IsPressed()>(")
+    assert place.locator("figure svg text", has_text="Advance").count() >= 2
+    for chrome in ("menu-File", "canvas", "run-button", "code"):
+        expect(studio.at(chrome)).to_be_hidden()
+    studio.page.emulate_media(media="screen")
+    studio.page.evaluate("window.dispatchEvent(new Event('afterprint'))")
+    expect(place).to_have_count(0)
+    expect(studio.at("canvas")).to_be_visible()
+
+
+def test_the_sheet_is_black_on_white_in_every_theme_and_in_the_pages_language(open_studio: OpenStudio) -> None:
+    studio = open_studio("transport/transport.krt")
+    studio.at("menu-View").click()
+    studio.at("menu-view-dark").click()
+    speak(studio, "ur")
+    printed(studio)
+    sheet(studio)
+    place = studio.at("print-sheet")
+    colours = place.evaluate("one => [getComputedStyle(one).color, getComputedStyle(one).backgroundColor]")
+    assert colours == ["rgb(0, 0, 0)", "rgb(255, 255, 255)"]
+    assert place.locator("figure svg > rect").first.get_attribute("fill") in ("#fff", "#ffffff")
+    expect(place.get_by_role("heading", level=1)).to_have_text("ٹیم مل کر سامان لے جائے")
+    right = place.locator("h1").evaluate("one => getComputedStyle(one).direction")
+    assert (right, place.locator("pre").first.evaluate("one => getComputedStyle(one).direction")) == ("rtl", "ltr")
+
+
+def test_ctrl_p_prints_the_sheet_too(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.page.evaluate("window.print = () => { document.title = 'printing'; }")
+    studio.page.keyboard.press("Control+p")
+    expect(studio.page).to_have_title("printing")
+    assert pages_of(studio.page.pdf(prefer_css_page_size=True, format="A4")) >= 1
+
+
+def test_a_long_graph_is_cut_into_parts_between_its_vertices(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.page.locator('[data-testid="code"] .cm-content').click()
+    studio.page.keyboard.press("Control+a")
+    studio.page.keyboard.insert_text("WAIT(1);\n" * 60)
+    canvas = studio.at("canvas")
+    expect(canvas.get_by_text("LightOn")).to_have_count(0)
+    expect(canvas.get_by_text("Wait").nth(5)).to_be_visible()
+    pdf = printed(studio)
+    sheet(studio)
+    parts = studio.at("print-sheet").locator("figure")
+    assert parts.count() >= 4
+    expect(parts.nth(1)).to_contain_text("part 2 of")
+    assert pages_of(pdf) >= parts.count()
+    # Each part fits on the paper, and every vertex is whole on one of them.
+    heights = parts.evaluate_all("all => all.map((one) => one.getBoundingClientRect().height)")
+    assert max(heights) <= 267 / 25.4 * 96
+    whole = parts.locator("svg").evaluate_all(
+        """all => all.flatMap((svg) => {
+            const box = svg.viewBox.baseVal;
+            return [...svg.querySelectorAll('text')].filter((text) => text.textContent === 'Wait').filter((text) => {
+                const y = Number(text.getAttribute('y'));
+                return y - 22 >= box.y && y + 22 <= box.y + box.height;
+            }).map((text) => text.getAttribute('y'));
+        })"""
+    )
+    assert len(set(whole)) == 60
