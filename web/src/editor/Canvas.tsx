@@ -19,7 +19,7 @@ import { useClipboard } from "./clipboard";
 import { useContextMenu } from "./context";
 import { ContextMenu } from "./ContextMenu";
 import { setResolver, useDrag } from "./drag";
-import { currentDrawing, type Drawing, useDrawing } from "./drawing";
+import { currentDrawing, type Drawing, nodeOf, useDrawing } from "./drawing";
 import { useEdgePan } from "./edgePan";
 import { EmptyTeaching } from "./EmptyTeaching";
 import { Find } from "./Find";
@@ -93,7 +93,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       data-plain={plain}
       role="application"
       tabIndex={0}
-      aria-activedescendant={last === undefined ? undefined : `vertex-${last}`}
+      aria-activedescendant={shownBy(drawing, last)}
       aria-label={t("graph.label", { name: drawing.program.name })}
       data-testid="canvas"
     >
@@ -139,6 +139,13 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       <ActiveVertices program={drawing.program.name} />
     </div>
   );
+}
+
+/** The id of the element that shows a vertex: its own, its chip's, or that of the vertex which holds it. */
+function shownBy(drawing: Drawing, id: string | undefined): string | undefined {
+  const node = id === undefined ? undefined : nodeOf(drawing, id);
+  if (id === undefined || node === undefined) return undefined;
+  return `vertex-${node.face.chips.some(({ filler }) => filler === id) ? id : node.vertex}`;
 }
 
 /** Tells a drag where its thing would go on this canvas. */

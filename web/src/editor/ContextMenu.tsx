@@ -12,7 +12,9 @@ const EDGE = 8;
 
 export function ContextMenu() {
   const at = useView((state) => state.menu);
-  return at === null ? null : createPortal(<Open key={`${String(at.x)} ${String(at.y)}`} at={at} />, document.body);
+  // Within the main landmark, but outside of the canvas, whose keys and gestures are not the menu's.
+  const place = document.querySelector("main") ?? document.body;
+  return at === null ? null : createPortal(<Open key={`${String(at.x)} ${String(at.y)}`} at={at} />, place);
 }
 
 function Open({ at }: { at: Point }) {

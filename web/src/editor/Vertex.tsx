@@ -140,6 +140,7 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
   return (
     <span
       className={classes.join(" ")}
+      id={chip.filler === null ? undefined : `vertex-${chip.filler}`}
       data-testid={`slot-${vertex}.${chip.slot}`}
       data-vertex={vertex}
       data-slot={chip.slot}

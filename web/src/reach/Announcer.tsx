@@ -1,9 +1,11 @@
-/** Says each change of the document: what was done, undone or done again. The run's state is said by the toolbar. */
+/** Says each change of the document (done, undone, done again) and what is selected. The toolbar says the run's state. */
 import { useEffect, useState } from "react";
 
+import { useView } from "../editor/view";
 import type { StudioState } from "../model/studio";
 import { useStudio } from "../model/studio";
 import { t } from "../words/words";
+import { arcWords, selectionWords } from "./selection";
 
 /** What happened, in words; "" for what need not be said. */
 export function changeWords({ change, redoLabel, undoLabel }: StudioState): string {
@@ -15,14 +17,22 @@ export function changeWords({ change, redoLabel, undoLabel }: StudioState): stri
 
 export function Announcer() {
   const [said, setSaid] = useState({ words: "", times: 0 });
-  useEffect(
-    () =>
-      useStudio.subscribe((state, before) => {
-        const words = state.change === before.change ? "" : changeWords(state);
-        if (words !== "") setSaid(({ times }) => ({ words, times: times + 1 }));
-      }),
-    [],
-  );
+  useEffect(() => {
+    const say = (words: string) => {
+      if (words !== "") setSaid(({ times }) => ({ words, times: times + 1 }));
+    };
+    const offChanges = useStudio.subscribe((state, before) => {
+      if (state.change !== before.change) say(changeWords(state));
+      else if (state.selection !== before.selection) say(selectionWords(state.selection));
+    });
+    const offArcs = useView.subscribe(({ arc }, before) => {
+      if (arc !== before.arc) say(arcWords(arc));
+    });
+    return () => {
+      offChanges();
+      offArcs();
+    };
+  }, []);
   // The same words twice are news twice: a space at their end makes them another text.
   return (
     <p className="only-spoken" aria-live="polite" data-testid="announcer">

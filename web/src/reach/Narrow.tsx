@@ -26,7 +26,7 @@ function open(room: Panel): void {
 export function NarrowTabs() {
   const chosen = useNarrow(({ room }) => room);
   return (
-    <div className="narrow-tabs" role="group" aria-label={t("view.panels")}>
+    <nav className="narrow-tabs" aria-label={t("view.panels")}>
       {ROOMS.map(([room, icon]) => (
         <button
           key={room}
@@ -41,6 +41,6 @@ export function NarrowTabs() {
           {t(`view.${room}`)}
         </button>
       ))}
-    </div>
+    </nav>
   );
 }

@@ -1,0 +1,156 @@
+"""axe-core on every screen of the studio, in each theme and in Urdu; and what is said aloud."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import Studio
+from tests.studio.test_reach import AXE, choose, find_nothing
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[..., Studio]
+TRANSPORT = "transport/transport.krt"
+LOOKS = [("light",), ("dark",), ("contrast",), ("light", "ur"), ("contrast", "ur"), ("dark", "fr")]
+
+
+@pytest.fixture(autouse=True)
+def needs_axe() -> None:
+    if not AXE.is_file():
+        pytest.fail("the page's tools are not installed; run `make install`")
+
+
+@pytest.mark.parametrize("look", LOOKS, ids=str)
+def test_axe_finds_nothing_on_the_tools_of_the_canvas(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
+    studio = open_studio(TRANSPORT)
+    choose(studio, *look)
+    keys = studio.page.keyboard
+    studio.page.locator(".vertex").first.click()
+    find_nothing(studio, "a part selected")
+    keys.press("Shift+F10")
+    expect(studio.at("context-menu")).to_be_visible()
+    find_nothing(studio, "context menu")
+    keys.press("Escape")
+    keys.press("n")
+    expect(studio.at("note-field")).to_be_focused()
+    find_nothing(studio, "a note being written")
+    keys.press("Escape")
+    keys.press("/")
+    expect(studio.at("add-find")).to_be_focused()
+    find_nothing(studio, "type to add")
+    keys.type("break")
+    keys.press("Enter")
+    expect(studio.page.locator(".leap")).to_have_count(1)
+    find_nothing(studio, "a Break")
+    keys.press("Control+f")
+    expect(studio.at("find-input")).to_be_focused()
+    find_nothing(studio, "find")
+    keys.type("while")
+    expect(studio.at("find-hit-1")).to_be_visible()
+    find_nothing(studio, "find with hits")
+    keys.press("Escape")
+    keys.press("m")
+    keys.press("a")
+    find_nothing(studio, "small map, a selected arc")
+    studio.at("add-program").click()
+    find_nothing(studio, "menu of robots")
+    keys.press("Escape")
+    keys.press("F2")
+    expect(studio.at("tab-name-field")).to_be_focused()
+    find_nothing(studio, "a tab being renamed")
+
+
+@pytest.mark.parametrize("look", LOOKS, ids=str)
+def test_axe_finds_nothing_on_problems_and_on_text_with_a_mistake(
+    open_studio: OpenStudio, look: tuple[str, ...]
+) -> None:
+    studio = open_studio(TRANSPORT)
+    choose(studio, *look)
+    keys = studio.page.keyboard
+    studio.page.locator(".vertex").first.click()
+    keys.press("/")
+    expect(studio.at("add-find")).to_be_focused()
+    keys.type("while")
+    keys.press("Enter")
+    expect(studio.page.locator(".trouble").first).to_be_visible()
+    keys.press("F8")
+    expect(studio.page.locator("#problem-list")).to_be_visible()
+    find_nothing(studio, "problems")
+    studio.page.locator('[data-testid="code"] .cm-content').click()
+    keys.press("Control+End")
+    keys.type("\nWheel.")
+    expect(studio.page.locator(".cm-tooltip-autocomplete")).to_be_visible()
+    find_nothing(studio, "completion")
+    keys.press("Escape")
+    keys.type("?!")
+    find_nothing(studio, "a mistake in the text")
+    studio.at("code-tab-listing").click()
+    find_nothing(studio, "three-address code")
+
+
+@pytest.mark.parametrize("look", [("light",), ("dark", "ur")], ids=str)
+@pytest.mark.parametrize("size", [(1024, 768), (390, 844)], ids=str)
+def test_axe_finds_nothing_on_small_screens(
+    open_studio: OpenStudio, look: tuple[str, ...], size: tuple[int, int]
+) -> None:
+    studio = open_studio(TRANSPORT, viewport={"width": size[0], "height": size[1]}, has_touch=True, is_mobile=True)
+    choose(studio, *look)
+    find_nothing(studio, "main")
+    if size[0] < 720:
+        for room in ("palette", "inspector", "code", "arena"):
+            studio.at(f"room-{room}").click()
+            find_nothing(studio, room)
+
+
+def test_what_happens_is_said(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    keys = studio.page.keyboard
+    said = studio.at("announcer")
+    studio.at("part-Wait").click()
+    expect(said).to_contain_text("Add Wait")
+    keys.press("Control+z")
+    expect(said).to_contain_text("Undone: Add Wait")
+    keys.press("Control+y")
+    expect(said).to_contain_text("Done again: Add Wait")
+    studio.page.locator(".vertex", has_text="Wheel Stop").first.click()
+    here = studio.at("canvas").get_attribute("aria-activedescendant")
+    expect(studio.page.locator(f"#{here}")).to_have_attribute("aria-label", re.compile("Wheel Stop"))
+    keys.press("a")
+    expect(said).to_contain_text("Arc after Wheel Stop")
+    keys.press("ArrowUp")
+    keys.press("Shift+ArrowDown")
+    expect(said).to_contain_text("2 parts selected")
+    keys.press("Delete")
+    expect(said).to_contain_text("Delete")
+    keys.press("Control+z")
+    keys.press("Control+f")
+    expect(studio.at("find-input")).to_be_focused()
+    keys.type("wheel stop")
+    expect(studio.at("find-hit-1")).to_be_visible()
+    keys.press("Enter")
+    expect(said).to_contain_text("Selected: Wheel Stop")
+    keys.press("Escape")
+    status = studio.at("status").get_by_role("status")
+    studio.at("run-button").click()
+    expect(status).to_contain_text("Running")
+    studio.at("pause-button").click()
+    expect(status).to_contain_text("Paused")
+    studio.at("stop-button").click()
+    expect(status).to_contain_text("Stopped")
+
+
+def test_who_wants_less_motion_gets_none_anywhere(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT, reduced_motion="reduce")
+    moving = """() => [...document.querySelectorAll('*')].filter(one => {
+        const style = getComputedStyle(one);
+        const long = (times) => times.split(',').some(time => parseFloat(time) > 0.001);
+        return long(style.transitionDuration) || (style.animationName !== 'none' && long(style.animationDuration));
+    }).map(one => one.className.baseVal ?? one.className)"""
+    assert studio.page.evaluate(moving) == []
+    studio.page.locator(".vertex").first.click()
+    studio.page.keyboard.press("z")
+    assert studio.page.evaluate("document.getAnimations().length") == 0
