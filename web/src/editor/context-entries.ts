@@ -1,7 +1,9 @@
 /** What the menu of the canvas offers: for selected vertices, for a selected arc, for the canvas as a whole. */
 import { unwrapPart, wraps } from "../model/commands/wrapParts";
 import { useStudio } from "../model/studio";
+import { toggleBreakpoints } from "../debug/breakpoints";
 import type { MenuEntry } from "../shell/menu-model";
+import { isOwn, openEdit, openSave } from "../own/state";
 import { keyFor } from "../reach/key-table";
 import { t } from "../words/words";
 import { copySelection, cutSelection, pasteFromMenu } from "./clipboard";
@@ -90,6 +92,11 @@ function vertexEntries(paste: MenuEntry): MenuEntry[] {
           ),
         ]
       : []),
+    item("breakpoint", t("debug.toggle"), keyFor.graph("breakpoint"), toggleBreakpoints, fixed),
+    item("save-part", t("own.save"), keyFor.graph("savePart"), openSave, fixed),
+    ...shapes
+      .filter((shape) => shapes.length === 1 && isOwn(shape))
+      .map(({ element }) => item("edit-part", t("own.edit"), null, () => openEdit(element))),
     item("zoom", t("graph.zoom-selection"), keyFor.graph("zoomSelection"), () =>
       useView.getState().viewport?.zoomToSelection(),
     ),

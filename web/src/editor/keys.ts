@@ -4,9 +4,11 @@ import { type RefObject, useEffect } from "react";
 import { useStudio } from "../model/studio";
 import { GRAPH_KEYS, keyIn } from "../reach/key-table";
 import { currentDrawing, nodeOf } from "./drawing";
+import { toggleBreakpoints } from "../debug/breakpoints";
 import { openContextMenu } from "./context";
 import { deleteSelection, duplicateSelection, openWrapping, shiftSelection, unwrapSelection } from "./edits";
 import { toggleFoldOfSelection } from "./folded";
+import { openSave } from "../own/state";
 import { openNote } from "./Notes";
 import { toggleFollowing, toggleMinimap, useView } from "./view";
 import { type Step, walk } from "./walk";
@@ -105,6 +107,8 @@ const ACTIONS: Record<keyof typeof GRAPH_KEYS, () => boolean> = {
   wrap: openWrapping,
   unwrap: unwrapSelection,
   fold: toggleFoldOfSelection,
+  savePart: openSave,
+  breakpoint: toggleBreakpoints,
   menu: openContextMenu,
   zoomSelection: () => yes(useView.getState().viewport?.zoomToSelection),
   fit: () => yes(useView.getState().viewport?.fit),
@@ -125,7 +129,10 @@ export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
       const inPalette = target.closest("[role=tree]") !== null;
       if (target !== document.body && !inPalette && root.current?.contains(target) !== true) return;
       // The tree of parts walks and adds by the same keys.
-      if (inPalette && !event.ctrlKey && !event.metaKey && event.key !== "Delete" && event.key !== "Backspace") return;
+      const removes = event.key === "Delete" || event.key === "Backspace";
+      if (inPalette && !event.ctrlKey && !event.metaKey && !removes) return;
+      // So do parts that can be removed themselves.
+      if (removes && target.closest("[data-removable]") !== null) return;
       // A focused button of the canvas keeps its own Enter.
       if (event.key === "Enter" && target.closest("button") !== null) return;
       const id = keyIn(GRAPH_KEYS, event);

@@ -72,6 +72,7 @@ export const GRAPH_KEYS = {
   unwrap: { chords: ["Shift+W"], says: "help.keys-wrap" },
   fold: { chords: ["C"], says: "help.keys-fold" },
   savePart: { chords: ["P"], says: "own.key" },
+  breakpoint: { chords: ["B"], says: "debug.toggle" },
   menu: { chords: ["Shift+F10", "ContextMenu"], says: "help.keys-context" },
   zoomSelection: { chords: ["Z"], says: "graph.zoom-selection" },
   fit: { chords: ["Shift+Z"], says: "graph.fit" },

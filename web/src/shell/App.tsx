@@ -7,9 +7,13 @@ import { type CSSProperties, type DragEvent, useEffect } from "react";
 
 import { Arena } from "../arena/Arena";
 import { Code } from "../code/Code";
+import { followBreakpoints } from "../debug/breakpoints";
+import { takeSamples } from "../debug/samples";
+import { WatchButton, WatchPanel } from "../debug/Watch";
 import { Canvas } from "../editor/Canvas";
 import { Inspector } from "../inspector/Inspector";
 import { useStudio } from "../model/studio";
+import { OwnParts } from "../own/OwnParts";
 import { Palette } from "../palette/Palette";
 import { keepWorld } from "../parts/files";
 import { takeFiles } from "../parts/take";
@@ -21,6 +25,7 @@ import { useTutorial } from "../tutorial/state";
 import { Tutorials } from "../tutorial/Tutorials";
 import { NarrowTabs, useNarrow } from "../reach/Narrow";
 import { t } from "../words/words";
+import { reveal } from "./actions";
 import { Banner } from "./Banner";
 import { Brand } from "./Brand";
 import { keepChecking } from "./checking";
@@ -78,6 +83,12 @@ function useDocumentFlow(): void {
     return keepChecking();
   }, []);
   useEffect(showRunProblems, []);
+  useEffect(() => {
+    const ends = [followBreakpoints(reveal), takeSamples()];
+    return () => {
+      for (const end of ends) end();
+    };
+  }, []);
   useEffect(() => {
     const ask = (event: BeforeUnloadEvent) => {
       if (useStudio.getState().dirty && !isKept()) event.preventDefault();
@@ -193,6 +204,7 @@ export function App() {
             {ready ? <TeamPanel /> : null}
           </div>
           <ProblemList />
+          <WatchPanel />
         </main>
         {side ? (
           <aside className="side-frame" aria-label={t("app.side")}>
@@ -203,9 +215,11 @@ export function App() {
       </div>
       <footer className="bottom">
         <ProblemsButton />
+        <WatchButton />
         <EventStrip />
       </footer>
       <NarrowTabs />
+      <OwnParts />
       {overlay === null ? null : <Sheets overlay={overlay} />}
     </div>
   );

@@ -14,16 +14,25 @@ interface SheetProps {
   testId: string;
   children: ReactNode;
   wide?: boolean;
+  onClose?: () => void;
 }
 
-export function Sheet({ title, testId, children, wide = false }: SheetProps) {
+const nothingOver = () => {
+  show(null);
+};
+
+export function Sheet({ title, testId, children, wide = false, onClose = nothingOver }: SheetProps) {
   const dialog = useRef<HTMLDialogElement>(null);
+  const close = useRef(onClose);
+  useEffect(() => {
+    close.current = onClose;
+  });
   useEffect(() => {
     const element = dialog.current;
     const before = document.activeElement;
     if (element !== null && !element.contains(before)) element.querySelector<HTMLElement>("button, input")?.focus();
     const outside = (event: PointerEvent) => {
-      if (event.target instanceof Node && element?.contains(event.target) !== true) show(null);
+      if (event.target instanceof Node && element?.contains(event.target) !== true) close.current();
     };
     document.addEventListener("pointerdown", outside);
     return () => {
@@ -41,13 +50,13 @@ export function Sheet({ title, testId, children, wide = false }: SheetProps) {
       onKeyDown={(event) => {
         if (event.key !== "Escape") return;
         event.stopPropagation();
-        show(null);
+        onClose();
       }}
     >
       <div className="sheet-body">
         <div className="sheet-head">
           <h2 id={`${testId}-title`}>{title}</h2>
-          <button type="button" className="tool small" aria-label={t("help.close")} onClick={() => show(null)}>
+          <button type="button" className="tool small" aria-label={t("help.close")} onClick={onClose}>
             <Icon name="x" size={16} />
           </button>
         </div>

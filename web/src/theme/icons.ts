@@ -74,6 +74,8 @@ import Redo2 from "lucide-react/icons/redo-2";
 import RefreshCw from "lucide-react/icons/refresh-cw";
 import Repeat from "lucide-react/icons/repeat";
 import RotateCw from "lucide-react/icons/rotate-cw";
+import Eye from "lucide-react/icons/eye";
+import Hand from "lucide-react/icons/hand";
 import ScanEye from "lucide-react/icons/scan-eye";
 import Search from "lucide-react/icons/search";
 import Settings from "lucide-react/icons/settings";
@@ -170,6 +172,8 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "refresh-cw": RefreshCw,
   repeat: Repeat,
   "rotate-cw": RotateCw,
+  eye: Eye,
+  hand: Hand,
   "scan-eye": ScanEye,
   search: Search,
   settings: Settings,

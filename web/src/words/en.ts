@@ -3,6 +3,7 @@ import { JOURNAL_EN } from "./en-journal";
 import { OUT_EN } from "./en-out";
 import { OWN_EN } from "./en-own";
 import { REACH_EN } from "./en-reach";
+import { DEBUG_EN } from "./en-debug";
 import { TEAM_EN } from "./en-team";
 import { TUTORIAL_EN } from "./en-tutorial";
 
@@ -14,6 +15,7 @@ export const EN = {
   ...OWN_EN,
   ...REACH_EN,
   ...TEAM_EN,
+  ...DEBUG_EN,
   ...TUTORIAL_EN,
   "app.name": "KitRobot",
   "app.parts": "Parts",
@@ -78,8 +80,8 @@ export const EN = {
   "run.pause": "Pause",
   "run.step": "Step one tick",
   "run.step-back": "Back one tick",
-  "run.step-vertex": "To the next vertex",
-  "run.step-vertex-back": "Back to the vertex before",
+  "run.step-vertex": "On to the next part",
+  "run.step-vertex-back": "Back to the part before",
   "run.stop": "Stop",
   "run.speed": "Speed",
   "run.slower": "Slower",

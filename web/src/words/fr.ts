@@ -4,6 +4,7 @@ import { JOURNAL_FR } from "./fr-journal";
 import { OUT_FR } from "./fr-out";
 import { OWN_FR } from "./fr-own";
 import { REACH_FR } from "./fr-reach";
+import { DEBUG_FR } from "./fr-debug";
 import { TEAM_FR } from "./fr-team";
 import { TUTORIAL_FR } from "./fr-tutorial";
 import type { Table } from "./words";
@@ -15,6 +16,7 @@ export const FR = {
   ...OWN_FR,
   ...REACH_FR,
   ...TEAM_FR,
+  ...DEBUG_FR,
   ...TUTORIAL_FR,
   "app.name": "KitRobot",
   "app.parts": "Pièces",
@@ -79,8 +81,8 @@ export const FR = {
   "run.pause": "Pause",
   "run.step": "Avancer d'un pas",
   "run.step-back": "Reculer d'un pas",
-  "run.step-vertex": "Au sommet suivant",
-  "run.step-vertex-back": "Au sommet précédent",
+  "run.step-vertex": "Jusqu'à la pièce suivante",
+  "run.step-vertex-back": "Retour à la pièce précédente",
   "run.stop": "Arrêter",
   "run.speed": "Vitesse",
   "run.slower": "Plus lent",

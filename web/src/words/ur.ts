@@ -4,6 +4,7 @@ import { JOURNAL_UR } from "./ur-journal";
 import { OUT_UR } from "./ur-out";
 import { OWN_UR } from "./ur-own";
 import { REACH_UR } from "./ur-reach";
+import { DEBUG_UR } from "./ur-debug";
 import { TEAM_UR } from "./ur-team";
 import { TUTORIAL_UR } from "./ur-tutorial";
 import type { Table } from "./words";
@@ -15,6 +16,7 @@ export const UR = {
   ...OWN_UR,
   ...REACH_UR,
   ...TEAM_UR,
+  ...DEBUG_UR,
   ...TUTORIAL_UR,
   "app.name": "KitRobot",
   "app.parts": "پرزے",
@@ -79,8 +81,8 @@ export const UR = {
   "run.pause": "وقفہ",
   "run.step": "ایک قدم چلیں",
   "run.step-back": "ایک قدم پیچھے",
-  "run.step-vertex": "اگلے ورٹیکس تک",
-  "run.step-vertex-back": "پچھلے ورٹیکس تک",
+  "run.step-vertex": "اگلے پرزے تک",
+  "run.step-vertex-back": "پچھلے پرزے تک",
   "run.stop": "روکیں",
   "run.speed": "رفتار",
   "run.slower": "آہستہ",

@@ -12,7 +12,11 @@ function between(label: string, before: Mission, after: Mission): Command {
 }
 
 /** The mission with these lists, each left out when it is empty, as in a mission that never had one. */
-function withOwn(mission: Mission, constructors: readonly Constructor[], variables: readonly OwnVariable[]): Mission {
+export function withOwn(
+  mission: Mission,
+  constructors: readonly Constructor[],
+  variables: readonly OwnVariable[],
+): Mission {
   const { constructors: _, variables: __, ...rest } = mission;
   return {
     ...rest,

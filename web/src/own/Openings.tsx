@@ -1,0 +1,92 @@
+/** What a selection offers to be left open, each with a tick; what is ticked has a name, and a number its range. */
+import { useId } from "react";
+
+import { partsOf, title } from "../model/parts";
+import { useStudio } from "../model/studio";
+import { text } from "../model/texts";
+import { type Key, t } from "../words/words";
+import { depthOf, type Opening, TYPED } from "./openings";
+import { NumberRange } from "./NumberRange";
+
+interface OpeningsProps {
+  program: string;
+  openings: Opening[];
+  onChange: (openings: Opening[]) => void;
+}
+
+export function Openings({ program, openings, onChange }: OpeningsProps) {
+  const rows = openings.filter((one) => depthOf(one, openings) >= 0);
+  const change = (key: string, to: Partial<Opening>) => {
+    onChange(openings.map((one) => (one.key === key ? { ...one, ...to } : one)));
+  };
+  return (
+    <fieldset className="own-openings">
+      <legend>{t("own.open-title")}</legend>
+      {rows.length === 0 ? <p className="sheet-note">{t("own.open-none")}</p> : null}
+      <ul>
+        {rows.map((one) => (
+          <Row
+            key={one.key}
+            opening={one}
+            depth={depthOf(one, openings)}
+            program={program}
+            onChange={(to) => change(one.key, to)}
+          />
+        ))}
+      </ul>
+    </fieldset>
+  );
+}
+
+interface RowProps {
+  opening: Opening;
+  depth: number;
+  program: string;
+  onChange: (to: Partial<Opening>) => void;
+}
+
+function Row({ opening, depth, program, onChange }: RowProps) {
+  const { offer, on, name } = opening;
+  const id = useId();
+  const part = useStudio(({ mission, catalogue }) => {
+    const found = mission.programs.find((one) => one.name === program);
+    const element = found?.vertices.find((one) => one.id === offer.vertex)?.element ?? "";
+    return title(partsOf(catalogue, found?.robot ?? "").shape(element));
+  });
+  const slot = text(offer.label, offer.slot);
+  const what = offer.slot === "" ? t("own.open-vertex", { part }) : t("own.open-slot", { slot, part });
+  return (
+    <li style={{ paddingInlineStart: depth * 16 }} data-testid={`opening-${opening.key.replace(" ", "-")}`}>
+      <label className="own-check">
+        <input
+          type="checkbox"
+          checked={on}
+          disabled={offer.is_open}
+          onChange={(event) => onChange({ on: event.target.checked })}
+        />
+        <span>{what}</span>
+        <span className="own-aside">
+          {offer.is_open ? t("own.must") : offer.value === "" ? t(`own.kind-${offer.kind}` as Key) : offer.value}
+        </span>
+      </label>
+      {on ? (
+        <div className="own-opening">
+          <label htmlFor={`${id}-name`} className="own-named">
+            <span>{t("own.name")}</span>
+            <input
+              id={`${id}-name`}
+              className="field"
+              value={name}
+              spellCheck={false}
+              autoComplete="off"
+              maxLength={40}
+              aria-label={t("own.open-name", { what })}
+              onChange={(event) => onChange({ name: event.target.value })}
+            />
+          </label>
+          {TYPED.includes(offer.kind) ? <NumberRange of={opening} what={name} onChange={onChange} /> : null}
+        </div>
+      ) : null}
+    </li>
+  );
+}

@@ -1,0 +1,53 @@
+/** What the row of a part of one's own does in the palette besides adding it: by right button, keys and a resting finger. */
+import type { MouseEvent, PointerEvent } from "react";
+
+import { cancelDrag } from "../editor/drag";
+import { openDelete, openEdit, openPartMenu } from "./state";
+
+const REST_MS = 550;
+const STILL_PX = 8;
+
+/** Handlers for the row. */
+export function ownHandlers(name: string) {
+  return {
+    onContextMenu: (event: MouseEvent) => {
+      event.preventDefault();
+      openPartMenu(name, event.clientX, event.clientY);
+    },
+  };
+}
+
+/** Opens the menu under a finger that rests. */
+export function restOnOwn(event: PointerEvent, name: string): void {
+  if (event.pointerType === "mouse") return;
+  const { clientX: x, clientY: y } = event;
+  const timer = setTimeout(() => {
+    end();
+    cancelDrag();
+    openPartMenu(name, x, y);
+  }, REST_MS);
+  const moved = (move: globalThis.PointerEvent) => {
+    if (Math.hypot(move.clientX - x, move.clientY - y) > STILL_PX) end();
+  };
+  const end = () => {
+    clearTimeout(timer);
+    window.removeEventListener("pointermove", moved);
+    window.removeEventListener("pointerup", end);
+    window.removeEventListener("pointercancel", end);
+  };
+  window.addEventListener("pointermove", moved);
+  window.addEventListener("pointerup", end);
+  window.addEventListener("pointercancel", end);
+}
+
+/** What a key means on the row; false when it means nothing there. */
+export function ownKey(event: { key: string; shiftKey: boolean }, name: string): boolean {
+  const isMenu = event.key === "ContextMenu" || (event.key === "F10" && event.shiftKey);
+  if (event.key === "F2") openEdit(name);
+  else if (event.key === "Delete" || event.key === "Backspace") openDelete(name);
+  else if (isMenu) {
+    const box = document.activeElement?.getBoundingClientRect();
+    openPartMenu(name, (box?.left ?? 0) + 24, box?.bottom ?? 0);
+  } else return false;
+  return true;
+}
