@@ -29,6 +29,7 @@ export default defineConfig({
   test: {
     environment: "jsdom",
     include: ["src/**/*.test.{ts,tsx}", "test/**/*.test.{ts,tsx}"],
+    setupFiles: ["src/testing/english.ts"],
     passWithNoTests: false,
     maxWorkers: 2,
     // Colours are measured by a test; other styles are left out of it.

@@ -17,6 +17,7 @@ OpenStudio = Callable[..., Studio]
 def far(studio: Studio) -> Locator:
     """The blocks of the graph, once it is small."""
     canvas = studio.at("canvas")
+    expect(canvas).to_have_attribute("data-plain", "false")
     for _ in range(8):
         canvas.press("-")
     expect(canvas).to_have_attribute("data-plain", "true")
@@ -24,7 +25,7 @@ def far(studio: Studio) -> Locator:
 
 
 def test_far_away_there_are_blocks_and_close_by_there_are_words(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+    studio = open_studio("blink/blink.krt", reduced_motion="reduce")
     count = studio.page.locator(".react-flow__node").count()
     blocks = far(studio)
     expect(blocks).to_have_count(count)
@@ -37,7 +38,7 @@ def test_far_away_there_are_blocks_and_close_by_there_are_words(open_studio: Ope
 
 
 def test_a_block_is_selected_by_a_click_and_has_a_name_for_screen_readers(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+    studio = open_studio("blink/blink.krt", reduced_motion="reduce")
     block = far(studio).nth(1)
     assert block.get_attribute("aria-label")
     block.click()
@@ -47,7 +48,7 @@ def test_a_block_is_selected_by_a_click_and_has_a_name_for_screen_readers(open_s
 
 
 def test_a_mistake_is_seen_from_far_away(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+    studio = open_studio("blink/blink.krt", reduced_motion="reduce")
     studio.drop("If Then", "arc-start.next")
     expect(studio.page.locator(".trouble").first).to_be_visible()
     far(studio)

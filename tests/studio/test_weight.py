@@ -41,7 +41,7 @@ def test_the_first_load_fits_in_350_kb(open_studio: OpenStudio, language: str) -
 def test_what_is_fetched_later_is_not_fetched_at_first(open_studio: OpenStudio) -> None:
     studio = open_studio("transport/transport.krt", locale="en")
     first = fetched(studio)
-    assert [path for path in first if any(name in path for name in ("/all-icons", "/fr-", "/ur-", "/Sheets"))] == []
+    assert [path for path in first if any(name in path for name in ("/all-icons", "/fr-", "/ur-", "/Sheets", "/Panel"))] == []
     studio.page.keyboard.press("?")
     expect(studio.page.get_by_role("dialog")).to_be_visible()
     assert any("/Sheets" in path for path in fetched(studio))

@@ -2,11 +2,11 @@
  * The words of the page in the reader's language.
  *
  * `t(key, holes)` looks a sentence up and fills its {holes}; a sentence that counts has one form per plural rule of its
- * language and is chosen by the hole `count`. English is always there; another language is a table with the keys of
- * English, in a chunk that is fetched when it is wanted. What a table lacks is said in English. `language.ts` chooses,
- * remembers and writes the choice on the page.
+ * language and is chosen by the hole `count`. Each language is a table in a chunk of its own, fetched when it is wanted, with
+ * the keys of English: a test sees to it that none lacks one. `language.ts` chooses, remembers and writes the choice on the
+ * page; nothing is drawn before there are words.
  */
-import { EN } from "./en";
+import type { EN } from "./en";
 
 export type Key = keyof typeof EN;
 export type Sentence = string | ({ other: string } & Partial<Record<Intl.LDMLPluralRule, string>>);
@@ -23,13 +23,13 @@ export const LANGUAGES = {
 export type Language = keyof typeof LANGUAGES;
 
 const FETCH: Readonly<Record<Language, () => Promise<Table>>> = {
-  en: () => Promise.resolve(EN),
+  en: () => import("./en").then((chunk) => chunk.EN),
   fr: () => import("./fr").then((chunk) => chunk.FR),
   ur: () => import("./ur").then((chunk) => chunk.UR),
 };
 
 let language: Language = "en";
-let table: Table = EN;
+let table: Table | null = null;
 let plural = new Intl.PluralRules("en");
 
 export function languageInUse(): Language {
@@ -49,8 +49,11 @@ export function bestLanguage(wanted: readonly string[]): Language {
 export async function speak(wanted: Language): Promise<Language> {
   try {
     table = await FETCH[wanted]();
-  } catch {
-    return language;
+  } catch (cause) {
+    if (table !== null) return language;
+    // Nothing can be said yet: better English than nothing.
+    if (wanted === "en") throw cause;
+    return speak("en");
   }
   language = wanted;
   plural = new Intl.PluralRules(wanted);
@@ -58,7 +61,7 @@ export async function speak(wanted: Language): Promise<Language> {
 }
 
 export function t(key: Key, holes: Holes = {}): string {
-  const found: Sentence = table[key] ?? EN[key];
+  const found: Sentence = table?.[key] ?? key;
   const form = typeof found === "string" ? found : (found[plural.select(Number(holes["count"] ?? 0))] ?? found.other);
   return form.replace(/\{(\w+)\}/g, (hole, name: string) => String(holes[name] ?? hole));
 }
