@@ -3,7 +3,7 @@ import { createElement } from "react";
 import { flushSync } from "react-dom";
 import { createRoot, type Root } from "react-dom/client";
 
-import { useStudio } from "../../model/studio";
+import { type StudioState, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { fileName, useDocument } from "../../shell/document";
 import { loadIcons } from "../../theme";
@@ -12,7 +12,7 @@ import { onPaper } from "../ink";
 import { PrintSheet } from "./PrintSheet";
 import "./sheet.css";
 
-let shown: { root: Root; place: HTMLElement } | null = null;
+let shown: { root: Root; place: HTMLElement; state: StudioState } | null = null;
 
 function put(): void {
   take();
@@ -23,7 +23,7 @@ function put(): void {
   place.dataset["testid"] = "print-sheet";
   document.body.append(place);
   const root = createRoot(place);
-  shown = { root, place };
+  shown = { root, place, state };
   const file = fileName();
   const title = text(state.mission.label ?? {}, file.replace(/\.krt$/i, ""));
   onPaper(() => {
@@ -41,14 +41,18 @@ function take(): void {
 
 /** From now on whatever prints the page prints the sheet. */
 export function keepSheet(): void {
-  window.addEventListener("beforeprint", put);
+  window.addEventListener("beforeprint", () => {
+    if (shown?.state !== useStudio.getState()) put();
+  });
   window.addEventListener("afterprint", take);
 }
 
 /** Opens the browser's own window for printing; icons that nobody has seen yet are fetched before. */
 export async function print(): Promise<void> {
   put();
-  if (shown?.place.querySelector(UNKNOWN_ICON) != null) await loadIcons();
-  take();
+  if (shown?.place.querySelector(UNKNOWN_ICON) != null) {
+    await loadIcons();
+    put();
+  }
   window.print();
 }
