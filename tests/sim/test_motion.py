@@ -73,7 +73,7 @@ def test_driving_and_turning_at_once_is_an_arc_of_radius_v_by_omega(v: float, om
     x, y, h = [0.0], [0.0], [heading]
     ux, uy = ([part] for part in direction(heading))
     for _ in range(50):
-        wander([0], [v * 0.02], [omega * 0.02], x, y, h, ux, uy)
+        wander(1.0, [0], [v * 0.02], [omega * 0.02], x, y, h, ux, uy)
     assert normalised(h[0] - heading - omega) == pytest.approx(0, abs=1e-9)
     if abs(omega) > 1e-3:
         radius = v / omega
@@ -125,3 +125,14 @@ def test_at_the_end_of_an_open_road_a_carrier_stands() -> None:
     assert (forward.x_mm, forward.y_mm) == (600, 100)
     back = steps(run_of({"a": (guided, "Wheel.Reverse(100); WAIT(600);")}, world), 200).agents[0]
     assert (back.x_mm, back.y_mm) == (100, 100)
+
+
+@pytest.mark.parametrize("speed", [400, 20_000, 100_000])
+def test_nobody_is_so_fast_that_it_goes_through_a_wall(speed: int) -> None:
+    rocket = avatar(WHEEL.format(settings=f'speed="{speed}" acceleration="1e6"'))
+    run = run_of({"a": (rocket, "Wheel.Advance(100); WAIT(600);")}, empty_world(a=(1000, 1000, 0.3)))
+    for _ in range(600):
+        pose = steps(run, 1).agents[0]
+        assert 60 < pose.x_mm < 3940
+        assert 60 < pose.y_mm < 2440
+    assert run.collisions >= 1

@@ -69,11 +69,11 @@ def test_a_run_that_has_ended_goes_back_to_before_its_end_and_forward_to_it() ->
     kept = run.snapshot()
     while run.outcome is None:
         run.step()
-    last, outcome, sentence, events = run.snapshot(), run.outcome, run.sentence, run.events
+    last, end = run.snapshot(), (run.outcome, run.sentence, run.events)
     run.restore(kept)
-    assert (run.outcome, run.sentence, run.tick) == (None, "", 200)
+    assert (str(run.outcome), run.sentence, run.tick) == ("None", "", 200)
     run.restore(last)
-    assert (run.outcome, run.sentence, run.events) == (outcome, sentence, events)
+    assert (run.outcome, run.sentence, run.events) == end
 
 
 def test_what_is_forced_is_part_of_the_state() -> None:

@@ -103,10 +103,11 @@ def compiled() -> Advance | None:
 
 
 def wait() -> Advance | None:
-    """The compiled step, once it is there; None where it cannot be."""
-    ask()
-    if _asked is not None:
-        _asked.join()
+    """The compiled step, made here and now if it is not there yet; None where it cannot be."""
+    if _made is None and available():
+        # As in `_make_in_peace`.
+        with suppress(Exception):
+            make()
     return _made
 
 

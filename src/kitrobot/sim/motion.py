@@ -116,7 +116,18 @@ def place(
                 ux[i], uy[i] = direction(h)
 
 
+def pieces(who: list[int], way: list[float], radius: list[float]) -> int:
+    """In how many pieces the robots go their ways, so that none goes further than its radius at once."""
+    most = 1.0
+    for k in range(len(who)):
+        i = who[k]
+        if abs(way[i]) > most * radius[i]:
+            most = abs(way[i]) / radius[i]
+    return math.ceil(most)
+
+
 def wander(
+    part: float,
     who: list[int],
     way: list[float],
     turn: list[float],
@@ -126,11 +137,11 @@ def wander(
     ux: list[float],
     uy: list[float],
 ) -> None:
-    """Moves the free robots along the arc of their way and turn; (ux, uy) is the direction of their heading."""
+    """Moves the free robots along this part of the arc of their way and turn; (ux, uy) is where they look."""
     for k in range(len(who)):
         i = who[k]
-        d = way[i]
-        t = turn[i]
+        d = way[i] * part
+        t = turn[i] * part
         if t == 0.0:
             if d != 0.0:
                 x[i] += d * ux[i]

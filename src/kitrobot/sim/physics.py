@@ -39,7 +39,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.contacts import measure_gaps, news_first, part_discs, part_from_walls, part_on_roads, sort_along
 from kitrobot.sim.grids import fill
-from kitrobot.sim.motion import follow, place, roll, wander
+from kitrobot.sim.motion import follow, pieces, place, roll, wander
 
 # The rows of `roads` (whole numbers): whether it is closed, its points (the last one inclusive), its sections.
 CLOSED, FIRST, LAST, CUT_FIRST, CUT_LAST = range(5)
@@ -171,20 +171,24 @@ def move_robots(
                 roads[LAST],
             )
     if len(free) > 0:
-        wander(free, way, turn, real[X], real[Y], real[HEADING], real[UX], real[UY])
-        count = part_from_walls(
-            free_solid,
-            real[X],
-            real[Y],
-            real[RADIUS],
-            walls,
-            wall_frame,
-            wall_shape,
-            wall_starts,
-            wall_items,
-            pairs,
-            count,
-        )
+        # A wall is thin: who is very fast looks for it on the way too. The last piece tells who touches one.
+        on_roads = count
+        parts = pieces(free_solid, way, real[RADIUS])
+        for _ in range(parts):
+            wander(1.0 / parts, free, way, turn, real[X], real[Y], real[HEADING], real[UX], real[UY])
+            count = part_from_walls(
+                free_solid,
+                real[X],
+                real[Y],
+                real[RADIUS],
+                walls,
+                wall_frame,
+                wall_shape,
+                wall_starts,
+                wall_items,
+                pairs,
+                on_roads,
+            )
     if together:
         low_x = whole[LOW_X]
         low_y = whole[LOW_Y]
