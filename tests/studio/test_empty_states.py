@@ -40,6 +40,6 @@ def test_a_new_program_says_what_to_do_in_each_panel(open_studio: OpenStudio) ->
     studio.at("menu-file-new").click()
     expect(studio.page.locator(".teaching")).to_contain_text("Give the robot its first step")
     expect(studio.at("code")).to_contain_text("Your program appears here.")
-    expect(studio.at("inspector")).to_contain_text("Click a part to set its speed")
+    expect(studio.page.locator(".side-inspector")).to_contain_text("Click a part to set its speed")
     studio.at("problems").click()
     expect(studio.page.locator(".problem-list")).to_contain_text("Press Run to see the program at work.")

@@ -341,7 +341,7 @@ def test_a_tutorial_in_the_folder_appears_and_one_with_a_mistake_says_which(open
     (studio.folder / "bad.tutorial.xml").write_text(mine.replace("<step>", "<stop>", 1), encoding="utf-8")
     studio.page.keyboard.press("Control+o")
     bad = studio.at("tutorial-card-bad.tutorial.xml")
-    expect(bad).to_contain_text("This tutorial cannot be used:")
+    expect(bad).to_contain_text("This tutorial cannot be used:", timeout=15_000)
     expect(bad).to_contain_text("<stop>")
     studio.at("tutorial-card-mine.tutorial.xml").click()
     at_step(studio, 1)

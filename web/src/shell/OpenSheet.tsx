@@ -37,28 +37,30 @@ export function OpenSheet() {
   const examples = missions?.filter((entry) => entry.example) ?? [];
   return (
     <Sheet title={t("open.title")} testId="open-dialog" wide>
-      {missions === null ? (
-        <p className="sheet-note">{t("open.loading")}</p>
-      ) : (
-        <div className="open-lists">
-          <TutorialCards />
-          <h3>{t("open.workspace", { folder: workspace })}</h3>
-          {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
-          <ul>
-            {own.map((entry) => (
-              <Entry key={entry.path} entry={entry} />
-            ))}
-          </ul>
-          {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
-          <ul className="gallery">
-            {examples.map((entry) => (
-              <li key={entry.path}>
-                <Card entry={entry} choose={() => open(entry)} />
-              </li>
-            ))}
-          </ul>
-        </div>
-      )}
+      <div className="open-lists">
+        <TutorialCards />
+        {missions === null ? (
+          <p className="sheet-note">{t("open.loading")}</p>
+        ) : (
+          <>
+            <h3>{t("open.workspace", { folder: workspace })}</h3>
+            {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
+            <ul>
+              {own.map((entry) => (
+                <Entry key={entry.path} entry={entry} />
+              ))}
+            </ul>
+            {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
+            <ul className="gallery">
+              {examples.map((entry) => (
+                <li key={entry.path}>
+                  <Card entry={entry} choose={() => open(entry)} />
+                </li>
+              ))}
+            </ul>
+          </>
+        )}
+      </div>
       <div className="sheet-foot">
         <input
           ref={chooser}
