@@ -51,9 +51,9 @@ def with_part(part: Part) -> Catalogue:
     return shipped().extended([part.constructor], [])
 
 
-def some_selection(rng: random.Random, program: Program) -> list[str]:
+def some_selection(rng: random.Random, program: Program, catalogue: Catalogue | None = None) -> list[str]:
     """Some vertices in a row of one of the program's chains."""
-    wiring = graph_to_lll(program, shipped()).wiring
+    wiring = graph_to_lll(program, catalogue or shipped()).wiring
     chains = [chain_behind(wiring, vertex, port) for vertex, port in wiring.out if port != NEXT or vertex == "start"]
     chains = [[one for one in chain if one != "stop"] for chain in chains]
     chain = rng.choice([chain for chain in chains if chain] or [["start"]])

@@ -9,7 +9,9 @@ so that the text does not show them, stay between the same neighbours.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 from kitrobot.compiler.graph_to_lll import graph_to_lll
@@ -31,6 +33,17 @@ class Origin:
 
 
 @dataclass(frozen=True)
+class Row:
+    """Instructions in a row that may still be a vertex whose template holds others between its own.
+
+    They reach to the place `end`, exclusive, of the body that they begin in.
+    """
+
+    origin: Origin
+    end: int
+
+
+@dataclass(frozen=True)
 class Branch:
     """A body of a repeated slot: what stands in it, and the port it had before, if any."""
 
@@ -45,13 +58,51 @@ class Old:
         self.program = program if program is not None else Program("", robot.name)
         self.tree, self.wiring = Seq(), Wiring(Program("", robot.name), robot, catalogue)
         self.same: Same = {}
+        self.stretches: dict[str, list[Any]] = {}
         if program is not None:
             translation = graph_to_lll(program, catalogue)
             self.tree, self.wiring = translation.program, translation.wiring
             self.same = same_nodes(self.tree, new)
+            self.stretches = translation.stretches
         self.roots: dict[str, list[Any]] = {}
         self.root_of: dict[int, str] = {}
         self._find_roots()
+        self.hole_at = dict(self._holes())
+        """Vertices whose template has a hole for instructions between its own, and where."""
+
+    def _holes(self) -> Iterator[tuple[str, int]]:
+        for name in self.stretches:
+            constructor = self.wiring.constructor(self.wiring.vertices[name])
+            template = constructor.template if constructor is not None else None
+            if isinstance(template, Seq) and template.hole is not None:
+                yield name, template.hole_at
+
+    def rows(self, items: list[Any]) -> dict[int, list[Row]]:
+        """The rows of a body by the place where they begin, the longest first.
+
+        A vertex is there when its own instructions are, in order, those before and behind its hole in a row each. What
+        stands between them is in the hole; at an open end, what stood there before and what is new among it.
+        """
+        if not self.hole_at:
+            return {}
+        before = [self.same.get(id(item)) for item in items]
+        at = {id(node): index for index, node in enumerate(before) if node is not None}
+        found: dict[int, list[Row]] = {}
+        for name in dict.fromkeys(self.root_of.get(id(node), "") for node in before):
+            if name not in self.hole_at:
+                continue
+            own = [at.get(id(node), -1) for node in self.roots[name]]
+            head, tail = own[: self.hole_at[name]], own[self.hole_at[name] :]
+            if -1 in own or not (_in_a_row(head) and _in_a_row(tail)) or (head and tail and head[-1] > tail[0]):
+                continue
+            held = {id(node) for node in self.stretches[name]} - {id(node) for node in self.roots[name]}
+            start = head[0] if head else _reach(before, held, tail[0], -1)
+            end = tail[-1] + 1 if tail else _reach(before, held, head[-1], 1) + 1
+            origin = Origin(self.wiring.vertices[name], self.stretches[name])
+            found.setdefault(start, []).append(Row(origin, end))
+        for rows in found.values():
+            rows.sort(key=lambda row: -row.end)
+        return found
 
     def _find_roots(self) -> None:
         """The outermost nodes of each vertex: a template's inner nodes name the vertex too."""
@@ -142,6 +193,24 @@ class Old:
                 continue
             if (arc.source, arc.out, arc.target, arc.at) not in drawn:
                 program.arcs.append(arc)
+
+
+def _in_a_row(places: list[int]) -> bool:
+    return all(after == one + 1 for one, after in pairwise(places))
+
+
+def _reach(before: list[Node | None], held: set[int], place: int, step: int) -> int:
+    """The last place from `place` on that something held reached, across what is new."""
+    last = place
+    place += step
+    while 0 <= place < len(before):
+        node = before[place]
+        if node is not None and id(node) not in held:
+            break
+        if node is not None:
+            last = place
+        place += step
+    return last
 
 
 def note(text: list[str], at: str = "") -> list[Note]:

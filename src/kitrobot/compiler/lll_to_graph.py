@@ -15,8 +15,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
-from kitrobot.compiler.keeping import Branch, Old, Origin, note
-from kitrobot.compiler.unfilling import Bound, unfill, unfill_all
+from kitrobot.compiler.keeping import Branch, Old, Origin, Row, note
+from kitrobot.compiler.unfilling import Bound, unfill, unfill_all, unfill_row
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
 from kitrobot.lll import Call, Instruction, Node, Number, Seq, nodes
@@ -65,6 +65,7 @@ class _Choice:
     """What an instruction is drawn as: an element, what its slots hold, and the vertex it was before, if any.
 
     `before` is what the slots held then, when it was the same element; `width` counts the instructions it stands for.
+    `hole`: the slot whose instructions are among those, first of them (`begins_inside`) or last (`ends_inside`).
     """
 
     element: str
@@ -73,6 +74,9 @@ class _Choice:
     origin: Origin | None = None
     before: Any = None
     width: int = 1
+    begins_inside: bool = False
+    ends_inside: bool = False
+    hole: str = ""
 
 
 class _Drawing:
@@ -124,15 +128,17 @@ class _Drawing:
     def chain(self, seq: Seq, source: str, port: str, title: int = 0) -> tuple[str, str]:
         """Draws a body behind a port; the port from which it goes on. The first `title` comments are not its own."""
         at = 0
+        rows = self.old.rows(seq.items)
         while at < len(seq.items):
-            choice = self.choose(seq.items[at], seq, at)
+            choice = self.row(rows.get(at, []), seq.items, at) or self.choose(seq.items[at], seq, at)
             vertex = self.vertex(choice)
             self.arc(source, vertex.id, port)
             for node in seq.items[at : at + choice.width]:
                 node.vertex = vertex.id
             first, last = seq.items[at], seq.items[at + choice.width - 1]
-            bare = self.notes(vertex, choice, first.above[title if at == 0 else 0 :], last)
-            self.inside(vertex, first, choice, bare)
+            own = title if at == 0 else 0
+            bare = self.notes(vertex, choice, first.above[own:], last)
+            self.inside(vertex, first, choice, bare, own if choice.begins_inside else 0)
             source, port = vertex.id, NEXT
             at += choice.width
         return source, port
@@ -153,8 +159,10 @@ class _Drawing:
                 behind = []
         else:
             behind = []
-        vertex.notes = (note(above) if bare else over) + behind
-        if last.after is not None:
+        # What a vertex in the hole says stays with that one.
+        anew = [] if choice.begins_inside else note(above)
+        vertex.notes = (anew if bare else over) + behind
+        if last.after is not None and not choice.ends_inside:
             vertex.notes.append(Note(last.after, "after"))
         vertex.notes += kept
         return bare
@@ -201,9 +209,36 @@ class _Drawing:
         before = unfill_all(constructor, template.items, origin.nodes)
         return None if bound is None else _Choice(constructor.name, constructor, bound, origin, before, width)
 
+    def row(self, rows: list[Row], items: list[Any], at: int) -> _Choice | None:
+        """A vertex whose own instructions stand around others, where its template still stands in the text."""
+        for one in rows:
+            vertex = one.origin.vertex
+            constructor = self.catalogue.constructors[vertex.element]
+            template = constructor.template
+            assert isinstance(template, Seq), "rows are of templates with several instructions"
+            assert template.hole is not None, "rows are of templates with a hole among them"
+            nodes = items[at : one.end]
+            bound = None if vertex.id in self.used else unfill_row(constructor, template, nodes)
+            if bound is None:
+                continue
+            before = unfill_row(constructor, template, one.origin.nodes)
+            held = len(bound[template.hole.name].items) > 0
+            return _Choice(
+                constructor.name,
+                constructor,
+                bound,
+                one.origin,
+                before,
+                len(nodes),
+                begins_inside=held and template.hole_at == 0,
+                ends_inside=held and template.hole_at == len(template.items),
+                hole=template.hole.name,
+            )
+        return None
+
     # -- what it holds
 
-    def inside(self, vertex: Vertex, node: Any, choice: _Choice, bare: bool) -> None:
+    def inside(self, vertex: Vertex, node: Any, choice: _Choice, bare: bool, title: int = 0) -> None:
         """Fills the slots of a vertex from its node: settings, fillers, bodies."""
         below = [one for one in vertex.notes if one.at.startswith("in:")]
         vertex.notes = [one for one in vertex.notes if not one.at.startswith("in:")]
@@ -220,6 +255,10 @@ class _Drawing:
                     branches = self.old.branches(choice.origin, slot.name, was, content)
                 for number, branch in enumerate(branches, 1):
                     self.body(vertex, f"{slot.name}.{number}", branch.body, _at(below, branch.port), bare=bare)
+            elif slot.kind is SlotKind.FLOW and slot.name == choice.hole:
+                vertex.notes += [] if bare else _at(below, slot.name)  # they stand above, where nothing changed
+                last, out = self.chain(content, vertex.id, slot.name, title)
+                self.arc(last, vertex.id, out, RETURN)
             elif slot.kind is SlotKind.FLOW:
                 self.body(vertex, slot.name, content, _at(below, slot.name))
             elif isinstance(content, Node) and not isinstance(content, Number):

@@ -36,6 +36,24 @@ def unfill_all(constructor: Constructor, templates: list[Any], nodes: list[Any])
     return bound if all(map(matching.node, templates, nodes)) else None
 
 
+def unfill_row(constructor: Constructor, template: Seq, nodes: list[Any]) -> Bound | None:
+    """The same for a row of instructions with a hole among them, which takes what the others leave."""
+    assert template.hole is not None, "a row without a hole is unfilled as a whole"
+    bound: Bound = {}
+    matching = _Unfilling(constructor, bound, any_number=False)
+    end = len(nodes) - (len(template.items) - template.hole_at)
+    if end < template.hole_at:
+        return None
+    own = [*nodes[: template.hole_at], *nodes[end:]]
+    if any(node.above for node in own if node is not nodes[0]):
+        return None
+    if any(node.after for node in own if node is not nodes[-1]):
+        return None
+    if not all(map(matching.node, template.items, own)):
+        return None
+    return bound if matching.hole(template.hole.name, Seq(nodes[template.hole_at : end])) else None
+
+
 class _Unfilling:
     def __init__(self, constructor: Constructor, bound: Bound, any_number: bool) -> None:
         self.constructor = constructor
