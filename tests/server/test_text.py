@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
 
+from kitrobot.server.shapes import ReportShape
+from kitrobot.server.shapes.text import FollowedShape
 from kitrobot.server.texts import LONGEST_TEXT
 from tests.server.conftest import TestClient
 
@@ -91,3 +94,29 @@ def test_a_program_that_is_not_there_and_a_robot_that_is_not_there_are_said(
         answer = page.post("/api/text", json=wanted)
         assert answer.status_code == 422
         assert word in answer.json()["message"]
+
+
+def test_the_answer_has_the_fields_of_its_shape_and_no_others(page: TestClient, mission: dict[str, Any]) -> None:
+    found = typed(page, mission, "# now\nLight.LightOn(); WAIT(3);")
+    assert found["program"]["vertices"]
+    assert FollowedShape.model_validate(found).model_dump(mode="json") == found
+    wrong = typed(page, mission, "Light.Lighton();")
+    assert wrong["problems"]
+    assert wrong["report"] is None
+    assert FollowedShape.model_validate(wrong).model_dump(mode="json") == wrong
+
+
+def test_the_report_is_what_a_check_of_the_new_mission_says(page: TestClient, mission: dict[str, Any]) -> None:
+    found = typed(page, mission, "Light.LightOn(); WAIT(3); Light.LightOn(); Light.LightOff();")
+    mission["programs"][0] = found["program"]
+    checked = page.post("/api/check", json={"mission": mission, "path": "blink.krt"}).json()
+    assert found["report"] == checked
+    assert checked["programs"][0]["listing"]
+    assert ReportShape.model_validate(checked).model_dump(mode="json") == checked
+
+
+def test_half_a_character_in_a_text_is_no_failure(page: TestClient, mission: dict[str, Any]) -> None:
+    body = {"mission": mission, "path": "blink.krt", "program": "blink", "text": "# \ud800\nWAIT(2);"}
+    answer = page.post("/api/text", content=json.dumps(body), headers={"content-type": "application/json"})
+    assert answer.status_code == 200
+    assert "\ufffd" in answer.text

@@ -5,11 +5,12 @@ from __future__ import annotations
 from importlib.metadata import version
 from typing import Annotated
 
-from fastapi import APIRouter, Depends, Query, Request
+from fastapi import APIRouter, Depends, Query, Request, Response
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.lll import collection_paused
 from kitrobot.mission import read_mission, save, write_mission
+from kitrobot.server.answers import report_answer
 from kitrobot.server.shapes import (
     CheckShape,
     ConflictShape,
@@ -25,7 +26,6 @@ from kitrobot.server.shapes import (
     mission_from_shape,
     mission_shape,
     problem_shapes,
-    report_shape,
     world_shape,
 )
 from kitrobot.server.studio import Studio
@@ -119,11 +119,11 @@ def mission_text(wanted: MissionTextShape) -> TextShape:
     return TextShape(text=write_mission(mission_from_shape(wanted.mission)).decode())
 
 
-@routes.post("/check")
-def check(studio: StudioOf, wanted: CheckShape) -> ReportShape:
+@routes.post("/check", response_model=ReportShape)
+def check(studio: StudioOf, wanted: CheckShape) -> Response:
     """Looks a mission through: LLL and three-address code of each program, and every problem."""
     with collection_paused():
-        return report_shape(studio.open(mission_from_shape(wanted.mission), wanted.path).check())
+        return report_answer(studio.open(mission_from_shape(wanted.mission), wanted.path).check())
 
 
 def _file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:

@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Annotated
 
-from fastapi import APIRouter, Depends, Request
+from fastapi import APIRouter, Depends, Request, Response
 
 from kitrobot.compiler import follow_text
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.lll import collection_paused
-from kitrobot.mission import Mission
-from kitrobot.server.shapes import mission_from_shape, mission_shape, problem_shapes
-from kitrobot.server.shapes.report import SpanEntryShape, report_shape
+from kitrobot.server.answers import followed_answer
+from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.text import FollowedShape, TextEditShape
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import NoProgramError
@@ -35,8 +34,8 @@ def _studio(request: Request) -> Studio:
     return studio
 
 
-@text_routes.post("/text")
-def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditShape) -> FollowedShape:
+@text_routes.post("/text", response_model=FollowedShape)
+def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditShape) -> Response:
     """Draws a program anew from its text, so that every instruction that is still there keeps its vertex; and looks
     the mission through with it.
     """
@@ -51,13 +50,10 @@ def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditSha
         raise NoProgramError(f"the mission holds no program `{wanted.program}`", "load the page again")
     with collection_paused():
         followed = follow_text(program, wanted.text, studio.parts_of(mission, wanted.path))
-        shape = report = None
+        report = None
         if followed.program is not None:
             drawn = followed.program
             mission.programs = [drawn if one is program else one for one in mission.programs]
-            shape = mission_shape(Mission(programs=[drawn])).programs[0]
             translations = {drawn.name: followed.translation} if followed.translation is not None else {}
-            report = report_shape(replace(studio.open(mission, wanted.path), translations=translations).check())
-        spans = [SpanEntryShape(vertex=s.vertex, start=s.start, end=s.end, line=s.line) for s in followed.spans]
-    problems = problem_shapes(followed.diagnostics[:MOST_PROBLEMS])
-    return FollowedShape(program=shape, spans=spans, problems=problems, report=report)
+            report = replace(studio.open(mission, wanted.path), translations=translations).check()
+        return followed_answer(followed, report, MOST_PROBLEMS)

@@ -32,7 +32,7 @@ from kitrobot.server.shapes.journal import (
 )
 from kitrobot.server.shapes.mission import MissionShape, breakpoint_from_shape, mission_from_shape, mission_shape
 from kitrobot.server.shapes.problem import FailureShape, ProblemShape, problem_shapes
-from kitrobot.server.shapes.report import CheckShape, ProgramReportShape, ReportShape, report_shape
+from kitrobot.server.shapes.report import CheckShape, ProgramReportShape, ReportShape
 from kitrobot.server.shapes.run import (
     REQUEST,
     REQUEST_MODELS,
@@ -122,6 +122,5 @@ __all__ = [
     "mission_from_shape",
     "mission_shape",
     "problem_shapes",
-    "report_shape",
     "world_shape",
 ]

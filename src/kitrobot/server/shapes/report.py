@@ -5,8 +5,7 @@ from __future__ import annotations
 from pydantic import BaseModel
 
 from kitrobot.server.shapes.mission import MissionShape
-from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
-from kitrobot.workspace import Report
+from kitrobot.server.shapes.problem import ProblemShape
 
 
 class SpanEntryShape(BaseModel):
@@ -40,23 +39,3 @@ class CheckShape(BaseModel):
 
     mission: MissionShape
     path: str
-
-
-def report_shape(report: Report) -> ReportShape:
-    """A report as it travels."""
-    return ReportShape(
-        programs=[
-            ProgramReportShape(
-                name=program.name,
-                lll=program.lll,
-                spans=[
-                    SpanEntryShape(vertex=span.vertex, start=span.start, end=span.end, line=span.line)
-                    for span in program.spans
-                ],
-                listing=program.listing,
-                instructions=program.instructions,
-            )
-            for program in report.programs
-        ],
-        problems=problem_shapes(report.problems),
-    )

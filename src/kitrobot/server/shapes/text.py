@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.server.shapes.mission import MissionShape, ProgramShape
+from kitrobot.server.shapes.mission import MissionShape, ProgramShape, Words
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.report import ReportShape, SpanEntryShape
 
@@ -15,7 +15,7 @@ class TextEditShape(BaseModel):
     mission: MissionShape
     path: str
     program: str
-    text: str
+    text: Words
 
 
 class FollowedShape(BaseModel):
