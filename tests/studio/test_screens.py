@@ -45,6 +45,7 @@ def test_axe_finds_nothing_on_the_tools_of_the_canvas(open_studio: OpenStudio, l
     keys.type("break")
     keys.press("Enter")
     expect(studio.page.locator(".leap")).to_have_count(1)
+    expect(studio.page.locator(".vertex.is-selected", has=studio.page.locator(".vertex-name"))).to_be_in_viewport()
     find_nothing(studio, "a Break")
     keys.press("Control+f")
     expect(studio.at("find-input")).to_be_focused()

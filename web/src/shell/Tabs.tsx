@@ -4,7 +4,7 @@
  * Each tab shows how many agents run its program and, during a run, the state of the one that is watched. At the end of
  * the row: which agent that is, where there are several, and a token per live thread that jumps to its vertex.
  */
-import { type KeyboardEvent, useEffect, useRef, useState } from "react";
+import { type KeyboardEvent, useEffect, useLayoutEffect, useRef, useState } from "react";
 
 import type { AgentActivity } from "../api/wire";
 import { renameProgram } from "../model/commands/changePrograms";
@@ -20,8 +20,13 @@ import { AddProgram } from "./AddProgram";
 import { useRenaming } from "./renaming";
 import { StateShape } from "./StateShape";
 
+/** Lies over its tab: a list of tabs holds nothing but tabs. */
 function NameField({ name }: { name: string }) {
   const [text, setText] = useState(name);
+  const [left, setLeft] = useState(0);
+  useLayoutEffect(() => {
+    setLeft(document.getElementById(`tab-${name}`)?.offsetLeft ?? 0);
+  }, [name]);
   const stop = () => useRenaming.setState({ program: null });
   const { mission, execute } = useStudio.getState();
   const wanted = text.trim();
@@ -45,6 +50,7 @@ function NameField({ name }: { name: string }) {
   return (
     <input
       className="tab-name-field"
+      style={{ left }}
       data-testid="tab-name-field"
       aria-label={t("program.name")}
       aria-invalid={refused}
@@ -203,11 +209,12 @@ export function Tabs() {
     <div className="tabs">
       <div className="tabs-scroll">
         <div className="tabs-list" role="tablist" aria-label={t("tabs.label")} ref={list}>
-          {programs.map(({ name }) =>
-            renaming === name ? <NameField key={name} name={name} /> : <Tab key={name} name={name} onKey={onKey} />,
-          )}
+          {programs.map(({ name }) => (
+            <Tab key={name} name={name} onKey={onKey} />
+          ))}
           <TeamTab onKey={onKey} />
         </div>
+        {programs.some(({ name }) => name === renaming) ? <NameField key={renaming} name={renaming ?? ""} /> : null}
       </div>
       <AddProgram />
       <div className="tabs-end">
