@@ -6,31 +6,32 @@ same numbers, so nobody sees the change but by the clock.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 from kitrobot.sim import compiling
 
 WORTH = 100_000
-"""Steps of one robot in a run after which it asks for the compiled step: two or three seconds of plain work."""
+"""Steps of one robot in a run after which it asks for the compiled step: a second or two of plain work."""
+
+AT_ONCE = 10_000
+"""Steps of one robot that are run plain before it is asked again whether the compiled one is there."""
 
 
 class Hurry:
-    """Counts the work of one run. `taken` says that its state is in arrays already."""
+    """Counts the work of one run. `most` is how many steps to run plain at once."""
 
     def __init__(self, robots: int) -> None:
         self._robots = max(1, robots)
         self._work = 0
         self._asked = False
-        self._advance: Callable[[Any, int], int] | None = None
-        self.taken = False
+        self._advance: compiling.Advance | None = None
+        self.most = max(1, AT_ONCE // self._robots)
 
-    def advance_for(self, steps: int) -> Callable[[Any, int], int] | None:
-        """The compiled step, if it is there; None: go on plain."""
-        if self._advance is not None:
-            return self._advance
+    def worked(self, steps: int) -> None:
+        """So many steps were run plain."""
         self._work += steps * self._robots
-        if self._work >= WORTH:
+
+    def compiled(self) -> compiling.Advance | None:
+        """The compiled step, if it is worth it and there; None: go on plain."""
+        if self._advance is None and self._work >= WORTH:
             if not self._asked:
                 self._asked = True
                 compiling.ask()
@@ -39,6 +40,5 @@ class Hurry:
 
     def wait(self) -> bool:
         """Takes the compiled step, waiting for it; False where there is none."""
-        self._asked = True
         self._advance = compiling.wait()
         return self._advance is not None

@@ -32,6 +32,7 @@ from kitrobot.sim.columns import (
     ASLEEP,
     CHANCE,
     COLLISIONS,
+    EVENTS,
     RUNNING,
     S_DROPOUT,
     S_FORCE,
@@ -174,11 +175,22 @@ class Simulation:
             return 0
         if self._last_tick is not None:
             steps = min(steps, self._last_tick - self.tick)
-        compiled = self._hurry.advance_for(steps)
-        if compiled is not None and not self._hurry.taken:
-            self._hurry.taken = True
-            self._show(as_arrays(self.state))
-        done = advance(self.state, steps) if compiled is None else int(compiled(self.state, steps))
+        self.state.clock[EVENTS] = 0
+        done = 0
+        while done < steps:
+            compiled = self._hurry.compiled()
+            if compiled is None:
+                part = min(steps - done, self._hurry.most)
+                ran = advance(self.state, part)
+                self._hurry.worked(ran)
+            else:
+                if isinstance(self.state.clock, list):
+                    self._show(as_arrays(self.state))
+                part = steps - done
+                ran = int(compiled(self.state, part))
+            done += ran
+            if ran < part:
+                break
         self.events = self._sayings.events(self.state)
         self._look_for_an_end()
         return done

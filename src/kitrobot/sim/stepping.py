@@ -61,7 +61,7 @@ def advance(state: State, steps: int) -> int:
     """Runs up to so many steps and gives how many.
 
     It runs fewer when every program has ended, when nothing can change any more (STUCK), or when there is no room for
-    what may happen in one more step; `events` then holds what happened in all of them.
+    what may happen in one more step. What happens is written behind the EVENTS that are in `events` already.
     """
     (
         fixed,
@@ -145,7 +145,6 @@ def advance(state: State, steps: int) -> int:
     sensor_robots = sensor[S_ROBOT]
     sensor_values = sensor[S_VALUE]
     turn = real[TURN]
-    clock[EVENTS] = 0
     done = 0
     while done < steps and clock[RUNNING] > 0 and clock[STUCK] == 0:
         if 5 * (clock[EVENTS] + most_events) > len(events):
