@@ -9,7 +9,7 @@ import { create } from "zustand";
 import { ApiError } from "../api/client";
 import { partsApi, type WantedVariable } from "../api/parts";
 import { isUnfinished, typeText, useTyping } from "../code/typing";
-import { addVariable, changeVariable, removeVariable, usesOfVariable } from "../model/commands/changeOwn";
+import { addVariable, changeVariable, removeVariable, renamedIn, usesOfVariable } from "../model/commands/changeOwn";
 import { ownVariables } from "../model/own";
 import { programInView, useStudio } from "../model/studio";
 import type { RobotObject } from "../model/types";
@@ -114,12 +114,6 @@ function openTexts(robot: string): [program: string, text: string][] {
   return Object.entries(useTyping.getState().drafts).flatMap(([program, draft]): [string, string][] =>
     draft.program.robot === robot && isUnfinished(program) ? [[program, draft.text]] : [],
   );
-}
-
-/** A text in which an object has another name. */
-export function renamedIn(text: string, name: string, to: string): string {
-  const plain = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-  return text.replace(new RegExp(`(?<![\\p{L}\\p{M}\\p{N}_.])${plain}(?=\\s*\\.)`, "gu"), () => to);
 }
 
 /** Removes a variable; where it is used that is said first, with a way there. */

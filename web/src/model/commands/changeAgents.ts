@@ -7,8 +7,8 @@ import { t } from "../../words/words";
 import type { Command } from "../command";
 import type { Agent, Mission } from "../types";
 
-function withAgents(label: string, before: Mission, agents: Agent[]): Command {
-  const after = { ...before, agents };
+function withAgents(label: string, before: Mission, agents: Agent[], trial: Partial<Mission> = {}): Command {
+  const after = without({ ...before, agents, ...trial }, ["breakpoints", "failures"]);
   return { label, execute: () => after, revert: () => before };
 }
 
@@ -24,6 +24,31 @@ export function startOf(agent: Agent): string {
 /** The agent at that start, said in the shortest way. */
 function startingAt(agent: Agent, start: string): Agent {
   return { ...agent, start: start === agent.name ? "" : start };
+}
+
+/** What a mission says about trying it out, with another name for an agent, or without it where that is null. */
+function trialWith(mission: Mission, name: string, to: string | null): Partial<Mission> {
+  const named = (one: string) => (one === name ? to : one);
+  const breakpoints = mission.breakpoints?.flatMap((one) => {
+    if (one.agents?.includes(name) !== true) return [one];
+    const agents = one.agents.map(named).filter((agent) => agent !== null);
+    // One that was for this agent alone would else be for all of them.
+    return agents.length === 0 ? [] : [{ ...one, agents }];
+  });
+  const failures = mission.failures?.flatMap((one) => {
+    const agent = named(one.agent);
+    return agent === null ? [] : [agent === one.agent ? one : { ...one, agent }];
+  });
+  return {
+    ...(breakpoints === undefined ? {} : { breakpoints }),
+    ...(failures === undefined ? {} : { failures }),
+  };
+}
+
+function without(mission: Mission, parts: readonly ("breakpoints" | "failures")[]): Mission {
+  const rest = { ...mission };
+  for (const part of parts) if (rest[part]?.length === 0) delete rest[part];
+  return rest;
 }
 
 /** A new agent at the end; null when the name is taken or empty. */
@@ -49,12 +74,13 @@ export function giveStart(mission: Mission, at: number, start: string): Command 
   return withAgents(label, mission, mission.agents.with(at, startingAt(agent, start)));
 }
 
-/** The agent under another name, at the place where it was; null when that name is taken or empty. */
+/** The agent under another name, at the place where it was, and so in breakpoints and failures; null when that name is taken or empty. */
 export function renameAgent(mission: Mission, at: number, name: string): Command | null {
   const agent = mission.agents[at];
   if (agent === undefined || name === "" || has(mission, name)) return null;
   const renamed = startingAt({ ...agent, name }, startOf(agent));
-  return withAgents(t("command.rename", { name: agent.name }), mission, mission.agents.with(at, renamed));
+  const trial = trialWith(mission, agent.name, name);
+  return withAgents(t("command.rename", { name: agent.name }), mission, mission.agents.with(at, renamed), trial);
 }
 
 /** Another agent like that one, behind it, under a name and at a start of its own. */
@@ -76,5 +102,6 @@ export function moveAgent(mission: Mission, at: number, to: number): Command | n
 export function removeAgent(mission: Mission, at: number): Command | null {
   const agent = mission.agents[at];
   if (agent === undefined) return null;
-  return withAgents(t("command.delete", { name: agent.name }), mission, mission.agents.toSpliced(at, 1));
+  const trial = trialWith(mission, agent.name, null);
+  return withAgents(t("command.delete", { name: agent.name }), mission, mission.agents.toSpliced(at, 1), trial);
 }

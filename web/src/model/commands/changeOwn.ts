@@ -82,6 +82,22 @@ export function removeConstructor(mission: Mission, name: string): Command | nul
   return between(t("command.delete", { name }), mission, withOwn(mission, list, ownVariables(mission)));
 }
 
+/** A text of LLL in which an object has another name. */
+export function renamedIn(text: string, name: string, to: string): string {
+  const plain = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+  return text.replace(new RegExp(`(?<![\\p{L}\\p{M}\\p{N}_.])${plain}(?=\\s*\\.)`, "gu"), () => to);
+}
+
+/** Conditions of breakpoints that speak of a variable, in its new name. */
+function breakpointsWith(mission: Mission, robot: string, name: string, to: string): Partial<Mission> {
+  if (name === to || mission.breakpoints === undefined) return {};
+  const programs = new Set(mission.programs.filter((one) => one.robot === robot).map((one) => one.name));
+  const breakpoints = mission.breakpoints.map((one) =>
+    one.when === undefined || !programs.has(one.program) ? one : { ...one, when: renamedIn(one.when, name, to) },
+  );
+  return { breakpoints };
+}
+
 function isSame(one: OwnVariable, robot: string, name: string): boolean {
   return one.robot === robot && one.variable.name === name;
 }
@@ -104,7 +120,11 @@ export function changeVariable(mission: Mission, robot: string, name: string, ma
   const after = withOwn(mission, ownConstructors(mission), list);
   const rename = (element: string) => (element.startsWith(`${name}.`) ? to + element.slice(name.length) : element);
   const programs = mission.programs.map((program) => (program.robot === robot ? renamed(program, rename) : program));
-  return between(t(to === name ? "command.edit" : "command.rename", { name }), mission, { ...after, programs });
+  return between(t(to === name ? "command.edit" : "command.rename", { name }), mission, {
+    ...after,
+    programs,
+    ...breakpointsWith(mission, robot, name, to),
+  });
 }
 
 /** Without that variable; vertices that use it stay, as a part that nobody knows. Null when it is not there. */

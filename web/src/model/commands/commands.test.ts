@@ -1,20 +1,11 @@
 import { describe, expect, it } from "vitest";
 
 import type { Command } from "../command";
-import { copyOf } from "../fragment";
 import { noteText } from "../notes";
 import { readStructure, writeStructure } from "../structure";
 import { useStudio } from "../studio";
-import {
-  CARRIER,
-  CARRIER_PARTS as PARTS,
-  fileOf,
-  growProgram,
-  missionOf,
-  pick,
-  placesOf,
-  randomFrom,
-} from "../testing/missions";
+import { CARRIER, CARRIER_PARTS as PARTS, fileOf, growProgram, missionOf, randomFrom } from "../testing/missions";
+import { randomEdit } from "../testing/edits";
 import type { Place } from "../tree";
 import type { Program } from "../types";
 import { addBranch, removeBranch } from "./changeBranches";
@@ -22,12 +13,10 @@ import { emptyProgram } from "./changePrograms";
 import { deleteParts } from "./deleteParts";
 import { insertPart } from "./insertPart";
 import { copyParts, moveParts } from "./moveParts";
-import { pasteParts } from "./pasteParts";
 import { replaceElement } from "./replaceElement";
 import { setField } from "./setField";
 import { setNote } from "./setNote";
 import { toggleMark } from "./toggleMark";
-import { unwrapPart, wrapParts } from "./wrapParts";
 
 function after(program: Program, command: Command | null): Program {
   if (command === null) throw new Error("no command");
@@ -185,29 +174,6 @@ describe("small commands", () => {
     expect(replaceElement(CARRIER, PARTS, "v5", "Wheel.Stop")).toBeNull();
   });
 });
-
-/** A random edit of a program, or null when the dice found none. */
-function randomEdit(random: () => number, program: Program): Command | null {
-  const ids = program.vertices.map((one) => one.id);
-  const id = pick(random, ids);
-  const place = pick(random, placesOf(program));
-  const dice = random();
-  if (dice < 0.43) return insertPart(program, PARTS, place, pick(random, PARTS.all).element);
-  if (dice < 0.49) return wrapParts(program, PARTS, [id, pick(random, ids)], pick(random, PARTS.all).element);
-  if (dice < 0.52) return unwrapPart(program, PARTS, id);
-  if (dice < 0.55) {
-    const piece = copyOf(readStructure(program, PARTS), [id])?.program;
-    return piece === undefined ? null : pasteParts(program, PARTS, place, piece);
-  }
-  if (dice < 0.65) return moveParts(program, PARTS, [id, pick(random, ids)], place);
-  if (dice < 0.7) return copyParts(program, PARTS, [id], place);
-  if (dice < 0.8) return deleteParts(program, PARTS, [id]);
-  if (dice < 0.85) return toggleMark(program, PARTS, id, "Interrupt");
-  if (dice < 0.9) return addBranch(program, PARTS, id);
-  if (dice < 0.93) return removeBranch(program, PARTS, id, "branch.1");
-  if (dice < 0.96) return setNote(program, id, `note ${String(random())}`);
-  return setField(program, PARTS, id, "speed", String(Math.floor(random() * 100)));
-}
 
 describe("any edits", () => {
   it("leave no arc unreadable and the order canonical", () => {

@@ -1,0 +1,236 @@
+"""Files with robots, constructors and worlds: dropped on the window, chosen from the menu, edited on disk meanwhile."""
+
+from __future__ import annotations
+
+import base64
+import json
+import shutil
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.test_reach import choose, find_nothing
+from tests.studio.test_variables import forgive_refusals, row
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+SQUARE = "square/square.krt"
+
+ROBOT = """<robot name="rover" version="1">
+  <label>Rover</label>
+  <actuator name="Lamp"><procedure name="Shine"/></actuator>
+  <sensor name="Dust" type="boolean"><operation name="Seen" test="equal" to="1"/></sensor>
+</robot>
+"""
+CONSTRUCTORS = """<constructors version="1">
+  <group name="Mine" colour="loop">
+    <constructor name="Twice"><flow name="body" loop="yes"/><code>2*({body})</code></constructor>
+  </group>
+</constructors>
+"""
+
+DROP = """([files]) => {
+    const carried = new DataTransfer();
+    for (const [name, data] of files) {
+        const bytes = Uint8Array.from(atob(data), (sign) => sign.charCodeAt(0));
+        carried.items.add(new File([bytes], name));
+    }
+    const target = document.querySelector('.studio');
+    for (const kind of ['dragenter', 'dragover', 'drop']) {
+        target.dispatchEvent(new DragEvent(kind, { dataTransfer: carried, bubbles: true, cancelable: true }));
+    }
+}"""
+
+
+def drop(studio: Studio, **files: str | bytes) -> None:
+    """Drops files on the window; `_` in a name stands for a dot."""
+    sent = [
+        (name.replace("_", "."), base64.b64encode(data.encode() if isinstance(data, str) else data).decode())
+        for name, data in files.items()
+    ]
+    studio.page.evaluate(DROP, [sent])
+
+
+def test_a_dropped_robot_is_beside_the_mission_and_a_program_is_added_for_it(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    drop(studio, rover_robot_xml=ROBOT)
+    expect(studio.at("banner")).to_contain_text("The robot rover is there now.")
+    assert (studio.folder / "rover.robot.xml").read_text() == ROBOT
+    studio.page.get_by_role("button", name="Add a program for it").click()
+    expect(studio.page.locator('[data-testid="part-Lamp.Shine"]')).to_be_visible()
+    studio.at("part-Lamp.Shine").click()
+    studio.expect_code("Lamp.Shine()")
+
+
+def test_constructors_and_a_world_are_dropped_together(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    world = (EXAMPLES / "stripes" / "stripes.world.xml").read_text(encoding="utf-8")
+    drop(studio, mine_xml=CONSTRUCTORS, yard_world_xml=world)
+    expect(studio.at("part-Twice")).to_be_visible()
+    studio.at("part-Twice").click()
+    studio.expect_code("2*(")
+    studio.page.keyboard.press("Alt+t")
+    expect(studio.at("world-yard")).to_be_visible()
+
+
+def test_a_world_that_was_dropped_can_be_used_at_once(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    drop(studio, yard_xml='<world version="1" name="Yard" width="1000" height="800"/>')
+    studio.page.get_by_role("button", name="Use this world").click()
+    expect(studio.at("world-yard").locator("input")).to_be_checked()
+    expect(studio.page.locator(".arena")).to_contain_text("Yard")
+
+
+def test_parts_of_an_example_go_into_the_folder_of_missions(open_studio: OpenStudio) -> None:
+    studio = open_studio(None)
+    expect(studio.page.locator("h1")).to_be_visible()
+    drop(studio, mine_xml=CONSTRUCTORS)
+    expect(studio.at("part-Twice")).to_be_visible()
+    assert (studio.folder / "mine.xml").is_file()
+
+
+def test_a_file_of_that_name_is_replaced_only_after_a_question(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    file = studio.folder / "mine.xml"
+    file.write_text(CONSTRUCTORS.replace("Twice", "Thrice"))
+    expect(studio.at("part-Thrice")).to_be_visible()
+    drop(studio, mine_xml=CONSTRUCTORS)
+    expect(studio.at("banner")).to_contain_text("There is another mine.xml in this folder.")
+    studio.page.get_by_role("button", name="Leave it").click()
+    expect(studio.at("banner")).to_be_hidden()
+    assert "Thrice" in file.read_text()
+    drop(studio, mine_xml=CONSTRUCTORS)
+    studio.page.get_by_role("button", name="Replace it").click()
+    expect(studio.at("part-Twice")).to_be_visible()
+    expect(studio.at("part-Thrice")).to_have_count(0)
+    assert file.read_text() == CONSTRUCTORS
+    forgive_refusals(studio)
+
+
+@pytest.mark.parametrize(
+    ("file", "data", "says"),
+    [
+        ("song_xml", b"\x89PNG\r\n\x1a\n\x00\xff", "is no XML"),
+        ("drawing_xml", b"<svg/>", "begins with <svg>"),
+        ("bomb_xml", b"<!DOCTYPE robot [<!ENTITY a 'b'>]><robot name='&a;'/>", "cannot be read"),
+        ("short_robot_xml", b"<robot name='x'><actuator", "cannot be read"),
+        ("film_xml", b"<robot/>" + b" " * (50 * 1024 * 1024), "is larger than 4 MB"),
+    ],
+)
+def test_what_holds_no_parts_is_refused_in_a_sentence(
+    open_studio: OpenStudio, file: str, data: bytes, says: str
+) -> None:
+    studio = open_studio(SQUARE)
+    before = sorted(studio.folder.iterdir())
+    drop(studio, **{file: data})
+    expect(studio.at("banner")).to_contain_text(says)
+    assert sorted(path for path in studio.folder.iterdir() if path.name != ".kitrobot") == [
+        path for path in before if path.name != ".kitrobot"
+    ]
+    forgive_refusals(studio)
+
+
+def test_mistakes_of_a_dropped_robot_are_problems_with_file_and_line(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    drop(studio, rover_robot_xml=ROBOT.replace('type="boolean"', 'min="9" max="1"'))
+    studio.page.get_by_role("button", name="Show the problems").click()
+    expect(studio.at("problem-1")).to_contain_text("rover.robot.xml:4")
+    find_nothing(studio, "problems of a file")
+
+
+def test_parts_are_chosen_from_the_menu(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    with studio.page.expect_file_chooser() as chooser:
+        studio.at("menu-File").click()
+        studio.at("menu-file-parts").click()
+    file = studio.folder.parent / "mine.xml"
+    file.write_text(CONSTRUCTORS)
+    chooser.value.set_files([file])
+    expect(studio.at("part-Twice")).to_be_visible()
+
+
+def test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    file = studio.folder / "mine.xml"
+    file.write_text(CONSTRUCTORS)
+    studio.at("part-Twice").click(timeout=5000)
+    studio.expect_code("2*(")
+    # The palette keeps what is folded and who has the focus.
+    studio.at("fold-Choices").click()
+    studio.at("part-While").focus()
+    file.write_text(CONSTRUCTORS.replace("2*(", "5*("))
+    studio.expect_code("5*(")
+    expect(studio.at("fold-Choices")).to_have_attribute("aria-expanded", "false")
+    expect(studio.at("part-While")).to_be_focused()
+
+    file.write_text("<constructors")
+    expect(studio.at("part-Twice")).to_have_count(0)
+    expect(studio.at("problems")).not_to_contain_text("Problems0")
+    studio.at("problems").click()
+    expect(studio.page.locator(".problem-list")).to_contain_text("mine.xml:1")
+    expect(studio.page.locator(".problem-list")).to_contain_text("Twice")
+    expect(studio.page.locator(".vertex", has_text="Twice")).to_be_visible()
+
+    file.write_text(CONSTRUCTORS)
+    expect(studio.at("part-Twice")).to_be_visible()
+    studio.expect_code("2*(")
+    file.unlink()
+    expect(studio.at("part-Twice")).to_have_count(0)
+    file.write_text(CONSTRUCTORS)
+    studio.expect_code("2*(")
+
+
+def test_the_robot_and_the_world_of_the_mission_are_followed_too(open_studio: OpenStudio) -> None:
+    studio = open_studio("stripes/stripes.krt")
+    world = studio.folder / "stripes.world.xml"
+    text = world.read_text(encoding="utf-8")
+    name = json.loads(studio.page.evaluate("JSON.stringify(document.querySelector('.arena header').innerText)"))
+    assert "Garden" not in name
+    world.write_text(text.replace("<world ", "<world ", 1).replace('name="', 'name="Garden ', 1), encoding="utf-8")
+    expect(studio.page.locator(".arena header")).to_contain_text("Garden")
+    world.unlink()
+    expect(studio.at("problems")).not_to_contain_text("Problems0")
+    studio.page.keyboard.press("F8")
+    expect(studio.at("team")).to_be_visible()
+    expect(studio.page.locator(".team")).to_contain_text("stripes.world.xml is not there")
+    world.write_text(text, encoding="utf-8")
+    expect(studio.page.locator(".arena header")).not_to_contain_text("Garden")
+    expect(studio.page.locator(".team")).not_to_contain_text("is not there")
+
+
+def test_a_robot_for_which_a_program_exists_is_taken_up(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    file = studio.folder / "square.krt"
+    file.write_text(file.read_text(encoding="utf-8").replace('robot="mini-robot"', 'robot="rover"'), encoding="utf-8")
+    studio.page.get_by_role("button", name="Load it").click()
+    expect(studio.at("problems")).not_to_contain_text("Problems0")
+    shipped = EXAMPLES.parent / "src" / "kitrobot" / "primitives" / "shipped" / "mini-robot.robot.xml"
+    robot = shipped.read_text(encoding="utf-8").replace('name="mini-robot"', 'name="rover"', 1)
+    drop(studio, rover_robot_xml=robot)
+    expect(studio.at("problems")).to_contain_text("0")
+    expect(row(studio, "Count")).to_be_visible()
+    expect(studio.at("code")).not_to_be_empty()
+
+
+def test_parts_are_dropped_in_urdu(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    choose(studio, "ur")
+    drop(studio, rover_robot_xml=ROBOT)
+    expect(studio.at("banner")).to_contain_text("rover")
+    find_nothing(studio, "the banner in Urdu")
+
+
+def test_two_missions_of_two_folders_have_their_own_parts(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE)
+    inner = studio.folder / "inner"
+    inner.mkdir()
+    shutil.copy(studio.folder / "square.krt", inner / "other.krt")
+    drop(studio, mine_xml=CONSTRUCTORS)
+    expect(studio.at("part-Twice")).to_be_visible()
+    studio.page.keyboard.press("Control+o")
+    studio.page.get_by_text("inner/other.krt").click()
+    expect(studio.page.locator("h1")).to_contain_text("other.krt")
+    expect(studio.at("part-Twice")).to_have_count(0)
