@@ -29,7 +29,7 @@ def slots_of(code: str, *slots: Slot) -> list[tuple[str, str, int | None, int | 
 def test_slots_follow_the_holes() -> None:
     assert slots_of("{n}*( Wheel.Advance({speed}); {body}; *[{c}](°{act}°; ); WAIT({n}); );") == [
         ("n", "number", None, None, ""),
-        ("speed", "value", 0, 100, "0"),
+        ("speed", "value", 0, 100, "50"),
         ("body", "flow", None, None, ""),
         ("c", "condition", None, None, ""),
         ("act", "action", None, None, ""),

@@ -4,6 +4,7 @@ import { useEffect, useRef } from "react";
 import { type Field, partsOf, type Shape, title } from "../model/parts";
 import { programInView, useStudio } from "../model/studio";
 import { text } from "../model/texts";
+import { isOwn, openDelete, openEdit } from "../own/state";
 import { Icon, Tile } from "../theme";
 import { t } from "../words/words";
 import { closeHelp, useReach } from "./state";
@@ -97,6 +98,25 @@ function Explained({ shape }: { shape: Shape }) {
           </div>
         ))}
       </dl>
+      {isOwn(shape) ? <OwnActions name={shape.element} /> : null}
+    </div>
+  );
+}
+
+/** A part of one's own can be changed from here. */
+function OwnActions({ name }: { name: string }) {
+  const go = (to: (name: string) => void) => () => {
+    closeHelp();
+    to(name);
+  };
+  return (
+    <div className="sheet-foot">
+      <button type="button" className="button" data-testid="help-delete" onClick={go(openDelete)}>
+        {t("own.delete")}
+      </button>
+      <button type="button" className="button" data-testid="help-edit" onClick={go(openEdit)}>
+        {t("own.edit")}
+      </button>
     </div>
   );
 }
