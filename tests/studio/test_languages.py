@@ -59,9 +59,10 @@ MISTAKES = """<kitrobot version="1">
 </kitrobot>
 """
 
-# What stands in code, in the text of programs, in notes of a mission and in the name of the library that draws.
+# Left out: code, the text of programs, words of the mission itself, the name of the library that draws.
 SAID = """() => {
-    const names = 'code, kbd, .cm-editor, .note-words, .note-strip, .react-flow__attribution, script, style';
+    const names = `code, kbd, .cm-editor, .note-words, .note-strip, [data-testid="team-title"],
+        [data-testid="team-help"], .react-flow__attribution, script, style`;
     const found = [];
     const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     while (texts.nextNode()) {
@@ -212,3 +213,18 @@ def test_how_a_run_ends(open_studio: OpenStudio, language: str) -> None:
     ended = {"fr": "Fini en", "ur": "سیکنڈ میں مکمل"}[language]
     expect(studio.at("status")).to_contain_text(ended, timeout=60_000)
     meets_no_english(studio, language, "the end of a run")
+
+
+@each_language
+def test_the_team_and_a_tutorial(open_studio: OpenStudio, language: str) -> None:
+    studio = open_studio("transport/transport.krt")
+    choose(studio, language)
+    studio.at("tab-of-team").click()
+    expect(studio.at("team")).to_be_visible()
+    meets_no_english(studio, language, "the team")
+    studio.page.keyboard.press("Control+o")
+    studio.page.locator('[data-testid^="tutorial-card-"]').first.click()
+    expect(studio.at("tutorial")).to_be_visible()
+    meets_no_english(studio, language, "the first step of a tutorial")
+    studio.at("tutorial-show").click()
+    meets_no_english(studio, language, "its hint")
