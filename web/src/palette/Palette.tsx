@@ -199,7 +199,7 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
         onClick={onFold}
       >
         <Icon name={row.open ? "chevron-down" : "chevron-right"} size={14} />
-        {row.object === null ? null : <Tile icon={row.object.icon} colour={colourOf(row.object)} size={22} />}
+        {row.object === null ? null : <Tile icon={iconOf(row.object)} colour={colourOf(row.object)} size={22} />}
         {variable !== null && renaming?.name === variable.name && renaming.robot === robot ? (
           <VariableName of={variable} done={onNamed} />
         ) : (
@@ -233,6 +233,11 @@ function RowView({ row, robot, focused, onFocus, onFold, onNamed }: RowProps) {
       {isOwn(shape) ? <OwnMore name={shape.element} /> : null}
     </div>
   );
+}
+
+/** A variable that somebody made here has no picture of its own. */
+function iconOf({ icon, category, type }: RobotObject): string {
+  return icon !== "" || category !== "variable" ? icon : type === "boolean" ? "toggle-right" : "hash";
 }
 
 function colourOf({ category }: RobotObject): "action" | "test" {
