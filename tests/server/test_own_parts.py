@@ -33,12 +33,12 @@ def body(mission, vertices, **more):
 
 
 def test_a_loop_becomes_a_part_and_means_the_same(page, mission, loop):
-    offered = page.post("/api/part/offer", json=body(mission, [loop])).json()
+    offered = page.post("/api/part/offer", json=body(mission, [loop])).json()["offered"]
     assert offered["vertices"] == [loop]
     assert offered["problems"] == []
     numbers = [one for one in offered["offers"] if one["kind"] in ("value", "number") and one["value"]]
     chosen = [{"vertex": one["vertex"], "slot": one["slot"], "name": one["name"]} for one in numbers]
-    made = page.post("/api/part", json=body(mission, [loop], name="Trip", colour="loop", chosen=chosen)).json()
+    made = page.post("/api/part", json=body(mission, [loop], name="Trip", colour="loop", chosen=chosen)).json()["part"]
     assert made["constructor"]["name"] == "Trip"
     assert made["constructor"]["group"] == "Own"
     after = copy.deepcopy(mission)
@@ -54,8 +54,8 @@ def test_a_loop_becomes_a_part_and_means_the_same(page, mission, loop):
     ]
     assert "".join(lll[0].split()) == "".join(lll[1].split())
     again = page.post("/api/part", json=body(after, [made["vertex"]], name="Trip", chosen=[]))
-    assert again.status_code == 422
-    assert "already" in again.json()["message"]
+    assert again.json()["part"] is None
+    assert "already" in again.json()["refused"]["message"]
 
 
 @pytest.mark.parametrize("vertices", [[], ["nobody"], ["start"], ["\ud800"], [""] * 3])
@@ -66,9 +66,9 @@ def test_a_selection_that_is_none_is_told(page, mission, vertices):
             content=json.dumps(body(mission, vertices, **more)),
             headers={"Content-Type": "application/json"},
         )
-        assert answer.status_code == 422
-        assert answer.json()["message"]
-        assert answer.json()["help"]
+        assert answer.status_code == 200
+        assert answer.json()["refused"]["message"]
+        assert answer.json()["refused"]["help"]
 
 
 @pytest.mark.parametrize(
@@ -86,9 +86,8 @@ def test_a_selection_that_is_none_is_told(page, mission, vertices):
     ],
 )
 def test_a_wish_that_cannot_be_is_told(page, mission, loop, more):
-    answer = page.post("/api/part", json=body(mission, [loop], **more))
-    assert answer.status_code == 422
-    assert answer.json()["message"]
+    answer = page.post("/api/part", json=body(mission, [loop], **more)).json()
+    assert answer.get("refused", answer)["message"]
 
 
 def test_a_program_that_is_not_there_is_told(page, mission, loop):

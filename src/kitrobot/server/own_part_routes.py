@@ -6,18 +6,22 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, Request
 
-from kitrobot.compiler import Look, draw_template, make_part, offer_part, read_part
+from kitrobot.compiler import Look, PartError, SelectionError, draw_template, make_part, offer_part, read_part
+from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import Program
 from kitrobot.lll import print_template
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, write_constructors
+from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import FailureShape, TextShape, mission_from_shape, mission_shape, problem_shapes
 from kitrobot.server.shapes.catalogue import constructor_shape
 from kitrobot.server.shapes.mission import ProgramShape
 from kitrobot.server.shapes.own import OwnPartError, own_constructor, raw_constructor
 from kitrobot.server.shapes.part import (
     LONGEST_PART,
+    OfferAnswerShape,
     OfferedShape,
+    PartAnswerShape,
     PartFileShape,
     PartReadShape,
     PartShape,
@@ -47,32 +51,40 @@ StudioOf = Annotated[Studio, Depends(_studio)]
 
 
 @own_part_routes.post("/part/offer")
-def part_offer(studio: StudioOf, wanted: SelectedShape) -> OfferedShape:
+def part_offer(studio: StudioOf, wanted: SelectedShape) -> OfferAnswerShape:
     """What a selection offers to be left open when it becomes a part."""
     program, catalogue = _of(studio, wanted)
-    offered = offer_part(program, wanted.vertices, catalogue)
-    return OfferedShape(
+    try:
+        offered = offer_part(program, wanted.vertices, catalogue)
+    except SelectionError as error:
+        return OfferAnswerShape(offered=None, refused=_refused(error))
+    shape = OfferedShape(
         role=offered.role.value,
         vertices=list(offered.selection.chain),
         offers=[offer_shape(one) for one in offered.offers],
         problems=problem_shapes(offered.diagnostics[:MOST_PROBLEMS]),
     )
+    return OfferAnswerShape(offered=shape, refused=None)
 
 
 @own_part_routes.post("/part")
-def part(studio: StudioOf, wanted: PartWishShape) -> PartShape:
+def part(studio: StudioOf, wanted: PartWishShape) -> PartAnswerShape:
     """Makes the part of a selection, and puts a vertex of it in the selection's place."""
     program, catalogue = _of(studio, wanted)
     look = Look(wanted.name, wanted.icon, wanted.colour, wanted.label, wanted.help)
-    made = make_part(program, wanted.vertices, look, [chosen_from_shape(one) for one in wanted.chosen], catalogue)
+    try:
+        made = make_part(program, wanted.vertices, look, [chosen_from_shape(one) for one in wanted.chosen], catalogue)
+    except (SelectionError, PartError) as error:
+        return PartAnswerShape(part=None, refused=_refused(error))
     template = made.constructor.template
     assert template is not None, "a part that is made has a template"
-    return PartShape(
+    shape = PartShape(
         constructor=constructor_shape(made.constructor),
         lll=print_template(template),
         program=_program_shape(made.program),
         vertex=made.vertex,
     )
+    return PartAnswerShape(part=shape, refused=None)
 
 
 @own_part_routes.post("/part/read")
@@ -100,6 +112,12 @@ def part_read(studio: StudioOf, wanted: PartTextShape) -> PartReadShape:
 def part_file(wanted: PartFileShape) -> TextShape:
     """Parts as a constructors file, for a download."""
     return TextShape(text=write_constructors([own_constructor(one) for one in wanted.constructors]).decode())
+
+
+def _refused(error: KitRobotError) -> FailureShape:
+    """What a person can mend is an answer, no failure."""
+    problems = problem_shapes(error.diagnostics[:MOST_PROBLEMS])
+    return FailureShape(message=spoken(error.message), help=spoken(error.help), problems=problems)
 
 
 def _of(studio: Studio, wanted: SelectedShape) -> tuple[Program, Catalogue]:

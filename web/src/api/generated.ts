@@ -381,6 +381,12 @@ export interface Offer {
   unit: string;
 }
 
+/** What a selection offers, or why it cannot be a part. */
+export interface OfferAnswer {
+  offered: Offered | null;
+  refused: Failure | null;
+}
+
 /** What a selection offers; `problems` are in it while nothing is left open. */
 export interface Offered {
   role: "instruction" | "condition" | "branch";
@@ -413,6 +419,12 @@ export interface Part {
   lll: string;
   program: Program;
   vertex: string;
+}
+
+/** What a wish became, or why it cannot be. */
+export interface PartAnswer {
+  part: Part | null;
+  refused: Failure | null;
 }
 
 /** The parts of a mission as a constructors file. */

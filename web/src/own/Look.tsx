@@ -38,6 +38,7 @@ export function Look({ look, wrong, onChange }: LookProps) {
         id={`${id}-name`}
         className="field"
         data-testid="own-name"
+        dir="auto"
         value={look.name}
         autoFocus
         spellCheck={false}
@@ -58,6 +59,7 @@ export function Look({ look, wrong, onChange }: LookProps) {
         id={`${id}-help`}
         className="field"
         data-testid="own-help-text"
+        dir="auto"
         value={look.help}
         autoComplete="off"
         maxLength={300}

@@ -32,9 +32,13 @@ function firstLook(program: string, vertices: readonly string[]): LookOf {
   return { name: freePartName(catalogue), help: "", icon, colour: shape.colour };
 }
 
+function saidOf(refused: { message: string; help: string } | null): string {
+  if (refused === null) return "";
+  return [sentence(refused.message), sentence(refused.help)].filter((one) => one !== "").join(" ");
+}
+
 export function whyNot(cause: unknown): string {
-  if (!(cause instanceof ApiError)) return String(cause);
-  return [sentence(cause.message), sentence(cause.help)].filter((one) => one !== "").join(" ");
+  return cause instanceof ApiError ? saidOf(cause) : String(cause);
 }
 
 export function SaveSheet({ program, vertices }: { program: string; vertices: string[] }) {
@@ -54,8 +58,9 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
     partsApi.offer({ mission: now, path: file.path, program, vertices }).then(
       (answer) => {
         if (!there) return;
-        setOffered(answer);
-        setOpenings(openingsOf(answer.offers));
+        if (answer.offered === null) setFailure(saidOf(answer.refused));
+        setOffered(answer.offered);
+        setOpenings(openingsOf(answer.offered?.offers ?? []));
       },
       (cause: unknown) => {
         if (there) setFailure(whyNot(cause));
@@ -81,10 +86,10 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
     let there = true;
     const timer = window.setTimeout(() => {
       partsApi.make(wish).then(
-        (part) => {
+        ({ part, refused }) => {
           if (!there) return;
-          setMade({ part, mission: wish.mission });
-          setFailure("");
+          setMade(part === null ? null : { part, mission: wish.mission });
+          setFailure(saidOf(refused));
         },
         (cause: unknown) => {
           if (!there) return;
@@ -102,7 +107,11 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
   const save = async () => {
     if (wish === null) return;
     try {
-      const part = await partsApi.make(wish);
+      const { part, refused } = await partsApi.make(wish);
+      if (part === null) {
+        setFailure(saidOf(refused));
+        return;
+      }
       const studio = useStudio.getState();
       if (studio.mission !== wish.mission) {
         setFailure(t("own.changed"));

@@ -1,6 +1,6 @@
 /** The server's doors to parts of one's own. */
 import { ask } from "../api/client";
-import type { Chosen, Offered, Part, PartRead } from "../api/generated";
+import type { Chosen, OfferAnswer, PartAnswer, PartRead } from "../api/generated";
 import type { Colour, Constructor, Mission, Texts } from "../model/types";
 
 /** A selection of a program of the open mission. */
@@ -21,8 +21,8 @@ export interface Wish extends Selected {
 }
 
 export const partsApi = {
-  offer: (selected: Selected) => ask<Offered>("part/offer", { method: "POST", json: selected }),
-  make: (wish: Wish) => ask<Part>("part", { method: "POST", json: wish }),
+  offer: (selected: Selected) => ask<OfferAnswer>("part/offer", { method: "POST", json: selected }),
+  make: (wish: Wish) => ask<PartAnswer>("part", { method: "POST", json: wish }),
   read: (mission: Mission, path: string, robot: string, constructor: Constructor) =>
     ask<PartRead>("part/read", { method: "POST", json: { mission, path, robot, constructor } }),
   file: (constructors: readonly Constructor[]) =>

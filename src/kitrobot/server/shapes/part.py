@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field
 from kitrobot.compiler import Chosen, Offer
 from kitrobot.server.shapes.catalogue import Colour, ConstructorShape, Texts
 from kitrobot.server.shapes.mission import MOST_VERTICES, MissionShape, ProgramShape, Words
-from kitrobot.server.shapes.problem import ProblemShape
+from kitrobot.server.shapes.problem import FailureShape, ProblemShape
 
 LONGEST_PART = 20_000
 """Characters of a part's LLL as it is typed; what can be kept is shorter."""
@@ -56,6 +56,13 @@ class OfferedShape(BaseModel):
     problems: list[ProblemShape]
 
 
+class OfferAnswerShape(BaseModel):
+    """What a selection offers, or why it cannot be a part."""
+
+    offered: OfferedShape | None
+    refused: FailureShape | None
+
+
 class ChosenShape(BaseModel):
     """An offer that becomes a slot under that name; numbers with one name become one slot."""
 
@@ -86,6 +93,13 @@ class PartShape(BaseModel):
     lll: str
     program: ProgramShape
     vertex: str
+
+
+class PartAnswerShape(BaseModel):
+    """What a wish became, or why it cannot be."""
+
+    part: PartShape | None
+    refused: FailureShape | None
 
 
 class PartTextShape(BaseModel):

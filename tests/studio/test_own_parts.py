@@ -1,0 +1,189 @@
+"""Parts of one's own: saved from a selection, used, run, edited, renamed, deleted with a warning, and all undone."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[..., Studio]
+TRANSPORT = "transport/transport.krt"
+
+
+def select(studio: Studio, vertex: str) -> None:
+    """Clicks a vertex where it has no chip."""
+    studio.at(f"vertex-{vertex}").first.click(position={"x": 12, "y": 12})
+
+
+def save_part(studio: Studio, name: str, *openings: str) -> None:
+    """Fills the sheet that is open and saves the part."""
+    expect(studio.at("own-lll")).to_be_visible()
+    studio.at("own-name").fill(name)
+    for opening in openings:
+        studio.at(f"opening-{opening}").locator("input[type=checkbox]").check()
+    expect(studio.at("own-save")).to_be_enabled()
+    studio.at("own-save").click()
+    expect(studio.at("own-dialog")).to_have_count(0)
+
+
+def row(studio: Studio, name: str) -> Locator:
+    """The part's row of the palette."""
+    found = studio.at(f"part-{name}")
+    found.scroll_into_view_if_needed()
+    return found
+
+
+def choose(studio: Studio, name: str, entry: str) -> None:
+    """An entry of the menu that a right click on a part opens."""
+    row(studio, name).click(button="right")
+    studio.at("own-menu").get_by_role("menuitem", name=entry).click()
+
+
+def saved_text(studio: Studio) -> str:
+    """The mission as it would be saved."""
+    with studio.page.expect_download() as download:
+        studio.at("menu-File").click()
+        studio.at("menu-file-download-krt").click()
+    return download.value.path().read_text()
+
+
+def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undone(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    keys = studio.page.keyboard
+    first = saved_text(studio)
+    before = studio.code()
+    select(studio, "v11")
+    keys.press("p")
+    save_part(studio, "Wait till free", "v11-condition")
+    expect(studio.page.locator(".vertex", has_text="Wait till free")).to_have_count(1)
+    expect(row(studio, "Wait till free")).to_be_visible()
+    expect(studio.at("code")).to_contain_text("Collision.IsPressed()")
+    assert studio.code() == before, "it means the same"
+
+    # Used by a click in the palette, after the one that is selected.
+    row(studio, "Wait till free").click()
+    expect(studio.page.locator(".vertex", has_text="Wait till free")).to_have_count(2)
+    keys.press("Control+z")
+    expect(studio.page.locator(".vertex", has_text="Wait till free")).to_have_count(1)
+
+    # It runs, and glows while it does.
+    studio.at("run-button").click()
+    expect(studio.page.locator(".vertex.is-active", has_text="Wait till free")).to_be_visible(timeout=30_000)
+    keys.press("Shift+F5")
+
+    choose(studio, "Wait till free", "Edit this part")
+    dialog = studio.at("own-dialog")
+    expect(studio.at("slot-condition")).to_be_visible()
+    studio.at("own-name").fill("Road free")
+    code = dialog.locator(".cm-content")
+    code.click()
+    keys.press("Control+a")
+    keys.insert_text("*[{condition}]( WAIT({pause}); <Collision.IsPressed(")
+    expect(studio.at("own-failure")).not_to_be_empty()
+    expect(studio.at("own-save")).to_be_disabled()
+    keys.press("Control+a")
+    keys.insert_text("*[{condition}]( WAIT({pause}); Wheel.Stop(); )")
+    expect(studio.at("slot-pause")).to_be_visible()
+    studio.at("slot-pause").get_by_label("at first").fill("7")
+    expect(studio.at("own-save")).to_be_enabled()
+    studio.at("own-save").click()
+    expect(dialog).to_have_count(0)
+    expect(studio.page.locator(".vertex", has_text="Road free")).to_have_count(1)
+    studio.expect_code("WAIT(7)")
+    expect(studio.at("part-Wait till free")).to_have_count(0)
+
+    choose(studio, "Road free", "Delete this part")
+    expect(studio.at("own-delete")).to_contain_text("It is used 1 time.")
+    studio.at("own-use-carrier").click()
+    expect(studio.page.locator(".vertex", has_text="Road free")).to_be_in_viewport()
+    choose(studio, "Road free", "Delete this part")
+    studio.at("own-dissolve").click()
+    expect(studio.at("part-Road free")).to_have_count(0)
+    expect(studio.page.locator(".vertex", has_text="Road free")).to_have_count(0)
+    studio.expect_code("WAIT(7)")
+
+    studio.at("canvas").focus()
+    for _ in range(3):
+        keys.press("Control+z")
+    expect(studio.at("part-Wait till free")).to_have_count(0)
+    assert saved_text(studio) == first
+
+
+def test_it_all_goes_by_keys(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    keys = studio.page.keyboard
+    select(studio, "v11")
+    keys.press("p")
+    expect(studio.at("own-name")).to_be_focused()
+    expect(studio.at("own-lll")).to_be_visible()
+    keys.type("Loop of mine")
+    expect(studio.at("own-save")).to_be_enabled()
+    keys.press("Enter")
+    expect(studio.at("own-dialog")).to_have_count(0)
+    expect(studio.page.locator(".vertex", has_text="Loop of mine")).to_have_count(1)
+    studio.at("canvas").focus()
+    keys.press("/")
+    keys.type("loop of mine")
+    keys.press("Enter")
+    expect(studio.page.locator(".vertex", has_text="Loop of mine")).to_have_count(2)
+    row(studio, "Loop of mine").focus()
+    keys.press("F2")
+    expect(studio.at("own-name")).to_be_focused()
+    keys.press("Escape")
+    expect(studio.at("own-dialog")).to_have_count(0)
+    row(studio, "Loop of mine").focus()
+    keys.press("Delete")
+    expect(studio.at("own-delete")).to_contain_text("It is used 2 times.")
+    expect(studio.page.locator(".vertex", has_text="Loop of mine")).to_have_count(2)
+    studio.at("own-leave").click()
+    expect(studio.at("problems")).to_have_attribute("title", re.compile("^2 problems"))
+    studio.at("canvas").focus()
+    keys.press("Control+z")
+    expect(row(studio, "Loop of mine")).to_be_visible()
+
+
+@pytest.mark.parametrize("name", ["While", "a.b", "Start", "   "])
+def test_a_name_that_cannot_be_is_told_at_once(open_studio: OpenStudio, name: str) -> None:
+    studio = open_studio(TRANSPORT)
+    select(studio, "v11")
+    studio.page.keyboard.press("p")
+    studio.at("own-name").fill(name)
+    expect(studio.page.locator(".own-wrong")).not_to_be_empty()
+    expect(studio.at("own-save")).to_be_disabled()
+
+
+def test_what_cannot_be_a_part_is_told(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    studio.at("vertex-v11").locator(".chip").first.click()
+    studio.page.keyboard.press("p")
+    expect(studio.at("own-failure")).to_contain_text("alone cannot be a part")
+    expect(studio.at("own-save")).to_be_disabled()
+
+
+def test_parts_are_shared_as_a_file(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    select(studio, "v11")
+    studio.page.keyboard.press("p")
+    save_part(studio, "Mine")
+    with studio.page.expect_download() as download:
+        choose(studio, "Mine", "Download my parts")
+    assert download.value.suggested_filename == "transport.constructors.xml"
+    assert '<constructor name="Mine"' in download.value.path().read_text()
+
+
+def test_in_urdu_the_sheet_is_mirrored(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT, locale="ur-PK")
+    select(studio, "v11")
+    studio.page.keyboard.press("p")
+    expect(studio.at("own-lll")).to_be_visible()
+    name, lll = studio.at("own-name").bounding_box(), studio.at("own-lll").bounding_box()
+    assert name is not None
+    assert lll is not None
+    assert name["x"] > lll["x"] + lll["width"]
+    expect(studio.at("own-name")).to_have_value(re.compile("میرا پرزہ"))
