@@ -204,7 +204,7 @@ def test_everything_that_is_pressed_is_44_px(
 
 
 CUT_OFF = """() => [...document.querySelectorAll(
-    'button, .menubar-title, .palette-name, .vertex-name, .side-head h2, .team-stop, .run-button, h2, .narrow-tabs button'
+    'button, .palette-name, .vertex-name, .side-head h2, .team-stop, .run-button, h2, .narrow-tabs button'
 )].filter(one => one.checkVisibility() && getComputedStyle(one).display !== 'inline'
     && !one.matches('.note-strip, .fold') && one.scrollWidth > one.clientWidth + 1)
   .map(one => `${one.className} ${one.textContent}`)"""
