@@ -1,5 +1,6 @@
 /** What sits on a vertex's edge: its mark, the threads that stand on it, and what is wrong with it. */
 import type { LayoutNode } from "../model/layout";
+import { BreakpointSign } from "../debug/BreakpointSign";
 import { otherNotes } from "../model/notes";
 import { title } from "../model/parts";
 import { Icon } from "../theme";
@@ -15,6 +16,7 @@ export function Badges({ node, threads }: { node: LayoutNode; threads: string })
       <Troubles node={node} />
       <Noted node={node} />
       <NoteStrip node={node} />
+      <BreakpointSign node={node} />
     </>
   );
 }

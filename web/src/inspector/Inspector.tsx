@@ -3,6 +3,7 @@ import "./inspector.css";
 
 import type { ReactNode } from "react";
 
+import { BreakpointEditor } from "../debug/BreakpointEditor";
 import { deleteSelection, duplicateSelection } from "../editor/edits";
 import { type Drawing, useDrawing } from "../editor/drawing";
 import { setNote } from "../model/commands/setNote";
@@ -108,6 +109,7 @@ function One({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
       <Branches block={spot.block} />
       <Marks drawing={drawing} spot={spot} />
       <NoteField vertex={vertex} />
+      <BreakpointEditor id={vertex.id} />
     </div>
   );
 }

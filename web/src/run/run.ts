@@ -9,6 +9,7 @@ import { useMemo } from "react";
 import { create } from "zustand";
 
 import type { Mission, Problem, World } from "../api/types";
+import type { Breakpoint } from "../model/types";
 import { type Failure, openRunSocket, type RunSocket } from "../api/socket";
 import type { AgentReport, Hit, RunEvent, RunMessage, StartedAgent } from "../api/wire";
 import { clearFrames, pushFrame } from "./poses";
@@ -53,6 +54,8 @@ export interface RunState {
   /** Puts a value in the place of what a sensor measures; null gives it back. */
   force: (agent: string, sensor: string, value: number | null) => void;
   setVariable: (agent: string, variable: string, value: number) => void;
+  /** These are the breakpoints of the run from now on. */
+  pauseAt: (breakpoints: Breakpoint[]) => void;
   setSpeed: (speed: number) => void;
   /** Watches that agent in its program's tab; before a run its program has to be said. */
   selectAgent: (name: string, program?: string) => void;
@@ -248,6 +251,9 @@ export const useRun = create<RunState>((set, get) => ({
   },
   force: (agent, sensor, value) => {
     socket?.send({ type: "force", agent, sensor, value });
+  },
+  pauseAt: (breakpoints) => {
+    socket?.send({ type: "breakpoints", breakpoints });
   },
   setVariable: (agent, variable, value) => {
     socket?.send({ type: "set", agent, variable, value });

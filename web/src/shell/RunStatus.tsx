@@ -24,12 +24,19 @@ export function RunStatus() {
   const time = useRun((run) => clock(run.seconds));
   const key: Key = `status.${status}`;
   const timed = status === "running" || status === "paused" || status === "stopped";
+  const hit = useRun(({ hits }) => hits[0]);
   const ended = status === "done" || status === "failed" || status === "stuck" || status === "time";
   return (
     <div className="run-status" data-testid="status" data-status={status} title={ended ? sentence : undefined}>
       <StateShape state={SHAPES[status]} />
       <span className="run-status-words" role="status">
-        {ended && sentence !== "" ? <Said text={sentence} /> : t(key)}
+        {ended && sentence !== "" ? (
+          <Said text={sentence} />
+        ) : hit !== undefined && status === "paused" ? (
+          t("debug.paused-at", { agent: hit.agent, visit: hit.visit })
+        ) : (
+          t(key)
+        )}
       </span>
       {timed ? (
         <span className="run-status-time" aria-hidden={status === "running"}>
