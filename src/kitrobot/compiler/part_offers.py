@@ -55,7 +55,9 @@ class _Offers:
 
     def __init__(self, wiring: Wiring) -> None:
         self.wiring = wiring
-        self.names: dict[str, tuple[object, ...]] = {}
+        self.names: set[str] = set()
+        self.given: dict[tuple[object, ...], str] = {}
+        self.count: dict[str, int] = {}
 
     def of(self, selection: Selection) -> Iterator[Offer]:
         inside: dict[str, SlotName] = {}
@@ -77,12 +79,14 @@ class _Offers:
     def name(self, base: str, same: tuple[object, ...]) -> str:
         """A name that only the same number has."""
         base = base if is_name(base) and base not in TAKEN_PORTS else "value"
-        number = 1
-        while True:
-            name = base if number == 1 else f"{base}{number}"
-            if self.names.setdefault(name, same) == same:
-                return name
-            number += 1
+        if (base, *same) not in self.given:
+            name = base
+            while name in self.names:
+                self.count[base] = self.count.get(base, 1) + 1
+                name = f"{base}{self.count[base]}"
+            self.names.add(name)
+            self.given[base, *same] = name
+        return self.given[base, *same]
 
     def action(self, vertex: Vertex, inside: SlotName | None) -> Offer | None:
         owner, _, method = vertex.element.partition(".")

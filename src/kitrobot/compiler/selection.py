@@ -53,7 +53,8 @@ def select(wiring: Wiring, ids: Sequence[str]) -> Selection:
     fillers = fillers_of(wiring)
     inside = {one for name in chosen for one in held_by(wiring, fillers, name) if one != name}
     top = [name for name in wiring.vertices if name in chosen and name not in inside]
-    alone = [name for name in top if _is_filler(wiring, slots, name)]
+    in_chain = {arc.target for arc in wiring.out.values() if arc.at == IN}
+    alone = [name for name in top if name not in in_chain and _is_filler(wiring, slots, name)]
     if alone:
         chain = _one_condition(wiring, top, alone[0])
     else:
@@ -109,8 +110,7 @@ def _is_filler(wiring: Wiring, slots: dict[str, tuple[str, str]], name: str) -> 
         return constructor.role is Role.CONDITION
     owner, _, method = vertex.element.partition(".")
     meaning = wiring.robot.calls.get((owner, method))
-    in_chain = any(arc.target == name and arc.at == IN for arc in wiring.out.values())
-    return meaning is not None and meaning[1].kind is not Kind.PROCEDURE and not in_chain
+    return meaning is not None and meaning[1].kind is not Kind.PROCEDURE
 
 
 def _one_condition(wiring: Wiring, top: list[str], filler: str) -> tuple[str, ...]:

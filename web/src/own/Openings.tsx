@@ -5,7 +5,7 @@ import { partsOf, title } from "../model/parts";
 import { useStudio } from "../model/studio";
 import { text } from "../model/texts";
 import { type Key, t } from "../words/words";
-import { depthOf, type Opening, TYPED } from "./openings";
+import { depthsOf, type Opening, TYPED } from "./openings";
 import { NumberRange } from "./NumberRange";
 
 interface OpeningsProps {
@@ -15,7 +15,8 @@ interface OpeningsProps {
 }
 
 export function Openings({ program, openings, onChange }: OpeningsProps) {
-  const rows = openings.filter((one) => depthOf(one, openings) >= 0);
+  const depths = depthsOf(openings);
+  const rows = openings.map((opening, at) => ({ opening, depth: depths[at] ?? 0 })).filter(({ depth }) => depth >= 0);
   const change = (key: string, to: Partial<Opening>) => {
     onChange(openings.map((one) => (one.key === key ? { ...one, ...to } : one)));
   };
@@ -24,13 +25,13 @@ export function Openings({ program, openings, onChange }: OpeningsProps) {
       <legend>{t("own.open-title")}</legend>
       {rows.length === 0 ? <p className="sheet-note">{t("own.open-none")}</p> : null}
       <ul>
-        {rows.map((one) => (
+        {rows.map(({ opening, depth }) => (
           <Row
-            key={one.key}
-            opening={one}
-            depth={depthOf(one, openings)}
+            key={opening.key}
+            opening={opening}
+            depth={depth}
             program={program}
-            onChange={(to) => change(one.key, to)}
+            onChange={(to) => change(opening.key, to)}
           />
         ))}
       </ul>

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 
 import type { Offer } from "../api/generated";
-import { chosenOf, depthOf, openingsOf } from "./openings";
+import { chosenOf, depthsOf, openingsOf } from "./openings";
 
 function offer(vertex: string, slot: string, kind: Offer["kind"], inside: Offer["inside"] = null): Offer {
   const value = kind === "number" ? "5" : "";
@@ -33,6 +33,6 @@ it("tells numbers with their range, and nothing of what is no number", () => {
 
 it("leaves out what goes along with what holds it", () => {
   const openings = openingsOf(OFFERS).map((one) => ({ ...one, on: true }));
-  expect(openings.map((one) => depthOf(one, openings))).toEqual([0, 0, -1]);
+  expect(depthsOf(openings)).toEqual([0, 0, -1]);
   expect(chosenOf(openings).map(({ slot }) => slot)).toEqual(["condition", "body"]);
 });

@@ -32,9 +32,13 @@ export function openingsOf(offers: readonly Offer[]): Opening[] {
   }));
 }
 
-/** How deep an offer lies inside others, or -1 while one of those is open: then it goes along. */
-export function depthOf(opening: Opening, all: readonly Opening[]): number {
+/** How deep each offer lies inside others, or -1 while one of those is open: then it goes along. */
+export function depthsOf(all: readonly Opening[]): number[] {
   const byKey = new Map(all.map((one) => [one.key, one]));
+  return all.map((one) => depthOf(one, byKey));
+}
+
+function depthOf(opening: Opening, byKey: ReadonlyMap<string, Opening>): number {
   let depth = 0;
   for (let { inside } = opening.offer; inside !== null; depth++) {
     const around = byKey.get(keyOf(inside));
@@ -51,8 +55,9 @@ function whole(text: string): number | null {
 
 /** What is told to the server. */
 export function chosenOf(openings: readonly Opening[]): Chosen[] {
+  const depths = depthsOf(openings);
   return openings
-    .filter((one) => one.on && depthOf(one, openings) >= 0)
+    .filter((one, at) => one.on && (depths[at] ?? 0) >= 0)
     .map(({ offer: { vertex, slot, kind }, name, min, max, first, unit }) =>
       TYPED.includes(kind)
         ? { vertex, slot, name, min: whole(min), max: whole(max), default: first.trim() || null, unit: unit.trim() }
