@@ -16,7 +16,7 @@ import { t } from "../words/words";
 import { samplesNow, seriesOf, stepsPath } from "./samples";
 import { useWatch } from "./watching";
 
-const PLOT = { width: 220, height: 28 };
+const PLOT = { width: 160, height: 28 };
 
 export function WatchButton() {
   const open = useWatch((state) => state.open);
