@@ -111,6 +111,7 @@ def test_an_unused_variable_goes_at_once(open_studio: OpenStudio) -> None:
     row(studio, "Trips").focus()
     studio.page.keyboard.press("Delete")
     expect(row(studio, "Trips")).to_have_count(0)
+    expect(studio.at("new-variable")).to_be_focused()
 
 
 def test_what_cannot_be_is_said_at_the_field_and_nothing_is_made(open_studio: OpenStudio) -> None:

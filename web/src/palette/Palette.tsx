@@ -56,6 +56,17 @@ export function Palette() {
     [robot],
   );
 
+  /** The row that has the focus, by its key and its place; null when it is elsewhere. */
+  const focused = useRef<{ key: string; index: number } | null>(null);
+  useEffect(() => {
+    const before = focused.current;
+    if (before === null || document.activeElement !== document.body || items.some((row) => row.key === before.key))
+      return;
+    // The row is gone, with its part: the one in its place has the focus then.
+    const next = items[Math.min(before.index, items.length - 1)];
+    if (next !== undefined) tree.current?.querySelector<HTMLElement>(`[data-row="${CSS.escape(next.key)}"]`)?.focus();
+  });
+
   const go = (row: Row | undefined) => {
     if (row === undefined) return;
     setAt(row.key);
@@ -123,7 +134,16 @@ export function Palette() {
         <kbd aria-hidden="true">/</kbd>
       </label>
       {rows.length === 0 ? <p className="palette-none">{t("parts.none", { query })}</p> : null}
-      <div ref={tree} role="tree" aria-label={t("parts.tree")} onKeyDown={onKeyDown}>
+      <div
+        ref={tree}
+        role="tree"
+        aria-label={t("parts.tree")}
+        onKeyDown={onKeyDown}
+        onBlur={(event) => {
+          // A row that goes with its part takes the focus along; that is no leaving.
+          if (event.relatedTarget !== null || event.target.isConnected) focused.current = null;
+        }}
+      >
         {rows.map((row) =>
           row.kind === "heading" ? (
             <div key={row.key} className="palette-heading" role="presentation">
@@ -138,6 +158,7 @@ export function Palette() {
               focused={row.key === current}
               onFocus={() => {
                 setAt(row.key);
+                focused.current = { key: row.key, index: items.findIndex((one) => one.key === row.key) };
               }}
               onFold={() => {
                 if (row.kind === "fold") fold(row, !row.open);
