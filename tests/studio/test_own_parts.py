@@ -9,6 +9,8 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.studio.conftest import Studio
+from tests.studio.test_reach import choose as axe_look
+from tests.studio.test_reach import find_nothing
 
 pytestmark = pytest.mark.browser
 
@@ -187,3 +189,31 @@ def test_in_urdu_the_sheet_is_mirrored(open_studio: OpenStudio) -> None:
     assert lll is not None
     assert name["x"] > lll["x"] + lll["width"]
     expect(studio.at("own-name")).to_have_value(re.compile("میرا پرزہ"))
+
+
+@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast", "ur")], ids=str)
+def test_axe_finds_nothing_on_the_sheets(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
+    studio = open_studio(TRANSPORT)
+    axe_look(studio, *look)
+    select(studio, "v11")
+    studio.page.keyboard.press("p")
+    expect(studio.at("own-lll")).to_be_visible()
+    studio.at("opening-v11-condition").locator("input[type=checkbox]").check()
+    expect(studio.at("own-lll")).to_contain_text("{condition}")
+    find_nothing(studio, "saving a part")
+    save_part(studio, "Mine")
+    row(studio, "Mine").hover()
+    find_nothing(studio, "a part of one's own in the palette")
+    row(studio, "Mine").click(button="right")
+    expect(studio.at("own-menu")).to_be_visible()
+    find_nothing(studio, "its menu")
+    studio.page.keyboard.press("Escape")
+    row(studio, "Mine").focus()
+    studio.page.keyboard.press("F2")
+    expect(studio.at("slot-condition")).to_be_visible()
+    find_nothing(studio, "editing a part")
+    studio.page.keyboard.press("Escape")
+    row(studio, "Mine").focus()
+    studio.page.keyboard.press("Delete")
+    expect(studio.at("own-delete")).to_be_visible()
+    find_nothing(studio, "deleting a part")

@@ -54,6 +54,13 @@ function Row({ opening, depth, program, onChange }: RowProps) {
     const element = found?.vertices.find((one) => one.id === offer.vertex)?.element ?? "";
     return title(partsOf(catalogue, found?.robot ?? "").shape(element));
   });
+  const filler = useStudio(({ mission, catalogue }) => {
+    const found = mission.programs.find((one) => one.name === program);
+    const source = found?.arcs.find((one) => one.target === offer.vertex && one.at === offer.slot)?.source;
+    const element = found?.vertices.find((one) => one.id === source)?.element;
+    return element === undefined ? "" : title(partsOf(catalogue, found?.robot ?? "").shape(element));
+  });
+  const now = offer.value || filler || t(`own.kind-${offer.kind}` as Key);
   const slot = text(offer.label, offer.slot);
   const what = offer.slot === "" ? t("own.open-vertex", { part }) : t("own.open-slot", { slot, part });
   return (
@@ -66,9 +73,7 @@ function Row({ opening, depth, program, onChange }: RowProps) {
           onChange={(event) => onChange({ on: event.target.checked })}
         />
         <span>{what}</span>
-        <span className="own-aside">
-          {offer.is_open ? t("own.must") : offer.value === "" ? t(`own.kind-${offer.kind}` as Key) : offer.value}
-        </span>
+        <span className="own-aside">{offer.is_open ? t("own.must") : now}</span>
       </label>
       {on ? (
         <div className="own-opening">

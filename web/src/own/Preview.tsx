@@ -28,7 +28,8 @@ export function Preview({ catalogue, program, vertex, title }: PreviewProps) {
     const drawn = layoutStructure(alone);
     // It stands alone: no frame of what is parked, and nothing that is missing behind it.
     const arcs = drawn.arcs.filter(({ missing }) => !missing);
-    return { ...drawn, frames: drawn.frames.filter(({ kind }) => kind !== "parked"), arcs };
+    const frames = drawn.frames.filter(({ kind }) => kind !== "parked");
+    return { ...drawn, frames, arcs, bounds: boundsOf([...drawn.nodes, ...frames, ...arcs.flatMap(around)]) };
   }, [catalogue, program, vertex]);
   if (layout === null) return null;
   return (
@@ -36,6 +37,26 @@ export function Preview({ catalogue, program, vertex, title }: PreviewProps) {
       <GraphDrawing layout={layout} title={title} inside="" />
     </figure>
   );
+}
+
+interface Box {
+  x: number;
+  y: number;
+  w: number;
+  h: number;
+}
+
+/** The points of an arc, as boxes without size. */
+function around({ points }: { points: readonly { x: number; y: number }[] }): Box[] {
+  return points.map(({ x, y }) => ({ x, y, w: 0, h: 0 }));
+}
+
+function boundsOf(boxes: readonly Box[]): Box {
+  const x = Math.min(...boxes.map((box) => box.x));
+  const y = Math.min(...boxes.map((box) => box.y));
+  const right = Math.max(...boxes.map((box) => box.x + box.w));
+  const bottom = Math.max(...boxes.map((box) => box.y + box.h));
+  return { x, y, w: right - x, h: bottom - y };
 }
 
 export function PartCode({ lll }: { lll: string }) {

@@ -8,7 +8,8 @@ import { CARRIER, missionOf } from "../testing/missions";
 import { PARTS } from "../testing/parts";
 import { catalogueOf } from "../own";
 import type { Arc, Constructor, Mission, Program, Slot, Vertex } from "../types";
-import { addConstructor } from "./changeOwn";
+import type { Command } from "../command";
+import { addConstructor, removeConstructor } from "./changeOwn";
 import { changePart, dissolvePart, saveAsPart } from "./ownParts";
 
 const MISSION = missionOf(CARRIER);
@@ -178,5 +179,59 @@ describe("a part's instructions take its place", () => {
   it("needs a drawing for each robot that uses it", () => {
     expect(dissolvePart(USING, PARTS, "Own", new Map())).toBeNull();
     expect(dissolvePart(USING, PARTS, "Nobody", new Map())).toBeNull();
+  });
+});
+
+describe("any changes of parts in a row", () => {
+  /** Numbers that look random, the same for the same seed. */
+  function dice(seed: number): (sides: number) => number {
+    let state = seed * 2654435761 + 1;
+    return (sides) => {
+      state = (Math.imul(state, 1103515245) + 12345) >>> 0;
+      return Math.floor((state / 2 ** 32) * sides);
+    };
+  }
+
+  function change(mission: Mission, roll: (sides: number) => number): Command | null {
+    const names = (mission.constructors ?? []).map(({ name }) => name);
+    const name = names[roll(Math.max(1, names.length))] ?? "";
+    const slots = PART.slots.filter(() => roll(3) > 0);
+    const made = {
+      ...own([...slots, ...(roll(2) > 0 ? [slot("more", "flow")] : [])], ""),
+      name: `P${String(roll(4))}`,
+    };
+    switch (roll(4)) {
+      case 0:
+        return saveAsPart(mission, made, null);
+      case 1:
+        return changePart(mission, PARTS, name, made);
+      case 2:
+        return dissolvePart(mission, PARTS, name, new Map([["carrier", DRAWING]]));
+      default:
+        return removeConstructor(mission, name);
+    }
+  }
+
+  it("lose no vertex that a person drew, and are undone to the very same mission", () => {
+    for (let seed = 0; seed < 60; seed++) {
+      const roll = dice(seed);
+      const steps: { command: Command; before: string }[] = [];
+      let mission: Mission = USING;
+      for (let step = 0; step < 12; step++) {
+        const command = change(mission, roll);
+        if (command === null) continue;
+        steps.push({ command, before: JSON.stringify(mission) });
+        mission = command.execute(mission);
+        const elements = mission.programs[0]?.vertices.map(({ element }) => element) ?? [];
+        expect(elements).toEqual(expect.arrayContaining(["Start", "Run.IsTrue", "Lamp.LightOn", "Stop"]));
+      }
+      for (const { command, before } of steps.reverse()) {
+        const after = JSON.stringify(mission);
+        mission = command.revert(mission);
+        expect(JSON.stringify(mission)).toBe(before);
+        expect(JSON.stringify(command.execute(mission))).toBe(after);
+      }
+      expect(mission).toEqual(USING);
+    }
   });
 });
