@@ -22,7 +22,7 @@ def files(tmp_path: Path) -> TestClient:
     assets.mkdir(parents=True)
     (static / "index.html").write_text("<!doctype html>")
     (assets / "page-1.js").write_bytes(PLAIN)
-    (assets / "page-1.js.gz").write_bytes(gzip.compress(PLAIN))
+    (assets / "page-1.js.gz").write_bytes(gzip.compress(PLAIN, mtime=0))
     (assets / "page-1.js.br").write_bytes(b"brotli")
     (assets / "only-2.css").write_text("a {}")
     (tmp_path / "secret.js.gz").write_bytes(b"secret")
@@ -38,7 +38,7 @@ def get(files: TestClient, path: str, encodings: str, **headers: str) -> tuple[i
     ("encodings", "encoding", "content"),
     [
         ("gzip, deflate, br, zstd", "br", b"brotli"),
-        ("gzip;q=1.0, br;q=0", "gzip", gzip.compress(PLAIN)),
+        ("gzip;q=1.0, br;q=0", "gzip", gzip.compress(PLAIN, mtime=0)),
         ("identity", None, PLAIN),
         ("", None, PLAIN),
         ("br;q=much", None, PLAIN),

@@ -74,7 +74,9 @@ class TestFiles:
         add(page, ROBOT, path=path)
         assert (folder / "rover.robot.xml").is_file()
         assert "rover" in robots(page, path)
-        assert not list((examples_folder() / "transport").glob("rover*"))
+        examples = examples_folder()
+        assert examples is not None
+        assert not list((examples / "transport").glob("rover*"))
 
     def test_a_world_of_the_persons_own_can_be_used_in_an_example(self, page):
         add(page, WORLD, "yard.world.xml", path="example:transport/transport.krt")

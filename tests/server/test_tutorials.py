@@ -22,7 +22,8 @@ def watch(page, tutorial: str, mission: dict, path: str = ""):
 def mission_of(page, path: str) -> dict:
     answer = page.get("/api/mission", params={"path": path})
     assert answer.status_code == 200, answer.text
-    return answer.json()["mission"]
+    mission: dict = answer.json()["mission"]
+    return mission
 
 
 def test_three_tutorials_come_along_in_three_languages_without_a_problem(page):

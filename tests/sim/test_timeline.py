@@ -52,6 +52,11 @@ def same(one: Simulation, other: Simulation) -> bool:
     return after[0] == after[1]
 
 
+def said(timeline: Timeline) -> str | None:
+    """How the run has ended, if it stands at its end."""
+    return timeline.simulation.outcome
+
+
 def act(timeline: Timeline, random: Random) -> Intervention:
     """Something that a person does to the run."""
     if random.random() < 0.5:
@@ -114,12 +119,12 @@ def test_what_happened_is_remembered_until_another_future_begins() -> None:
 def test_a_run_that_has_ended_can_be_gone_back_in() -> None:
     timeline = Timeline(TRANSPORT.simulation(seed=1))
     timeline.advance(100_000)
-    assert timeline.simulation.outcome == "done"
+    assert said(timeline) == "done"
     end = timeline.simulation.agents, timeline.simulation.stock, timeline.tick
     timeline.go_to(timeline.latest - 1)
-    assert timeline.simulation.outcome is None
+    assert said(timeline) is None
     timeline.advance(10)
-    assert timeline.simulation.outcome == "done"
+    assert said(timeline) == "done"
     assert (timeline.simulation.agents, timeline.simulation.stock, timeline.tick) == end
 
 

@@ -20,7 +20,7 @@ def pattern(code: str, whole: bool = False, **ranges: tuple[int, int]) -> Patter
     template, problems = parse_template(code)
     assert template is not None
     assert problems == []
-    return Pattern(template, whole, ranges=ranges)  # type: ignore[arg-type]
+    return Pattern(template, whole, ranges=ranges)
 
 
 def program(text: str) -> Seq:
@@ -204,7 +204,9 @@ def test_a_changed_number_is_no_longer_the_program(seed: int) -> None:
     if not waits:
         return
     changed = copy.deepcopy(made)
-    nodes(changed)[rng.choice(waits)].duration = 12_321
+    wait = nodes(changed)[rng.choice(waits)]
+    assert isinstance(wait, Wait)
+    wait.duration = 12_321
     assert not fits(Pattern(made, whole=True), changed)
     assert not fits(Pattern(changed), made)
 

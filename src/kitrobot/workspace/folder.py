@@ -129,7 +129,7 @@ class MissionFolder:
         return self.path_of(name).parent if name else self.root
 
     def own_folder_of(self, name: str) -> Path:
-        """The folder that files for a mission may be put into: its own, or `root` for an example, which is read-only."""
+        """The folder that files for a mission may be put into: its own; `root` for an example, which is read-only."""
         return self.root if name.startswith(EXAMPLE) else self.folder_of(name)
 
     def folders_of(self, name: str) -> tuple[Path, ...]:
