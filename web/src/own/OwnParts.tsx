@@ -15,12 +15,16 @@ const EDGE = 8;
 export function OwnParts() {
   const sheet = useOwn((own) => own.sheet);
   const menu = useOwn((own) => own.menu);
+  // Its menu stands within the main landmark, as the canvas's does.
   return (
     <>
       {sheet === null ? null : <OwnSheets sheet={sheet} />}
       {menu === null
         ? null
-        : createPortal(<PartMenu key={menu.name} name={menu.name} x={menu.x} y={menu.y} />, document.body)}
+        : createPortal(
+            <PartMenu key={menu.name} name={menu.name} x={menu.x} y={menu.y} />,
+            document.querySelector("main") ?? document.body,
+          )}
     </>
   );
 }
