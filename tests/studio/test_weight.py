@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
 
+from kitrobot.primitives import load_catalogue
+from kitrobot.server.shapes import catalogue_shape
 from tests.studio.conftest import Studio
 
 pytestmark = pytest.mark.browser
@@ -29,19 +33,33 @@ def fetched(studio: Studio) -> dict[str, int]:
     return dict(studio.page.evaluate(FETCHED))
 
 
-@pytest.mark.parametrize("language", ["en", "fr", "ur"])
-def test_the_first_load_fits_in_350_kb(open_studio: OpenStudio, language: str) -> None:
-    files = fetched(open_studio("transport/transport.krt", locale=language))
+TRANSPORT, BLINK = "transport/transport.krt", "blink/blink.krt"
+
+
+@pytest.mark.parametrize(("example", "language"), [(TRANSPORT, "en"), (BLINK, "en"), (TRANSPORT, "fr"), (BLINK, "ur")])
+def test_the_first_load_fits_in_350_kb(open_studio: OpenStudio, example: str, language: str) -> None:
+    files = fetched(open_studio(example, locale=language))
     assert any(path.endswith(".woff2") for path in files), "letters count"
     assert len([path for path in files if path.endswith(".js")]) >= 2, "the editing part counts"
     total = sum(files.values())
     assert total <= MOST_BYTES, "\n".join(f"{size} {path}" for path, size in sorted(files.items(), key=lambda f: -f[1]))
 
 
+def test_every_icon_of_what_ships_travels_with_the_page() -> None:
+    page = (Path(__file__).parents[2] / "web" / "src" / "theme" / "icons.ts").read_text(encoding="utf-8")
+    travels = set(re.findall(r"lucide-react/icons/([a-z0-9-]+)", page))
+    shipped = catalogue_shape(load_catalogue()).model_dump_json()
+    named = set(re.findall(r'"icon":"([a-z0-9-]+)"', shipped))
+    assert len(named) > 30
+    assert sorted(named - travels) == [], "such a name makes the page fetch every icon there is"
+
+
 def test_what_is_fetched_later_is_not_fetched_at_first(open_studio: OpenStudio) -> None:
-    studio = open_studio("transport/transport.krt", locale="en")
+    studio = open_studio(TRANSPORT, locale="en")
     first = fetched(studio)
-    assert [path for path in first if any(name in path for name in ("/all-icons", "/fr-", "/ur-", "/Sheets", "/Panel"))] == []
+    assert [
+        path for path in first if any(name in path for name in ("/all-icons", "/fr-", "/ur-", "/Sheets", "/Panel"))
+    ] == []
     studio.page.keyboard.press("?")
     expect(studio.page.get_by_role("dialog")).to_be_visible()
     assert any("/Sheets" in path for path in fetched(studio))

@@ -36,13 +36,16 @@ import DoorClosed from "lucide-react/icons/door-closed";
 import DoorOpen from "lucide-react/icons/door-open";
 import Ellipsis from "lucide-react/icons/ellipsis";
 import Equal from "lucide-react/icons/equal";
+import Eraser from "lucide-react/icons/eraser";
+import Eye from "lucide-react/icons/eye";
 import File from "lucide-react/icons/file";
 import Flag from "lucide-react/icons/flag";
-import Gauge from "lucide-react/icons/gauge";
 import Footprints from "lucide-react/icons/footprints";
+import Gauge from "lucide-react/icons/gauge";
 import GitFork from "lucide-react/icons/git-fork";
 import Grab from "lucide-react/icons/grab";
 import GraduationCap from "lucide-react/icons/graduation-cap";
+import Hand from "lucide-react/icons/hand";
 import Hash from "lucide-react/icons/hash";
 import Hourglass from "lucide-react/icons/hourglass";
 import InfinityIcon from "lucide-react/icons/infinity";
@@ -64,6 +67,7 @@ import PackageOpen from "lucide-react/icons/package-open";
 import PackagePlus from "lucide-react/icons/package-plus";
 import Palette from "lucide-react/icons/palette";
 import Pause from "lucide-react/icons/pause";
+import Pencil from "lucide-react/icons/pencil";
 import Play from "lucide-react/icons/play";
 import Plus from "lucide-react/icons/plus";
 import Power from "lucide-react/icons/power";
@@ -71,11 +75,10 @@ import PowerOff from "lucide-react/icons/power-off";
 import Radar from "lucide-react/icons/radar";
 import Radio from "lucide-react/icons/radio";
 import Redo2 from "lucide-react/icons/redo-2";
+import RedoDot from "lucide-react/icons/redo-dot";
 import RefreshCw from "lucide-react/icons/refresh-cw";
 import Repeat from "lucide-react/icons/repeat";
 import RotateCw from "lucide-react/icons/rotate-cw";
-import Eye from "lucide-react/icons/eye";
-import Hand from "lucide-react/icons/hand";
 import ScanEye from "lucide-react/icons/scan-eye";
 import Search from "lucide-react/icons/search";
 import Settings from "lucide-react/icons/settings";
@@ -84,10 +87,10 @@ import SlidersHorizontal from "lucide-react/icons/sliders-horizontal";
 import Split from "lucide-react/icons/split";
 import Square from "lucide-react/icons/square";
 import SquareDashed from "lucide-react/icons/square-dashed";
-import RedoDot from "lucide-react/icons/redo-dot";
 import StepBack from "lucide-react/icons/step-back";
 import StepForward from "lucide-react/icons/step-forward";
 import Timer from "lucide-react/icons/timer";
+import ToggleLeft from "lucide-react/icons/toggle-left";
 import ToggleRight from "lucide-react/icons/toggle-right";
 import Trash2 from "lucide-react/icons/trash-2";
 import TriangleAlert from "lucide-react/icons/triangle-alert";
@@ -134,13 +137,16 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "door-open": DoorOpen,
   ellipsis: Ellipsis,
   equal: Equal,
+  eraser: Eraser,
+  eye: Eye,
   file: File,
   flag: Flag,
-  gauge: Gauge,
   footprints: Footprints,
+  gauge: Gauge,
   "git-fork": GitFork,
   grab: Grab,
   "graduation-cap": GraduationCap,
+  hand: Hand,
   hash: Hash,
   hourglass: Hourglass,
   infinity: InfinityIcon,
@@ -162,6 +168,7 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "package-plus": PackagePlus,
   palette: Palette,
   pause: Pause,
+  pencil: Pencil,
   play: Play,
   plus: Plus,
   power: Power,
@@ -169,11 +176,10 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   radar: Radar,
   radio: Radio,
   "redo-2": Redo2,
+  "redo-dot": RedoDot,
   "refresh-cw": RefreshCw,
   repeat: Repeat,
   "rotate-cw": RotateCw,
-  eye: Eye,
-  hand: Hand,
   "scan-eye": ScanEye,
   search: Search,
   settings: Settings,
@@ -182,10 +188,10 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   split: Split,
   square: Square,
   "square-dashed": SquareDashed,
-  "redo-dot": RedoDot,
   "step-back": StepBack,
   "step-forward": StepForward,
   timer: Timer,
+  "toggle-left": ToggleLeft,
   "toggle-right": ToggleRight,
   "trash-2": Trash2,
   "triangle-alert": TriangleAlert,
