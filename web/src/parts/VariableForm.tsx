@@ -5,6 +5,7 @@ import { ApiError } from "../api/client";
 import { useStudio } from "../model/studio";
 import { text } from "../model/texts";
 import { Icon } from "../theme";
+import { Said } from "../words/Said";
 import { t } from "../words/words";
 import { keepVariable, ownVariable, useVariables } from "./variables";
 import "./variables.css";
@@ -165,7 +166,7 @@ function Form({ robot, was, name }: { robot: string; was: string; name: string }
       <p className="variable-why" id={`${id}-why`} role="alert" data-testid="variable-why">
         {why === "" ? null : (
           <>
-            <Icon name="triangle-alert" size={14} /> {why}
+            <Icon name="triangle-alert" size={14} /> <Said text={why} />
           </>
         )}
       </p>

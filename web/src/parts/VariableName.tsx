@@ -2,6 +2,7 @@
 import { useEffect, useId, useRef, useState } from "react";
 
 import { ApiError } from "../api/client";
+import { Said } from "../words/Said";
 import { t } from "../words/words";
 import { keepVariable, type Named, ownVariable, useVariables, wantedLike } from "./variables";
 
@@ -15,6 +16,10 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
     input.current?.focus();
     input.current?.select();
   }, []);
+  const said = useRef<HTMLSpanElement>(null);
+  useEffect(() => {
+    said.current?.scrollIntoView({ block: "nearest" });
+  }, [why]);
   const stop = (name: string) => {
     useVariables.setState({ renaming: null });
     done(name);
@@ -63,8 +68,8 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
         }}
       />
       {why === "" ? null : (
-        <span className="variable-why" id={id} role="alert">
-          {why}
+        <span className="variable-why" id={id} role="alert" ref={said}>
+          <Said text={why} />
         </span>
       )}
     </span>

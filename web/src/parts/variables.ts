@@ -14,6 +14,7 @@ import { ownVariables } from "../model/own";
 import { programInView, useStudio } from "../model/studio";
 import type { RobotObject } from "../model/types";
 import { reveal } from "../palette/reveal";
+import { useNarrow } from "../reach/Narrow";
 import { reveal as revealVertices } from "../shell/actions";
 import { complain, dismissBanner, useDocument } from "../shell/document";
 import { useLayout } from "../shell/layout";
@@ -68,6 +69,8 @@ export function renameVariable(of: Named): void {
 function unfold(): void {
   const { folded, toggle } = useLayout.getState();
   if (folded.palette) toggle("palette");
+  // On a phone it is a room under the graph.
+  useNarrow.setState({ room: "palette" });
 }
 
 /** Says in which file a variable is that the mission does not bring along. */
