@@ -42,7 +42,8 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"\n{machine()}; {time.perf_counter() - begun:.0f} s\n")
         print(table(measured))
         print(
-            "\nMedian [slowest … fastest round], in processor time. Ratio: how many times as fast as the peer we are."
+            "\nMedian [slowest … fastest round], in processor time; `studio` on the clock."
+            " Ratio: how many times as fast as the peer we are."
         )
     return 0
 

@@ -33,6 +33,16 @@ def run_peer(script: str, given: dict[str, Any]) -> dict[str, Any] | None:
         return None
 
 
+def installed(package: str) -> Path | None:
+    """The folder of an npm package; None, with a sentence on standard error, when it cannot be had."""
+    try:
+        _install()
+    except page.WebToolError as problem:
+        print(f"benchmarks: {package} was left out: {problem}", file=sys.stderr)
+        return None
+    return _FOLDER / "node_modules" / package
+
+
 def version(package: str) -> str:
     """The version of an installed npm package."""
     described = json.loads((_FOLDER / "node_modules" / package / "package.json").read_text(encoding="utf-8"))

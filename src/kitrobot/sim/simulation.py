@@ -146,6 +146,8 @@ class Simulation:
         if seconds is not None:
             self._last_tick = max(1, math.ceil(seconds * 1000 / self.tick_ms - 1e-9))
         self._hurry = Hurry(len(self.members))
+        self.stays_plain = False
+        """Set before the first step: CPython runs every step, however many; to compare, and to measure."""
 
     def _show(self, state: State) -> None:
         """From now on the state is this."""
@@ -178,7 +180,7 @@ class Simulation:
         self.state.clock[EVENTS] = 0
         done = 0
         while done < steps:
-            compiled = self._hurry.compiled()
+            compiled = None if self.stays_plain else self._hurry.compiled()
             if compiled is None:
                 part = min(steps - done, self._hurry.most)
                 ran = advance(self.state, part)

@@ -1,0 +1,125 @@
+"""The simulator's step, plain and under Numba: robots in their thousands, how the cost grows, the transport mission.
+
+A step of the swarm is 20 ms of all its robots (see benchmarks/swarm.py): three range rays each, 21 instructions,
+driving, collisions with walls and one another. Beside it Mesa's agents with a neighbour query, and py_trees' trees
+ticking, which do a part of that. Counted: steps. Not counted: staging, Numba's compilation, a round to warm up;
+watching and recording. The transport mission runs from its start to its end without a trace, staging included; the
+unit is simulated seconds a second.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import kitrobot
+from benchmarks.measuring import Rate, Row, in_turns
+from benchmarks.peers import agents_in_space, trees
+from benchmarks.swarm import SPACING_MM, instructions_a_tick, swarm
+from kitrobot.sim import Simulation, compiling
+
+TITLE = "simulating"
+TRANSPORT = Path(__file__).resolve().parents[2] / "examples" / "transport" / "transport.krt"
+
+
+@dataclass(frozen=True)
+class Size:
+    """`beside`: numbers of robots with peers; `growth`: others, under Numba alone. `work`: robots × steps a round."""
+
+    beside: tuple[int, ...]
+    growth: tuple[int, ...]
+    work: int
+    plain_work: int
+    rounds: int
+
+
+FULL = Size((100, 1000, 10_000), (10, 100_000), 1_000_000, 10_000, 5)
+TINY = Size((4,), (9,), 20, 20, 1)
+
+
+def go(run: Simulation, steps: int) -> None:
+    """So many steps; the run must not end before."""
+    done = 0
+    while done < steps:
+        done += run.advance(steps - done)
+        assert run.outcome is None, run.sentence
+
+
+def hurried(run: Simulation) -> Simulation:
+    """The run, under Numba from now on."""
+    assert run.hurry(), "Numba does not compile the step"
+    run.advance(1)
+    return run
+
+
+def run(size: Size, *, peers: bool) -> list[Row]:
+    rows: list[Row] = []
+    for robots in size.beside:
+        rows += _beside(robots, size, peers)
+    if compiling.available():
+        for robots in size.growth:
+            rows.append(Row(f"Numba, {robots} robots", "steps/s", _numba(robots, size)))
+    return rows + _transport(size)
+
+
+def _numba(robots: int, size: Size) -> Rate:
+    steps = max(1, size.work // robots)
+    ours = hurried(swarm(robots))
+    return Rate.of(steps, in_turns({"": lambda: go(ours, steps)}, size.rounds)[""])
+
+
+def _beside(robots: int, size: Size, peers: bool) -> list[Row]:
+    plain_steps = max(1, size.plain_work // robots)
+    steps = {"plain": plain_steps}
+    plain = swarm(robots)
+    plain.stays_plain = True
+    work: dict[str, Callable[[], object]] = {"plain": lambda: go(plain, plain_steps)}
+    if compiling.available():
+        ours = hurried(swarm(robots))
+        steps["Numba"] = max(1, size.work // robots)
+        work["Numba"] = lambda: go(ours, steps["Numba"])
+    if peers:
+        mesa = agents_in_space.Rovers(robots, SPACING_MM)
+        forest = trees.forest(robots)
+        steps["mesa"] = steps["trees"] = plain_steps
+        work["mesa"] = lambda: mesa.go(plain_steps)
+        work["trees"] = lambda: trees.tick(forest, plain_steps)
+    seconds = in_turns(work, size.rounds)
+    rates = {name: Rate.of(steps[name], taken) for name, taken in seconds.items()}
+    rows = []
+    for name in ("plain", "Numba"):
+        if name not in rates:
+            continue
+        what = f"{name}, {robots} robots of {instructions_a_tick()} instructions"
+        if peers:
+            rows.append(Row(what, "steps/s", rates[name], agents_in_space.NAME, rates["mesa"]))
+            rows.append(Row(what, "steps/s", rates[name], trees.NAME, rates["trees"]))
+        else:
+            rows.append(Row(what, "steps/s", rates[name]))
+    return rows
+
+
+def _transport(size: Size) -> list[Row]:
+    opened = kitrobot.open(TRANSPORT)
+    simulated: dict[str, float] = {}
+
+    def mission(name: str) -> None:
+        run = opened.simulation(seed=1)
+        if name == "Numba":
+            assert run.hurry()
+        else:
+            run.stays_plain = True
+        while run.outcome is None:
+            run.advance(10_000)
+        assert run.outcome == "done"
+        simulated[name] = run.seconds
+
+    work: dict[str, Callable[[], object]] = {"plain": lambda: mission("plain")}
+    if compiling.available():
+        work["Numba"] = lambda: mission("Numba")
+    seconds = in_turns(work, size.rounds)
+    return [
+        Row(f"transport, {name}, staging included", "× real time", Rate.of(simulated[name], taken))
+        for name, taken in seconds.items()
+    ]
