@@ -11,7 +11,7 @@ from kitrobot.graph import empty_program
 from kitrobot.mission import Agent, Mission, Team
 from kitrobot.primitives import Catalogue, Robot
 from kitrobot.sim import Simulation
-from kitrobot.world import ColouredLine, Corner, Dock, Pose, Road, Section, Start, Storehouse, Wall, World
+from kitrobot.world import ColouredLine, Corner, Dock, Floor, Pose, Road, Section, Start, Storehouse, Wall, World
 from tests.sim.building import avatar
 
 SIZE = 3000.0
@@ -190,6 +190,10 @@ def random_team(seed: int, robots: int) -> Simulation:
         ColouredLine(colour, 40, (Corner(rng.uniform(50, 900), 50), Corner(rng.uniform(900, 2500), 2500)))
         for colour in rng.sample(("red", "green", "blue"), rng.randrange(4))
     )
+    floors = tuple(
+        Floor(colour, tuple(Corner(x + dx, y + dy, 90) for dx, dy in ((0, 0), (300, 0), (300, 300), (0, 300))))
+        for colour, (x, y) in zip(("red", "blue"), places[: rng.randrange(3)], strict=False)
+    )
     houses = (Storehouse("A", 0, 0, 100, 100, 9, 4), Storehouse("B", 500, 0, 100, 100, 9, 1))
-    world = World("anywhere", size, size, tuple(walls), lines, ROADS, DOCKS, houses, tuple(starts))
+    world = World("anywhere", size, size, tuple(walls), lines, ROADS, DOCKS, houses, tuple(starts), floors)
     return Simulation(mission, world, images, catalogue, seed, 600)

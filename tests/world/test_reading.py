@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
+import xmlschema
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -205,3 +207,58 @@ def test_a_name_that_leads_out_of_its_folder_is_never_followed(tmp_path: Path, h
     inner.mkdir()
     (tmp_path / "ring.world.xml").write_text(GOOD)
     assert find_world(href, [inner]) is None
+
+
+FLOORS = """\
+<world version="1" name="test" width="2000" height="1000">
+  <floor colour="red" x="100" y="200.5" width="300.1" height="50"/>
+  <floor colour="blue">
+    <point x="600" y="100" radius="200"/>
+    <point x="1000" y="100" radius="200"/>
+    <point x="1000" y="500" radius="200"/>
+    <point x="600" y="500" radius="200"/>
+  </floor>
+  <floor colour="green">
+    <point x="1200" y="100"/>
+    <point x="1600" y="100"/>
+    <point x="1400" y="500"/>
+  </floor>
+</world>
+"""
+
+
+def test_coloured_floors_are_rectangles_and_what_points_enclose_and_are_written_again_to_the_byte() -> None:
+    found = world(FLOORS)
+    assert [floor.colour for floor in found.floors] == ["red", "blue", "green"]
+    assert found.floors[0].rectangle == pytest.approx((100, 200.5, 300.1, 50))
+    # A square with corners as round as half its side is a circle.
+    assert found.floors[1].rectangle is None
+    assert found.floors[1].line.length_mm == pytest.approx(400 * math.pi)
+    assert write_world(found).decode() == FLOORS
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "line", "words"),
+    [
+        ('width="300.1"', "", "xml-missing", 2, "width"),
+        ('width="300.1"', 'width="0"', "xml-bad-value", 2, "0.1"),
+        ('width="300.1"', 'width="3000"', "world-outside", 2, "outside the world"),
+        (' x="100" y="200.5" width="300.1" height="50"', "", "world-line", 2, "a closed one three"),
+        ('colour="red"', 'colour="yellow"', "xml-bad-value", 2, "red, green or blue"),
+        ('<floor colour="blue">', '<floor colour="blue" x="4" y="4" width="4" height="4">', "world-line", 3, "both"),
+        ('<point x="600" y="100" radius="200"/>', '<point x="600" y="100" radius="300"/>', "world-line", 3, "no room"),
+        ('<point x="1400" y="500"/>', "", "world-line", 9, "a closed one three"),
+        ('<point x="1400" y="500"/>', '<point x="1400" y="5000"/>', "world-outside", 9, "outside the world"),
+    ],
+)
+def test_a_mistake_in_a_floor_is_said_at_its_place(old: str, new: str, code: str, line: int, words: str) -> None:
+    assert old in FLOORS
+    found = problems_of(FLOORS.replace(old, new, 1))
+    assert [problem[:2] for problem in found] == [(code, line)]
+    assert words in found[0][3]
+
+
+def test_schema_knows_floors() -> None:
+    schema = xmlschema.XMLSchema(str(SHIPPED.parents[1] / "primitives" / "schemas" / "world.xsd"))
+    assert schema.is_valid(FLOORS)
+    assert not schema.is_valid(FLOORS.replace('colour="red"', 'colour="yellow"'))

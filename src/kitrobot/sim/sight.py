@@ -1,4 +1,4 @@
-"""What a ray meets, and how far a path is: loops over rows of numbers, in the Python that Numba compiles too.
+"""What a ray meets, and what colour is below: loops over rows of numbers, in the Python that Numba compiles too.
 
 (ux, uy) is the ray's direction, of length 1. `cells` and `exits` are room for the cells it goes through.
 """
@@ -127,4 +127,35 @@ def colour_at(
         ay = y - stretches[1][k] - part * dy
         if math.sqrt(ax * ax + ay * ay) <= stretches[4][k]:
             return colours[k]
+    return 0
+
+
+def floor_at(
+    x: float,
+    y: float,
+    floors: list[list[int]],
+    box: list[list[float]],
+    points: list[list[float]],
+) -> int:
+    """The colour of the uppermost coloured floor (the last one) at a point, or 0.
+
+    Floor k has the colour `floors[0][k]`, its border goes through the points `floors[1][k]` … `floors[2][k]` and ends
+    where it began; `box` is the rectangle around it. A point whose way to the right crosses the border an odd number of
+    times is inside.
+    """
+    xs = points[0]
+    ys = points[1]
+    count = len(floors[0])
+    for back in range(count):
+        k = count - 1 - back
+        if x < box[0][k] or y < box[1][k] or x > box[2][k] or y > box[3][k]:
+            continue
+        inside = False
+        for n in range(floors[1][k], floors[2][k]):
+            if (ys[n] > y) != (ys[n + 1] > y):
+                across = xs[n] + (y - ys[n]) * (xs[n + 1] - xs[n]) / (ys[n + 1] - ys[n])
+                if x < across:
+                    inside = not inside
+        if inside:
+            return floors[0][k]
     return 0

@@ -93,6 +93,9 @@ class State(NamedTuple):
     line_shape: Wholes
     line_starts: Wholes
     line_items: Wholes
+    floors: WholeRows
+    floor_box: RealRows
+    floor_points: RealRows
     # Room to work in: the grid of robots, the cells of a ray, who touches whom.
     frame: Reals
     shape: Wholes
@@ -108,7 +111,7 @@ class State(NamedTuple):
 
 _REAL = frozenset(
     ("fixed_real", "real", "sensor_real", "actuator_real", "road_length", "points", "cut_from", "docks", "walls")
-) | {"wall_frame", "stretches", "line_frame", "frame", "ray_exits"}
+) | {"wall_frame", "stretches", "line_frame", "floor_box", "floor_points", "frame", "ray_exits"}
 _NARROW = frozenset(("cells", "threads", "pars", "out", "seen", "was_cells", "was_threads", "was_pars")) | {
     "kept_cells",
     "kept_threads",

@@ -127,6 +127,9 @@ def advance(state: State, steps: int) -> int:
         line_shape,
         line_starts,
         line_items,
+        floors,
+        floor_box,
+        floor_points,
         frame,
         shape,
         starts,
@@ -200,6 +203,9 @@ def advance(state: State, steps: int) -> int:
                 line_shape,
                 line_starts,
                 line_items,
+                floors,
+                floor_box,
+                floor_points,
             )
         if sensor_bank[PRESENCE] < sensor_bank[PRESENCE + 1]:
             sense_presence(

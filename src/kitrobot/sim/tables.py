@@ -237,6 +237,9 @@ class Tables:
             line_shape=world.line_grid.shape,
             line_starts=world.line_grid.starts,
             line_items=world.line_grid.items,
+            floors=world.floors,
+            floor_box=world.floor_box,
+            floor_points=world.floor_points,
             frame=[0.0, 0.0, 1.0],
             shape=[1, 1],
             starts=[0] * (2 * in_grid + 16),
@@ -382,6 +385,18 @@ class _WorldTables:
             self.stretches[4] += [coloured.width_mm / 2] * (len(xs) - 1)
             self.colours += [COLOURS[coloured.colour]] * (len(xs) - 1)
         self.line_grid: Grid = fixed(self.stretches, max(self.stretches[4], default=0.0))
+        self.floors: list[list[int]] = [[], [], []]
+        self.floor_box: list[list[float]] = [[], [], [], []]
+        self.floor_points: list[list[float]] = [[], []]
+        for floor in world.floors:
+            xs, ys = floor.line.xs, floor.line.ys
+            first = len(self.floor_points[0])
+            for whole, number in zip(self.floors, (COLOURS[floor.colour], first, first + len(xs) - 1), strict=True):
+                whole.append(number)
+            for row, side in zip(self.floor_box, (min(xs), min(ys), max(xs), max(ys)), strict=True):
+                row.append(side)
+            self.floor_points[0] += xs
+            self.floor_points[1] += ys
 
 
 def wall_rows(world: World) -> list[list[float]]:

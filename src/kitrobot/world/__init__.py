@@ -1,4 +1,4 @@
-"""Places where robots move: walls, roads, docks, storehouses; reading, writing, geometry."""
+"""Places where robots move: walls, coloured floor, roads, docks, storehouses; reading, writing, geometry."""
 
 from kitrobot.world.finding import EMPTY, SHIPPED, SUFFIX, find_world
 from kitrobot.world.geometry import Corner, Polyline, Pose, distance_to_stretch, normalised, polyline
@@ -10,6 +10,7 @@ from kitrobot.world.model import (
     UNLOAD,
     ColouredLine,
     Dock,
+    Floor,
     Road,
     Section,
     Start,
@@ -32,6 +33,7 @@ __all__ = [
     "ColouredLine",
     "Corner",
     "Dock",
+    "Floor",
     "Polyline",
     "Pose",
     "Road",

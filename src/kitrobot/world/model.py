@@ -1,4 +1,4 @@
-"""A world: its size, walls, coloured lines, roads cut into numbered sections, docks, storehouses and starts.
+"""A world: its size, walls, coloured floor and lines, roads cut into numbered sections, docks, storehouses and starts.
 
 Frozen values, in the order of the file, in mm and radians; x goes right, y goes up, heading 0 looks along +x and grows
 counter-clockwise. A world made by `read_world` holds: names are unique a kind, every road has a sampled line, sections
@@ -26,7 +26,7 @@ LEFT = "left"
 RIGHT = "right"
 
 COLOURS = {"red": 1, "green": 2, "blue": 3}
-"""What a colour sensor reads above a line; 0 beside them."""
+"""What a colour sensor reads above a line or a coloured floor; 0 beside them."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,40 @@ class Wall:
     y1_mm: float
     x2_mm: float
     y2_mm: float
+
+
+@dataclass(frozen=True)
+class Floor:
+    """A coloured part of the floor inside `corners`, rounded where they have a radius; `colour` is a key of `COLOURS`.
+
+    Where its border crosses itself, what is enclosed twice is not coloured.
+    """
+
+    colour: str
+    corners: tuple[Corner, ...]
+
+    @cached_property
+    def line(self) -> Polyline:
+        """Its sampled border."""
+        return polyline(self.corners, True)
+
+    @property
+    def rectangle(self) -> tuple[float, float, float, float] | None:
+        """x, y (its lower left corner), width and height of one that is as `rectangle_corners` makes it, or None."""
+        if len(self.corners) != 4 or any(corner.radius_mm for corner in self.corners):
+            return None
+        first, _, last, _ = self.corners
+        sides = first.x_mm, first.y_mm, last.x_mm - first.x_mm, last.y_mm - first.y_mm
+        for corner, other in zip(self.corners, rectangle_corners(*sides), strict=True):
+            if not math.isclose(corner.x_mm, other.x_mm) or not math.isclose(corner.y_mm, other.y_mm):
+                return None
+        return sides if min(sides[2:]) > 0 else None
+
+
+def rectangle_corners(x_mm: float, y_mm: float, width_mm: float, height_mm: float) -> tuple[Corner, ...]:
+    """The corners of a rectangle, counter-clockwise from its lower left one."""
+    right, top = x_mm + width_mm, y_mm + height_mm
+    return Corner(x_mm, y_mm), Corner(right, y_mm), Corner(right, top), Corner(x_mm, top)
 
 
 @dataclass(frozen=True)
@@ -138,6 +172,7 @@ class World:
     docks: tuple[Dock, ...] = ()
     storehouses: tuple[Storehouse, ...] = ()
     starts: tuple[Start, ...] = ()
+    floors: tuple[Floor, ...] = ()
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
 

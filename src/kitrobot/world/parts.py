@@ -21,11 +21,13 @@ from kitrobot.world.model import (
     UNLOAD,
     ColouredLine,
     Dock,
+    Floor,
     Road,
     Section,
     Start,
     Storehouse,
     Wall,
+    rectangle_corners,
 )
 
 MAX_SIZE_MM = 1_000_000.0
@@ -68,6 +70,20 @@ def _line(element: Element) -> ColouredLine:
     return line
 
 
+def _floor(element: Element) -> Floor:
+    colour = element.choice("colour", COLOURS)
+    corners = tuple(element.found(Corner))
+    sides = [side for side in ("x", "y", "width", "height") if side in element.attributes]
+    if sides and corners:
+        element.report(rules.LINE, "expected points or x, y, width and height on <floor>, found both", sides[0])
+    elif sides:
+        x_mm, y_mm = _coordinate(element, "x"), _coordinate(element, "y")
+        corners = rectangle_corners(x_mm, y_mm, length(element, "width", 0.1), length(element, "height", 0.1))
+    floor = Floor(colour, corners)
+    _is_drawn(element, floor)
+    return floor
+
+
 def _section(element: Element) -> Section:
     sign = element.integer("sign", 0, MAX_NUMBER)
     end = length(element, "to") if "to" in element.attributes else math.inf
@@ -83,7 +99,7 @@ def _road(element: Element) -> Road:
     return replace(road, sections=_sections(element, road.line.length_mm))
 
 
-def _is_drawn(element: Element, line: Road | ColouredLine) -> bool:
+def _is_drawn(element: Element, line: Road | ColouredLine | Floor) -> bool:
     """Whether the line has a shape; says why not."""
     if element.faulty:
         return False
@@ -164,6 +180,7 @@ _POINT = Tag(close=_point, attributes=("x", "y", "radius"))
 
 PARTS = {
     "wall": Tag(close=_wall, attributes=("x1", "y1", "x2", "y2")),
+    "floor": Tag(close=_floor, attributes=("colour", "x", "y", "width", "height"), children={"point": _POINT}),
     "line": Tag(close=_line, attributes=("colour", "width", "closed"), children={"point": _POINT}),
     "road": Tag(
         close=_road,

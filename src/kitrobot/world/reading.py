@@ -14,7 +14,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import TEXTS, Element, Reader, Tag, did_you_mean, shown
 from kitrobot.world import rules
 from kitrobot.world.geometry import distance_to_stretch
-from kitrobot.world.model import ColouredLine, Dock, Road, Start, Storehouse, Wall, World
+from kitrobot.world.model import ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World
 from kitrobot.world.parts import PARTS, length, mm
 
 VERSION = 1
@@ -69,6 +69,7 @@ class _Whole:
     def world(self) -> World:
         """The world of all sound parts."""
         self.so_far = replace(self.so_far, walls=tuple(self._sound(Wall, self._wall)))
+        self.so_far = replace(self.so_far, floors=tuple(self._sound(Floor, self._line)))
         self.so_far = replace(self.so_far, lines=tuple(self._sound(ColouredLine, self._line)))
         self.so_far = replace(self.so_far, roads=tuple(self._named(Road, "road", self._line)))
         self.so_far = replace(self.so_far, storehouses=tuple(self._named(Storehouse, "storehouse", self._storehouse)))
@@ -93,7 +94,7 @@ class _Whole:
     def _wall(self, wall: Wall, where: Element) -> None:
         self._inside(where, [(wall.x1_mm, wall.y1_mm), (wall.x2_mm, wall.y2_mm)])
 
-    def _line(self, line: Road | ColouredLine, where: Element) -> None:
+    def _line(self, line: Road | ColouredLine | Floor, where: Element) -> None:
         self._inside(where, zip(line.line.xs, line.line.ys, strict=True))
 
     def _storehouse(self, house: Storehouse, where: Element) -> None:

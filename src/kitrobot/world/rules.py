@@ -7,9 +7,10 @@ from kitrobot.diagnostics import Severity, rule
 LINE = rule(
     "world-line",
     Severity.ERROR,
-    "A road or line cannot be drawn",
-    "A line needs two different points, a closed one three. A point's `radius` rounds its corner off and takes room "
-    "from the stretches on both sides; where two roundings meet they must fit.",
+    "A road, line or floor cannot be drawn",
+    "A floor is a rectangle, or has three points or more. A line needs two different points, a closed one three. A "
+    "point's `radius` rounds its corner off and takes room from the stretches on both sides; where two roundings meet "
+    "they must fit.",
 )
 SECTIONS = rule(
     "world-sections",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from kitrobot.primitives import Texts, attributes, escape_text
 from kitrobot.world.geometry import Corner
-from kitrobot.world.model import LEFT, ColouredLine, Dock, Road, Start, World
+from kitrobot.world.model import LEFT, ColouredLine, Dock, Floor, Road, Start, World
 
 
 def number(value: float) -> str:
@@ -28,6 +28,8 @@ def _lines(world: World) -> Iterator[str]:
     yield from _texts("help", world.help)
     for wall in world.walls:
         yield f"  <wall{_numbers(x1=wall.x1_mm, y1=wall.y1_mm, x2=wall.x2_mm, y2=wall.y2_mm)}/>"
+    for floor in world.floors:
+        yield from _floor(floor)
     for line in world.lines:
         yield from _line(line)
     for road in world.roads:
@@ -56,6 +58,17 @@ def _points(corners: tuple[Corner, ...]) -> Iterator[str]:
     for corner in corners:
         radius = _numbers(radius=corner.radius_mm) if corner.radius_mm else ""
         yield f"    <point{_numbers(x=corner.x_mm, y=corner.y_mm)}{radius}/>"
+
+
+def _floor(floor: Floor) -> Iterator[str]:
+    colour = attributes(("colour", floor.colour))
+    if floor.rectangle is not None:
+        x_mm, y_mm, width_mm, height_mm = floor.rectangle
+        yield f"  <floor{colour}{_numbers(x=x_mm, y=y_mm, width=width_mm, height=height_mm)}/>"
+        return
+    yield f"  <floor{colour}>"
+    yield from _points(floor.corners)
+    yield "  </floor>"
 
 
 def _line(line: ColouredLine) -> Iterator[str]:

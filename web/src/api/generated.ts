@@ -160,6 +160,12 @@ export interface Fix {
   name: string;
 }
 
+/** A coloured part of the floor, by the points of its border, sampled like a road. */
+export interface Floor {
+  colour: "red" | "green" | "blue";
+  points: [number, number][];
+}
+
 /**
  * The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes. `problems`
  * have their places in the text that was sent. `report` is the mission looked through with that program.
@@ -862,6 +868,7 @@ export interface World {
   width_mm: number;
   height_mm: number;
   walls: Wall[];
+  floors: Floor[];
   lines: Line[];
   roads: Road[];
   docks: Dock[];

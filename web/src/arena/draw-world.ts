@@ -15,6 +15,7 @@ export const ROBOT_MM = 135;
 const ROBOT_UNITS = 54;
 const LEAST_UNIT = 0.85;
 const GRID_MM = 100;
+const FLOOR_ALPHA = 0.55;
 
 export interface Brush {
   pen: CanvasRenderingContext2D;
@@ -247,6 +248,19 @@ function drawWalls({ pen, camera, colours, unit }: Brush, world: World): void {
   pen.stroke();
 }
 
+/** Coloured parts of the floor, paler than lines, so that lines and robots stand out on them. */
+function drawFloors({ pen, camera, colours }: Brush, world: World): void {
+  pen.save();
+  pen.globalAlpha = FLOOR_ALPHA;
+  for (const floor of world.floors ?? []) {
+    pen.beginPath();
+    for (const [x, y] of floor.points) pen.lineTo(...toScreen(camera, x, y));
+    pen.fillStyle = colours[floor.colour];
+    pen.fill("evenodd");
+  }
+  pen.restore();
+}
+
 /** Coloured lines on the floor, the last one on top as the robots see it. */
 function drawLines({ pen, camera, colours }: Brush, world: World): void {
   pen.lineJoin = "round";
@@ -264,6 +278,7 @@ function drawLines({ pen, camera, colours }: Brush, world: World): void {
 export function drawWorld(brush: Brush, scene: Scene): void {
   const { world } = scene;
   ground(brush, world);
+  drawFloors(brush, world);
   drawLines(brush, world);
   for (const road of world.roads) drawRoad(brush, road);
   for (const dock of world.docks) drawDock(brush, dock, world);

@@ -17,7 +17,7 @@ const MARGIN = 24;
 const ROBOT_PART = 0.075;
 
 export function Picture({ picture: { program, world, agents } }: { picture: MissionPicture }) {
-  const place = world !== null && (world.roads.length > 0 || agents.length > 1 || (world.lines ?? []).length > 0);
+  const place = world !== null && (world.roads.length > 0 || agents.length > 1 || [...(world.lines ?? []), ...(world.floors ?? [])].length > 0);
   return place ? <WorldPicture world={world} agents={agents} /> : <GraphPicture program={program} />;
 }
 
@@ -106,6 +106,14 @@ export function WorldPicture({ world, agents }: { world: World; agents: readonly
     `M${points.map(([x, y]) => `${String(x)} ${String(height - y)}`).join("L")}${closed ? "Z" : ""}`;
   return (
     <svg className="picture picture-world" viewBox={`0 0 ${String(width)} ${String(height)}`} aria-hidden="true">
+      {(world.floors ?? []).map((floor, index) => (
+        <path
+          key={index}
+          className="picture-floor"
+          d={path(floor.points, true)}
+          style={{ fill: `var(--arena-${floor.colour})` }}
+        />
+      ))}
       {(world.lines ?? []).map((line, index) => (
         <path
           key={index}

@@ -232,6 +232,7 @@ export interface World {
   width_mm: number;
   height_mm: number;
   walls: { x1: number; y1: number; x2: number; y2: number }[];
+  floors?: { colour: "red" | "green" | "blue"; points: [number, number][] }[];
   lines?: { colour: "red" | "green" | "blue"; width_mm: number; closed: boolean; points: [number, number][] }[];
   roads: {
     name: string;

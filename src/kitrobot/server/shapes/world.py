@@ -29,6 +29,13 @@ class LineShape(BaseModel):
     points: list[tuple[float, float]]
 
 
+class FloorShape(BaseModel):
+    """A coloured part of the floor, by the points of its border, sampled like a road."""
+
+    colour: FloorColour
+    points: list[tuple[float, float]]
+
+
 class SectionShape(BaseModel):
     """A numbered stretch of a road, by the distance along it."""
 
@@ -89,6 +96,7 @@ class WorldShape(BaseModel):
     width_mm: float
     height_mm: float
     walls: list[WallShape]
+    floors: list[FloorShape]
     lines: list[LineShape]
     roads: list[RoadShape]
     docks: list[DockShape]
@@ -103,6 +111,12 @@ def world_shape(world: World) -> WorldShape:
         width_mm=world.width_mm,
         height_mm=world.height_mm,
         walls=[WallShape(x1=wall.x1_mm, y1=wall.y1_mm, x2=wall.x2_mm, y2=wall.y2_mm) for wall in world.walls],
+        floors=[
+            FloorShape(
+                colour=cast(FloorColour, floor.colour), points=list(zip(floor.line.xs, floor.line.ys, strict=True))
+            )
+            for floor in world.floors
+        ],
         lines=[
             LineShape(
                 colour=cast(FloorColour, line.colour),

@@ -5,13 +5,13 @@ from __future__ import annotations
 from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import DIRECTED, ENDED, S_P, S_Q, S_ROBOT, S_VALUE, UX, UY, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
-from kitrobot.sim.sight import colour_at
+from kitrobot.sim.sight import colour_at, floor_at
 
 COLOUR = 3
 
 
 class Colour(Sensor):
-    """The number of the coloured line under it (1 red, 2 green, 3 blue), or 0; the last line is on top."""
+    """The number of the colour under it (1 red, 2 green, 3 blue), or 0; lines lie on floors, the last on top."""
 
     name = "colour"
     kind = COLOUR
@@ -45,9 +45,12 @@ def sense_colours(
     shape: list[int],
     starts: list[int],
     items: list[int],
+    floors: list[list[int]],
+    floor_box: list[list[float]],
+    floor_points: list[list[float]],
 ) -> None:
-    """Measures with the devices `first` … `last` - 1; without lines everything stays 0."""
-    if len(items) == 0:
+    """Measures with the devices `first` … `last` - 1; on a bare floor everything stays 0."""
+    if len(items) == 0 and len(floors[0]) == 0:
         return
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
@@ -61,4 +64,9 @@ def sense_colours(
             uy = real[UY][i]
             x = real[X][i] + aheads[k] * ux - sides[k] * uy
             y = real[Y][i] + aheads[k] * uy + sides[k] * ux
-            values[k] = colour_at(x, y, stretches, colours, frame, shape, starts, items)
+            colour = 0
+            if len(items) > 0:
+                colour = colour_at(x, y, stretches, colours, frame, shape, starts, items)
+            if colour == 0:
+                colour = floor_at(x, y, floors, floor_box, floor_points)
+            values[k] = colour
