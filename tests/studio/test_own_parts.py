@@ -217,3 +217,39 @@ def test_axe_finds_nothing_on_the_sheets(open_studio: OpenStudio, look: tuple[st
     studio.page.keyboard.press("Delete")
     expect(studio.at("own-delete")).to_be_visible()
     find_nothing(studio, "deleting a part")
+
+
+def test_a_part_is_still_there_after_a_reload_with_its_undo(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    select(studio, "v11")
+    studio.page.keyboard.press("p")
+    with studio.page.expect_response(re.compile("/api/journal$")):
+        save_part(studio, "Mine", "v11-condition")
+    studio.page.reload()
+    expect(row(studio, "Mine")).to_be_visible(timeout=20_000)
+    expect(studio.page.locator(".vertex", has_text="Mine")).to_have_count(1)
+    studio.at("canvas").focus()
+    studio.page.keyboard.press("Control+z")
+    expect(studio.at("part-Mine")).to_have_count(0)
+    expect(studio.page.locator(".vertex", has_text="Mine")).to_have_count(0)
+
+
+def test_a_finger_that_rests_on_a_part_opens_its_menu(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT, has_touch=True)
+    select(studio, "v11")
+    studio.page.keyboard.press("p")
+    save_part(studio, "Mine")
+    at = row(studio, "Mine").bounding_box()
+    assert at is not None
+    down = {
+        "pointerType": "touch",
+        "isPrimary": True,
+        "bubbles": True,
+        "clientX": at["x"] + 40,
+        "clientY": at["y"] + 10,
+    }
+    row(studio, "Mine").dispatch_event("pointerdown", down)
+    expect(studio.at("own-menu")).to_be_visible()
+    row(studio, "Mine").dispatch_event("pointerup", down)
+    studio.at("own-menu").get_by_role("menuitem", name="Delete this part").click()
+    expect(studio.at("own-delete")).to_contain_text("It is used 1 time.")
