@@ -63,7 +63,7 @@ export function DeleteSheet({ name }: { name: string }) {
                 reveal(program, vertices);
               }}
             >
-              <Icon name="arrow-right" size={16} />
+              <Icon name="search" size={16} />
               {t("own.used-in", { program, count: vertices.length })}
             </button>
           </li>

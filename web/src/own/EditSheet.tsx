@@ -69,7 +69,7 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
           if (!there) return;
           setRead(answer);
           setFailure("");
-          setCode((before) => before ?? answer.lll);
+          setCode((before) => before ?? answer.lll.trimEnd());
           if (answer.constructor !== null) setSlots((before) => sameSlots(before, answer.constructor?.slots ?? []));
         },
         (cause: unknown) => {
