@@ -20,7 +20,12 @@ from tests.strategies import Shape, random_program
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.mark.parametrize("name", subjects())
+IN_A_BROWSER = ("studio",)
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.browser] * (name in IN_A_BROWSER)) for name in subjects()]
+)
 def test_every_subject_runs(name: str) -> None:
     subject = subjects()[name]
     rows = subject.run(subject.TINY, peers=False)
