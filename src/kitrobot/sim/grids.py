@@ -12,8 +12,9 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-FEW = 8
-"""So many things stand in one cell: to look at all of them is quicker than to look where they are."""
+FEW = 40
+FEW_FIXED = 12
+"""So many robots, or walls, stand in one cell: to look at all of them is quicker than to look where they are."""
 
 SLACK_MM = 0.3
 """How much further than its disc a robot reaches: those that touch always share a cell."""
@@ -38,7 +39,7 @@ def fixed(stretches: Sequence[Sequence[float]], margin: float) -> Grid:
     left, low = min(*x1, *x2) - margin, min(*y1, *y2) - margin
     width, height = max(*x1, *x2) + margin - left, max(*y1, *y2) + margin - low
     size, cells_x, cells_y = max(width, height), 1, 1
-    if count > FEW:
+    if count > FEW_FIXED:
         size = max(math.sqrt(width * height / count), margin, 1.0)
         cells_x, cells_y = int(width / size) + 1, int(height / size) + 1
         while cells_x * cells_y > 4 * count + 4:
