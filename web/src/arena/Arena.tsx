@@ -5,6 +5,7 @@ import { useStudio } from "../model/studio";
 import { ARENA_KEYS, keyIn } from "../reach/key-table";
 import { posesAt, watchFrames } from "../run/poses";
 import { useRun } from "../run/run";
+import { Seed } from "../run/Seed";
 import { Icon, useTheme } from "../theme";
 import { decimal } from "../words/numbers";
 import { t } from "../words/words";
@@ -74,14 +75,13 @@ function useSummary(scene: Scene | null): string {
 }
 
 function Heading({ scene, painter }: { scene: Scene | null; painter: Painter | null }) {
-  const seed = useRun((run) => run.seed);
   const world = scene?.world;
   const size = (mm: number) => decimal(mm / 1000);
   const what =
     world === undefined
       ? ""
       : world.roads.length > 0
-        ? `${world.name} · ${t("arena.seed", { seed })}`
+        ? world.name
         : `${world.name} · ${t("arena.size", { width: size(world.width_mm), height: size(world.height_mm) })}`;
   const tools: [string, string, () => void][] = [
     ["zoom-out", t("arena.zoom-out"), () => painter?.zoom(1 / 1.4)],
@@ -92,6 +92,7 @@ function Heading({ scene, painter }: { scene: Scene | null; painter: Painter | n
     <header className="side-head">
       <h2>{t("arena.title")}</h2>
       <span className="side-note">{what}</span>
+      {world === undefined ? null : <Seed />}
       <span className="side-tools">
         {tools.map(([icon, label, act]) => (
           <button key={icon} type="button" className="tool small" aria-label={label} title={label} onClick={act}>

@@ -36,6 +36,8 @@ export interface RunState {
   collisions: number;
   events: RunEvent[];
   seed: number;
+  /** The mission that runs; null without a run. Later edits do not reach it. */
+  mission: Mission | null;
   /** How many times real time; 0 is as fast as it goes. */
   speed: number;
   /** program → name of the agent that is watched; the first one of that program where nothing is chosen. */
@@ -83,6 +85,7 @@ const NOTHING = {
   events: [] as RunEvent[],
   error: null,
   problems: [] as Problem[],
+  mission: null as Mission | null,
 };
 
 let socket: RunSocket | null = null;
@@ -117,6 +120,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
     case "started":
       return {
         ...NOTHING,
+        mission: state.mission,
         status: "running",
         tickMs: message.tick_ms,
         seed: message.seed,
@@ -208,7 +212,7 @@ export const useRun = create<RunState>((set, get) => ({
   start: ({ mission, path }) => {
     hangUp();
     clearFrames();
-    set({ ...NOTHING, status: "connecting" });
+    set({ ...NOTHING, status: "connecting", mission });
     const { seed, speed } = get();
     socket = openRunSocket({
       onOpen: (opened) => opened.send({ type: "start", mission, path, seed, speed }),

@@ -1,6 +1,9 @@
 /** What the run is doing, at the right of the toolbar: "Paused at 00:42.6", "Done: …". */
 import type { AgentActivity } from "../api/wire";
-import { type RunStatus as Status, useRun } from "../run/run";
+import { useStudio } from "../model/studio";
+import type { Mission } from "../model/types";
+import { isLive, type RunStatus as Status, useRun } from "../run/run";
+import { Icon } from "../theme";
 import { Said } from "../words/Said";
 import { type Key, t } from "../words/words";
 import { clock } from "../words/numbers";
@@ -18,12 +21,20 @@ const SHAPES: Record<Status, AgentActivity> = {
   stopped: "idle",
 };
 
+/** Whether a run of one would be another run than that of the other; breakpoints reach the run that is on. */
+function isAnother(mission: Mission, running: Mission): boolean {
+  const parts = ["programs", "agents", "goals", "world", "constructors", "variables", "failures"] as const;
+  return parts.some((part) => mission[part] !== running[part]);
+}
+
 export function RunStatus() {
   const status = useRun((run) => run.status);
   const sentence = useRun((run) => run.sentence);
   const time = useRun((run) => clock(run.seconds));
   const key: Key = `status.${status}`;
   const timed = status === "running" || status === "paused" || status === "stopped";
+  const running = useRun((run) => (isLive(run.status) ? run.mission : null));
+  const edited = useStudio(({ mission }) => running !== null && isAnother(mission, running));
   const hit = useRun(({ hits }) => hits[0]);
   const ended = status === "done" || status === "failed" || status === "stuck" || status === "time";
   return (
@@ -38,6 +49,17 @@ export function RunStatus() {
           t(key)
         )}
       </span>
+      {edited ? (
+        <span
+          className="run-status-edited"
+          role="img"
+          aria-label={t("run.edited-since")}
+          title={t("run.edited-since")}
+          data-testid="edited-since"
+        >
+          <Icon name="pencil" size={14} />
+        </span>
+      ) : null}
       {timed ? (
         <span className="run-status-time" aria-hidden={status === "running"}>
           {time}

@@ -37,6 +37,7 @@ import DoorOpen from "lucide-react/icons/door-open";
 import Ellipsis from "lucide-react/icons/ellipsis";
 import Equal from "lucide-react/icons/equal";
 import Eraser from "lucide-react/icons/eraser";
+import Dices from "lucide-react/icons/dices";
 import Eye from "lucide-react/icons/eye";
 import File from "lucide-react/icons/file";
 import Flag from "lucide-react/icons/flag";
@@ -138,6 +139,7 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   ellipsis: Ellipsis,
   equal: Equal,
   eraser: Eraser,
+  dices: Dices,
   eye: Eye,
   file: File,
   flag: Flag,

@@ -79,6 +79,10 @@ export const EN = {
   "run.resume": "Resume",
   "run.pause": "Pause",
   "run.step": "Step one tick",
+  "run.seed": "seed",
+  "run.seed-help": "Where chance begins: the same seed gives the same run.",
+  "run.new-seed": "Another seed",
+  "run.edited-since": "Edited since: the run goes on as the mission was when it began.",
   "run.step-back": "Back one tick",
   "run.step-vertex": "On to the next part",
   "run.step-vertex-back": "Back to the part before",
@@ -199,7 +203,6 @@ export const EN = {
   "problems.close": "Close the list",
 
   "arena.title": "Arena",
-  "arena.seed": "seed {seed}",
   "arena.label": "Arena: the world with its robots",
   "arena.empty": "empty",
   "arena.no-world": "There is no world to show. The list of problems says why.",

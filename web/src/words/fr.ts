@@ -80,6 +80,10 @@ export const FR = {
   "run.resume": "Reprendre",
   "run.pause": "Pause",
   "run.step": "Avancer d'un pas",
+  "run.seed": "graine",
+  "run.seed-help": "Où commence le hasard : la même graine donne la même exécution.",
+  "run.new-seed": "Une autre graine",
+  "run.edited-since": "Modifié depuis : l'exécution continue avec la mission du départ.",
   "run.step-back": "Reculer d'un pas",
   "run.step-vertex": "Jusqu'à la pièce suivante",
   "run.step-vertex-back": "Retour à la pièce précédente",
@@ -200,7 +204,6 @@ export const FR = {
   "problems.close": "Fermer la liste",
 
   "arena.title": "Arène",
-  "arena.seed": "graine {seed}",
   "arena.label": "Arène : le monde avec ses robots",
   "arena.empty": "vide",
   "arena.no-world": "Il n'y a pas de monde à montrer. La liste des problèmes dit pourquoi.",

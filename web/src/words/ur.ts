@@ -80,6 +80,10 @@ export const UR = {
   "run.resume": "جاری رکھیں",
   "run.pause": "وقفہ",
   "run.step": "ایک قدم چلیں",
+  "run.seed": "بیج",
+  "run.seed-help": "اتفاق کہاں سے شروع ہوتا ہے: ایک ہی بیج سے ایک جیسا چلن۔",
+  "run.new-seed": "نیا بیج",
+  "run.edited-since": "اس کے بعد ترمیم ہوئی: چلنے والا مشن شروع والا ہی ہے۔",
   "run.step-back": "ایک قدم پیچھے",
   "run.step-vertex": "اگلے پرزے تک",
   "run.step-vertex-back": "پچھلے پرزے تک",
@@ -200,7 +204,6 @@ export const UR = {
   "problems.close": "فہرست بند کریں",
 
   "arena.title": "میدان",
-  "arena.seed": "بیج {seed}",
   "arena.label": "میدان: روبوٹوں کی دنیا",
   "arena.empty": "خالی",
   "arena.no-world": "دکھانے کو کوئی دنیا نہیں۔ مسائل کی فہرست بتاتی ہے کیوں۔",

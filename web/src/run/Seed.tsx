@@ -1,0 +1,64 @@
+/**
+ * The seed of the next run: where its chance begins. The same seed gives the same run; another one another run.
+ *
+ * A number that can be typed, and dice for one that nobody has tried. While a run is on it shows that run's and stays.
+ */
+import "./seed.css";
+
+import { useState } from "react";
+
+import { Icon } from "../theme";
+import { t } from "../words/words";
+import { isLive, useRun } from "./run";
+
+const LARGEST = 999_999;
+
+export function Seed() {
+  const seed = useRun((run) => run.seed);
+  const live = useRun((run) => isLive(run.status));
+  const [typed, setTyped] = useState<string | null>(null);
+  const put = (wanted: number) => {
+    if (Number.isInteger(wanted) && wanted >= 0 && wanted <= LARGEST) useRun.setState({ seed: wanted });
+  };
+  const keep = () => {
+    if (typed !== null && typed.trim() !== "") put(Number(typed));
+    setTyped(null);
+  };
+  return (
+    <span className="seed">
+      <label title={t("run.seed-help")}>
+        {t("run.seed")}
+        <input
+          type="text"
+          inputMode="numeric"
+          data-testid="seed"
+          maxLength={6}
+          disabled={live}
+          value={typed ?? String(seed)}
+          onFocus={(event) => {
+            setTyped(String(seed));
+            event.target.select();
+          }}
+          onChange={(event) => setTyped(event.target.value.replace(/\D/g, ""))}
+          onBlur={keep}
+          onKeyDown={(event) => {
+            if (event.key === "Enter") event.currentTarget.blur();
+            else if (event.key === "Escape") setTyped(null);
+            event.stopPropagation();
+          }}
+        />
+      </label>
+      <button
+        type="button"
+        className="tool small"
+        data-testid="new-seed"
+        disabled={live}
+        aria-label={t("run.new-seed")}
+        title={t("run.new-seed")}
+        onClick={() => put(1 + Math.floor(Math.random() * LARGEST))}
+      >
+        <Icon name="dices" size={16} />
+      </button>
+    </span>
+  );
+}
