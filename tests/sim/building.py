@@ -29,6 +29,12 @@ WHEEL = """<actuator name="Wheel" device="drive" {settings}>
   <procedure name="Stop"/>
 </actuator>"""
 
+SIDE = """<actuator name="{name}" device="wheel" {settings}>
+  <procedure name="Forward" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
+  <procedure name="Backward" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
+  <procedure name="Stop"/>
+</actuator>"""
+
 MOTOR = """<actuator name="Motor" device="turn" {settings}>
   <procedure name="AbsoluteTurn" completes="later" stop="Stop">
     <parameter name="angle" min="0" max="100"/><parameter name="speed" min="0" max="100"/>

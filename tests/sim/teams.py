@@ -69,20 +69,30 @@ def robot(number: int) -> Robot:
         parts.append(_tests("Store", 0, 50, "store", some(3)))
     else:
         guide = 'guide="road"' if kind == 1 else ""
-        parts.append(
-            f"""<actuator name="Wheel" device="drive" {guide} speed="{rng.choice((200, 900))}"
-            length="{rng.choice((60, 120))}" width="50" {some()}>
-            <procedure name="Advance" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
-            <procedure name="Reverse" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
-            <procedure name="Stop"/></actuator>"""
-        )
-        parts.append(
-            f"""<actuator name="Motor" device="turn" rate="{rng.choice((90, 720))}" {some()}>
-            <procedure name="AbsoluteTurn" completes="later" stop="Stop">
-            <parameter name="angle" min="0" max="100"/><parameter name="speed" min="0" max="100"/></procedure>
-            <procedure name="Turn" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
-            <procedure name="Stop"/></actuator>"""
-        )
+        if kind == 0 and number % 2:
+            for side in ("left", "right"):
+                parts.append(
+                    f"""<actuator name="{side.title()}" device="wheel" side="{side}" speed="{rng.choice((200, 900))}"
+                    track="{rng.choice((40, 80))}" length="{rng.choice((60, 120))}" {some()}>
+                    <procedure name="Forward" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
+                    <procedure name="Backward" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
+                    <procedure name="Stop"/></actuator>"""
+                )
+        else:
+            parts.append(
+                f"""<actuator name="Wheel" device="drive" {guide} speed="{rng.choice((200, 900))}"
+                length="{rng.choice((60, 120))}" width="50" {some()}>
+                <procedure name="Advance" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
+                <procedure name="Reverse" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
+                <procedure name="Stop"/></actuator>"""
+            )
+            parts.append(
+                f"""<actuator name="Motor" device="turn" rate="{rng.choice((90, 720))}" {some()}>
+                <procedure name="AbsoluteTurn" completes="later" stop="Stop">
+                <parameter name="angle" min="0" max="100"/><parameter name="speed" min="0" max="100"/></procedure>
+                <procedure name="Turn" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
+                <procedure name="Stop"/></actuator>"""
+            )
         parts.append(
             f"""<actuator name="Door" device="door" time="{rng.choice((50, 400))}" {some()}>
             <procedure name="Open" completes="later"/><procedure name="Close" completes="later"/></actuator>"""

@@ -23,7 +23,7 @@ from kitrobot.sim.settings import find_device, read_settings
 from kitrobot.sim.sight import floor_at, ray_to_discs, ray_to_walls
 from kitrobot.world import ColouredLine, Corner, Dock, Floor, Road, Start, Storehouse, World
 from kitrobot.world.model import rectangle_corners
-from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of, steps
+from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, catalogue, empty_world, run_of, steps
 
 RANGE = """<sensor name="Captor" device="range" min="0" max="{most}" {settings}>
   <operation name="Value" value="yes"/>
@@ -50,7 +50,7 @@ def test_every_device_that_a_shipped_robot_names_is_there_with_its_settings_and_
 
 
 def test_devices_are_found_by_their_names() -> None:
-    assert {"arm", "door", "drive", "lamp", "switch", "turn"} == set(actuators())
+    assert {"arm", "door", "drive", "lamp", "switch", "turn", "wheel"} == set(actuators())
     assert {"button", "cargo", "collision", "colour", "presence", "range", "sign", "store"} == set(sensors())
     assert all(issubclass(device, Actuator) for device in actuators().values())
     assert all(issubclass(device, Sensor) for device in sensors().values())
@@ -414,6 +414,23 @@ def test_an_arm_that_cannot_unload_says_so_and_moves_no_box(load: int, stock: in
         (SENSOR.format(name="Eye", device="presence", settings=""), "needs a dock", "dock="),
         (SENSOR.format(name="Eye", device="store", settings=""), "needs a storehouse", "storehouse="),
         (WHEEL.format(settings='guide="road"'), "needs a road", "road="),
+        (SIDE.format(name="L", settings='side="up"'), "left or right in side, found “up”", "where it is"),
+        (SIDE.format(name="L", settings='track="0"'), "from 1 to 10000 mm in track", "apart"),
+        (
+            SIDE.format(name="L", settings="") + SIDE.format(name="R", settings=""),
+            "another side than that of L",
+            "its own",
+        ),
+        (
+            SIDE.format(name="L", settings="") + WHEEL.format(settings=""),
+            "cannot have Wheel, the device drive",
+            "take L",
+        ),
+        (
+            SIDE.format(name="L", settings="") + MOTOR.format(settings=""),
+            "cannot have Motor, the device turn",
+            "take L",
+        ),
     ],
 )
 def test_a_device_that_cannot_be_simulated_is_an_error_in_a_sentence(part: str, words: str, help: str) -> None:

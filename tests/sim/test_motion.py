@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import math
 
+import hypothesis
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.sim import Simulation
+from kitrobot.sim import MOVING, Simulation
 from kitrobot.sim.angles import direction
+from kitrobot.sim.columns import A_R
 from kitrobot.sim.motion import roll, wander
 from kitrobot.world import Corner, Road, Start, World, normalised
-from tests.sim.building import MOTOR, WHEEL, avatar, empty_world, run_of, shipped_world, steps
+from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, run_of, shipped_world, steps
 
 
 def driver(text: str, settings: str = 'speed="400" acceleration="1000000" braking="1000000"') -> Simulation:
@@ -136,3 +138,79 @@ def test_nobody_is_so_fast_that_it_goes_through_a_wall(speed: int) -> None:
         assert 60 < pose.x_mm < 3940
         assert 60 < pose.y_mm < 2440
     assert run.collisions >= 1
+
+
+# ---- two wheels
+
+SWIFT = 'speed="400" acceleration="1e6" braking="1e6" track="80"'
+
+
+def tank(text: str, settings: str = SWIFT) -> Simulation:
+    """A robot of two wheels in the middle of the room, looking along +x."""
+    parts = [
+        SIDE.format(name=side.title(), settings=f'side="{side}" length="80" {settings}') for side in ("left", "right")
+    ]
+    return run_of({"a": (avatar(*parts, name="tank"), text)}, empty_world(a=(2000, 1250, 0)))
+
+
+@given(st.integers(-100, 100), st.integers(-100, 100))
+@hypothesis.settings(max_examples=40)
+def test_two_wheels_drive_an_arc_of_radius_of_their_sum_by_their_difference_and_half_the_track(
+    left: int, right: int
+) -> None:
+    ways = ["Forward" if percent >= 0 else "Backward" for percent in (left, right)]
+    run = steps(tank(f"Left.{ways[0]}({abs(left)}); Right.{ways[1]}({abs(right)}); WAIT(600);"), 1)
+    begin = run.agents[0]
+    pose = steps(run, 50).agents[0]
+    v, omega = 4.0 * (left + right) / 2, 4.0 * (right - left) / 80
+    heading = begin.heading_rad
+    assert normalised(pose.heading_rad - heading - omega) == pytest.approx(0, abs=1e-6)
+    if left == right:
+        expected = v * math.cos(heading), v * math.sin(heading)
+    else:
+        radius = (right + left) / (right - left) * 80 / 2
+        expected = (
+            radius * (math.sin(heading + omega) - math.sin(heading)),
+            radius * (math.cos(heading) - math.cos(heading + omega)),
+        )
+    assert (pose.x_mm - begin.x_mm, pose.y_mm - begin.y_mm) == pytest.approx(expected, abs=1e-5)
+
+
+def test_the_left_wheel_forward_and_the_right_one_backward_turn_clockwise_on_the_spot() -> None:
+    pose = steps(tank("Left.Forward(10); Right.Backward(10); WAIT(600);"), 25).agents[0]
+    assert (pose.x_mm, pose.y_mm) == pytest.approx((2000, 1250), abs=1e-9)
+    assert pose.heading_rad == pytest.approx(-(2 * 40 / 80) * 0.5, abs=0.01)
+    assert pose.flags & MOVING
+
+
+def test_one_wheel_that_goes_alone_drives_around_the_other_one() -> None:
+    run = tank("Right.Forward(50); WAIT(600);")
+    for _ in range(60):
+        pose = steps(run, 1).agents[0]
+        left = pose.x_mm - 40 * math.sin(pose.heading_rad), pose.y_mm + 40 * math.cos(pose.heading_rad)
+        assert left == pytest.approx((2000, 1290), abs=1e-6)
+
+
+@pytest.mark.parametrize("percent", [10, 50, 100])
+def test_wheels_gain_and_lose_speed_as_their_xml_says(percent: int) -> None:
+    v, gain, braking = percent * 4.0, 500.0, 350.0
+    both = "Left.{0}; Right.{0};"
+    run = tank(
+        f"{both.format(f'Forward({percent})')} WAIT(30); {both.format('Stop()')} WAIT(600);",
+        f'speed="400" acceleration="{gain}" braking="{braking}" track="80"',
+    )
+    while run.state.actuator_real[A_R][0] != 0 or run.tick < 2:
+        run.step()
+    # Three seconds, and the one step in which it is told to stop has begun to brake.
+    steps(run, 200)
+    pose = run.agents[0]
+    assert not pose.flags
+    assert pose.y_mm == pytest.approx(1250)
+    assert pose.x_mm - 2000 == pytest.approx(v * 3.0 - v * v / (2 * gain) + v * v / (2 * braking), abs=1e-6)
+
+
+def test_a_run_of_wheels_is_over_only_when_they_stand() -> None:
+    run = tank("Left.Forward(50); <Fault.IsRaised()>(); ")
+    steps(run, 500)
+    assert run.outcome is None
+    assert run.agents[0].state == "running"

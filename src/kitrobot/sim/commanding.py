@@ -23,6 +23,7 @@ from kitrobot.sim.columns import (
     A_QUEUE,
     A_QUEUED,
     A_QUEUED_LATER,
+    A_R,
     A_ROBOT,
     A_SIZE,
     A_TAKEN,
@@ -39,6 +40,7 @@ from kitrobot.sim.devices.drive import DRIVE, take_drive
 from kitrobot.sim.devices.lamp import LAMP_DEVICE, take_lamp
 from kitrobot.sim.devices.switch import SWITCH, take_switch
 from kitrobot.sim.devices.turn import TURN_DEVICE, take_turn
+from kitrobot.sim.devices.wheel import WHEEL_DEVICE, take_wheel
 
 QUEUE = 6
 """Numbers a queued command has."""
@@ -131,6 +133,8 @@ def take(
         take_switch(k, procedure, actuator)
     elif kind == DOOR:
         take_door(k, procedure, deviate, actuator, actuator_real)
+    elif kind == WHEEL_DEVICE:
+        take_wheel(k, procedure, first, deviate, actuator_real)
     elif kind == ARM_DEVICE:
         take_arm(k, procedure, deviate, actuator, actuator_real, whole[ARM])
 
@@ -165,6 +169,8 @@ def busy(k: int, actuator: list[list[int]], actuator_real: list[list[float]], re
     if kind == TURN_DEVICE:
         # A turn at speed 0 is never done, and nothing comes of it.
         return actuator_real[A_Q][k] != 0.0
+    if kind == WHEEL_DEVICE:
+        return actuator_real[A_Q][k] != 0.0 or actuator_real[A_R][k] != 0.0
     if kind == DRIVE:
         i = actuator[A_ROBOT][k]
         return real[SPEED][i] != 0.0 or real[TARGET][i] != 0.0

@@ -52,6 +52,7 @@ _MODULES = (
     "devices.store",
     "devices.switch",
     "devices.turn",
+    "devices.wheel",
     "docks",
     "grids",
     "motion",

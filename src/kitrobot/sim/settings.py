@@ -51,6 +51,32 @@ def read_settings(robot: Robot, part: RobotObject, device: type[Device]) -> tupl
     return Values(values), problems
 
 
+def read_conflicts(robot: Robot) -> list[Diagnostic]:
+    """Which actuators of a robot cannot be on it together."""
+    problems: list[Diagnostic] = []
+    taken: dict[tuple[str, str], str] = {}
+    for part in robot.actuators:
+        where = f"{robot.name}.{part.name}"
+        device = actuators().get(part.device)
+        if device is None:
+            continue
+        other = next((one for one in robot.actuators if one.device in device.excludes), None)
+        if other is not None:
+            message = (
+                f"{where}: a robot with the device {part.device} cannot have {other.name}, "
+                f"the device {other.device}, too"
+            )
+            problems.append(rules.DEVICE(message, help=f"take {part.name} or {other.name} out of the robot's XML"))
+        if device.differs_in:
+            default = next(str(one.default) for one in device.settings if one.name == device.differs_in)
+            value = part.settings.get(device.differs_in, default)
+            first = taken.setdefault((part.device, value), part.name)
+            if first != part.name:
+                message = f"{where}: expected another {device.differs_in} than that of {first}, found {shown(value)}"
+                problems.append(rules.DEVICE(message, help=f"give each of them its own {device.differs_in}"))
+    return problems
+
+
 def _value(setting: Setting, text: str) -> float | str | None:
     if setting.words:
         return text if text in setting.words else None

@@ -22,7 +22,7 @@ from kitrobot.sim.agents import Agent
 from kitrobot.sim.columns import AT, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
 from kitrobot.sim.devices import Device, Standing, Values
 from kitrobot.sim.grids import cell_at, fixed
-from kitrobot.sim.settings import find_device, read_settings
+from kitrobot.sim.settings import find_device, read_conflicts, read_settings
 from kitrobot.sim.tables import Tables, wall_rows
 from kitrobot.world import LOAD, Start, World, distance_to_stretch
 
@@ -76,6 +76,8 @@ class Staging:
             self.problems.append(rules.TOO_MANY(message, help="take some out of the team"))
             return
         robots = {name: self._robot(name) for name in dict.fromkeys(member.program for member in members)}
+        for kind in {robot.name: robot for robot in robots.values() if robot is not None}.values():
+            self.problems += read_conflicts(kind)
         if self.problems:
             return
         self.step_ms = reduce(math.gcd, (robot.tick_ms for robot in robots.values() if robot is not None))

@@ -44,6 +44,7 @@ from kitrobot.sim.devices.range import RANGE, sense_ranges
 from kitrobot.sim.devices.sign import SIGN, sense_signs
 from kitrobot.sim.devices.store import STORE, sense_stores
 from kitrobot.sim.devices.turn import TURN_DEVICE, move_turns
+from kitrobot.sim.devices.wheel import WHEEL_DEVICE, move_wheels
 from kitrobot.sim.grids import fill
 from kitrobot.sim.physics import CLOSED, move_robots
 from kitrobot.sim.reacting import react
@@ -310,6 +311,8 @@ def advance(state: State, steps: int) -> int:
             move_doors(actuator_bank[DOOR], actuator_bank[DOOR + 1], dt, actuator, actuator_real)
         if actuator_bank[TURN_DEVICE] < actuator_bank[TURN_DEVICE + 1]:
             move_turns(actuator_bank[TURN_DEVICE], actuator_bank[TURN_DEVICE + 1], dt, actuator, actuator_real, turn)
+        if actuator_bank[WHEEL_DEVICE] < actuator_bank[WHEEL_DEVICE + 1]:
+            move_wheels(actuator_bank[WHEEL_DEVICE], actuator_bank[WHEEL_DEVICE + 1], dt, actuator, actuator_real, real)
         move_robots(
             dt,
             widest,

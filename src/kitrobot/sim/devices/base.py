@@ -87,6 +87,10 @@ class Device:
     settings: ClassVar[tuple[Setting, ...]] = ()
     needs: ClassVar[str] = ""
     """Where its robot must start: "road", "dock", "storehouse", or anywhere."""
+    excludes: ClassVar[tuple[str, ...]] = ()
+    """Devices that a robot with this one cannot have too: they would move the same thing."""
+    differs_in: ClassVar[str] = ""
+    """A setting in which several devices of this kind on one robot differ."""
 
     @classmethod
     def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
