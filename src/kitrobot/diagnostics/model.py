@@ -101,7 +101,8 @@ class Fix:
 class Diagnostic:
     """One thing to tell the user: a sentence, where, and what to do (`help`).
 
-    `program`, `vertices` and `arcs` say where in a graph; `fix` is there where there is one right answer.
+    `program`, `vertices` and `arcs` say where in a graph, `thing` which thing of a world, by kind and number from 0
+    (`road:0`); `fix` is there where there is one right answer.
     """
 
     code: str
@@ -113,6 +114,7 @@ class Diagnostic:
     vertices: tuple[str, ...] = ()
     arcs: tuple[ArcName, ...] = ()
     fix: Fix | None = None
+    thing: str = ""
 
     @property
     def is_error(self) -> bool:

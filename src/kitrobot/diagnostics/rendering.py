@@ -82,12 +82,13 @@ def to_json(diagnostic: Diagnostic) -> dict[str, Any]:
 
 
 def to_page_json(diagnostic: Diagnostic) -> dict[str, Any]:
-    """`to_json` and where in the graph: {program, vertices, arcs}, and what mends it: {fix}."""
+    """`to_json` and where in the graph: {program, vertices, arcs}, or in a world: {thing}, and what mends it: {fix}."""
     fix = diagnostic.fix
     return {
         **to_json(diagnostic),
         "program": diagnostic.program,
         "vertices": list(diagnostic.vertices),
         "arcs": [list(arc) for arc in diagnostic.arcs],
+        "thing": diagnostic.thing,
         "fix": None if fix is None else {"text": fix.text, "kind": fix.kind.value, "name": fix.name},
     }

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from kitrobot.graph import Program
 from kitrobot.mission.trial import Breakpoint, Failure
 from kitrobot.primitives import Constructor, OwnVariable, Texts
+from kitrobot.world import World
 
 VERSION = 1
 """The newest version of the `.krt` format."""
@@ -54,6 +55,8 @@ class Team:
 class Mission:
     """A whole mission. `world_href` names a world's file, "" means the empty world; `unknown` is XML kept as it is.
 
+    `own_world` is the world that it brings along instead, as its author left it: parts of it may not fit together.
+
     `label` is its title and `help` says in a sentence what happens, each by language, "" for English. `constructors`
     and `variables` are the parts that it brings along; `breakpoints` and `failures` say how it is tried out.
     """
@@ -69,6 +72,7 @@ class Mission:
     variables: list[OwnVariable] = field(default_factory=list)
     breakpoints: list[Breakpoint] = field(default_factory=list)
     failures: list[Failure] = field(default_factory=list)
+    own_world: World | None = None
 
     def program(self, name: str) -> Program | None:
         """The program of that name, or None."""

@@ -1,4 +1,4 @@
-"""Missions from XML: own parts, programs, team, world reference."""
+"""Missions from XML: own parts, programs, team, and the world or the name of its file."""
 
 from __future__ import annotations
 
@@ -11,10 +11,16 @@ from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
 from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
 from kitrobot.primitives import OWN, TEXTS, Constructor, Element, OwnVariable, Reader, Tag, did_you_mean, shown
+from kitrobot.world import ATTRIBUTES, PARTS, World, keep_unknown, read_plan, with_things
 
 
-class _Href(NamedTuple):
+class _Where(NamedTuple):
+    """Where a mission takes place: in the world of a file, or in one of its own."""
+
     href: str
+    own: World | None = None
+    seen: int = 0
+    """How many diagnostics there were when the world had been read."""
 
 
 def _open(element: Element) -> None:
@@ -40,6 +46,21 @@ def _team(element: Element) -> Team:
     return Team([agent for agent in agents if agent.name], element.found(Goal))
 
 
+def _world(element: Element) -> _Where | None:
+    if not element.attributes and not element.values and not element.texts:
+        element.required("href")
+        return None
+    if "href" not in element.attributes:
+        own = read_plan(element)
+        return None if own is None else _Where("", own, len(element.reader.diagnostics))
+    if element.values or element.texts or any(name in element.attributes for name in ATTRIBUTES):
+        message = 'expected href="…" on <world> or the world itself, found both'
+        element.report(rules.WORLD, message, help="take one of the two away")
+        return None
+    href = element.required("href")
+    return _Where(href) if href else None
+
+
 class _Unknown(str):
     """XML of a mission that we do not know."""
 
@@ -52,6 +73,7 @@ def _keep(element: Element, raw: str) -> None:
 
 _AGENT = Tag(_agent, ("name", "program", "start"))
 _TEAM = Tag(_team, children={"agent": _AGENT, "goal": Tag(_goal, ("storehouse", "stock"))})
+_WORLD = Tag(_world, ("href", *ATTRIBUTES), {**TEXTS, **PARTS}, keep=keep_unknown, kept_whole=True)
 _ROOTS = {
     "kitrobot": Tag(
         attributes=("version",),
@@ -61,7 +83,7 @@ _ROOTS = {
             **TRIAL,
             "program": PROGRAM,
             "team": _TEAM,
-            "world": Tag(lambda element: _Href(element.required("href")), ("href",)),
+            "world": _WORLD,
         },
         open=_open,
         keep=_keep,
@@ -85,13 +107,20 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
     for team in root.found(Team):
         mission.team.agents += team.agents
         mission.team.goals += team.goals
-    mission.world_href = next((world.href for world in root.found(_Href)), "")
+    places = root.found_at(_Where)
+    for where, _ in places[:1]:
+        mission.world_href, mission.own_world = where.href, where.own
+    for _, element in places[1:]:
+        element.report(rules.WORLD, "this mission has a world already; this one is left out", help="take one away")
     mission.label, mission.help = root.texts.get("label", {}), root.texts.get("help", {})
     mission.constructors, mission.variables = root.found(Constructor), root.found(OwnVariable)
     mission.breakpoints, mission.failures = root.found(Breakpoint), root.found(Failure)
     mission.unknown = [str(raw) for raw in root.found(_Unknown)]
     _check(mission, root)
-    return migrate(mission), reader.diagnostics
+    diagnostics = reader.diagnostics
+    for where, element in places[:1]:
+        diagnostics[: where.seen] = with_things(element, diagnostics[: where.seen])
+    return migrate(mission), diagnostics
 
 
 def _check(mission: Mission, root: Element) -> None:

@@ -10,6 +10,12 @@ NO_PROGRAM = rule(
     "An agent has no program",
     "Every agent of the team names one of the mission's programs.",
 )
+WORLD = rule(
+    "mission-world",
+    Severity.ERROR,
+    "A mission has more than one world",
+    "A mission takes place in one world: that of a file, which `href` names, or one of its own, inside `<world>`.",
+)
 GOAL = rule(
     "mission-goal",
     Severity.ERROR,

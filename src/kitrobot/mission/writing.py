@@ -16,6 +16,7 @@ from kitrobot.graph import write_program
 from kitrobot.mission.model import Mission, Team
 from kitrobot.mission.trial import write_breakpoint, write_failure
 from kitrobot.primitives import Texts, attributes, escape_text, write_constructor, write_variable
+from kitrobot.world import world_lines
 
 
 def write_mission(mission: Mission) -> bytes:
@@ -31,7 +32,9 @@ def write_mission(mission: Mission) -> bytes:
     lines += _team(mission.team)
     lines += [f"  {write_breakpoint(breakpoint)}" for breakpoint in mission.breakpoints]
     lines += [f"  {write_failure(failure)}" for failure in mission.failures]
-    if mission.world_href:
+    if mission.own_world is not None:
+        lines += [f"  {line}" for line in world_lines(mission.own_world)]
+    elif mission.world_href:
         lines.append(f"  <world{attributes(('href', mission.world_href))}/>")
     lines += [f"  {raw}" for raw in mission.unknown]
     lines.append("</kitrobot>")

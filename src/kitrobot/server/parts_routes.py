@@ -7,11 +7,13 @@ from typing import Annotated, Literal, cast
 from fastapi import APIRouter, Depends, Query, Request
 
 from kitrobot.primitives import ValueType
-from kitrobot.server.shapes import ConflictShape, FailureShape, problem_shapes, world_shape
+from kitrobot.server.shapes import ConflictShape, FailureShape, TextShape, problem_shapes, world_shape
 from kitrobot.server.shapes.own import OwnVariableShape, own_variable, own_variable_shape
+from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.server.shapes.parts import (
     PartsFileShape,
     PartsShape,
+    PlanShape,
     VariableAskShape,
     WorldEntryShape,
     WorldFileShape,
@@ -25,6 +27,7 @@ from kitrobot.workspace import (
     read_world_file,
     worlds_at_hand,
 )
+from kitrobot.world import write_world
 
 LONGEST_NAME = 1000
 
@@ -64,6 +67,23 @@ def world(studio: StudioOf, path: Name, href: Name) -> WorldFileShape:
     file = studio.world_file(href, path)
     found = read_world_file(file)[0] if file is not None else None
     return WorldFileShape(world=world_shape(found) if found is not None else None)
+
+
+@parts_routes.get("/world/plan")
+def world_plan(studio: StudioOf, path: Name, href: Name) -> PlanShape:
+    """What a world of a mission is made of, to be changed in the mission."""
+    file = studio.world_file(href, path)
+    if file is None:
+        return PlanShape(world=None, problems=[])
+    found, problems = read_world_file(file)
+    sound = found is not None and not any(problem.is_error for problem in problems)
+    return PlanShape(world=own_world_shape(found) if found and sound else None, problems=problem_shapes(problems))
+
+
+@parts_routes.post("/world/text")
+def world_text(wanted: OwnWorldShape) -> TextShape:
+    """The file of a mission's own world."""
+    return TextShape(text=write_world(own_world(wanted)).decode())
 
 
 @parts_routes.get("/worlds")

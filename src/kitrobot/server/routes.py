@@ -128,6 +128,8 @@ def check(studio: StudioOf, wanted: CheckShape) -> Response:
 
 def _file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:
     studio.world_file(opened.mission.world_href, path)
+    # What is wrong with the mission's own world is told by each check anew.
+    problems = [item for item in opened.diagnostics if not (item.thing and opened.mission.own_world)]
     # Before the files are read: what changes meanwhile is then news.
     parts = studio.stamp(path)
     _, catalogue = studio.catalogue(path)
@@ -136,7 +138,7 @@ def _file(studio: Studio, opened: OpenMission, path: str, revision: str) -> Miss
         name=opened.name,
         revision=revision,
         mission=mission_shape(opened.mission),
-        problems=problem_shapes(opened.diagnostics),
+        problems=problem_shapes(problems),
         world=world_shape(opened.world) if opened.world is not None else None,
         catalogue=catalogue,
         parts=parts,

@@ -22,6 +22,7 @@ from kitrobot.workspace.layout import lay_out_file
 from kitrobot.workspace.opening import read_carried
 from kitrobot.workspace.outline import PARKED, Outline
 from kitrobot.workspace.own_parts import TOLD_HERE, own_part_differences
+from kitrobot.workspace.own_worlds import world_differences
 from kitrobot.workspace.problems import ProblemsError
 
 _LONGEST_QUOTE = 60
@@ -53,12 +54,11 @@ def differences(before: Mission, after: Mission) -> list[Difference]:
     found = list(_programs(before, after))
     found += _agents(before.team.agents, after.team.agents)
     found += _goals(before.team.goals, after.team.goals)
-    if before.world_href != after.world_href:
-        found.append(Difference("world", f"the world: {before.world_href or 'empty'} → {after.world_href or 'empty'}"))
+    found += [Difference(kind, words) for kind, words in world_differences(before, after)]
     found += [Difference(kind, words) for kind, words in own_part_differences(before, after)]
     for field in fields(Mission):
         one, other = getattr(before, field.name), getattr(after, field.name)
-        if field.name not in ("programs", "team", "world_href", *TOLD_HERE) and one != other:
+        if field.name not in ("programs", "team", "world_href", "own_world", *TOLD_HERE) and one != other:
             found.append(Difference("mission", f"the {field.name} of the mission: {_short(one)} → {_short(other)}"))
     return found
 

@@ -20,6 +20,7 @@ from kitrobot.primitives import Constructor, OwnVariable
 from kitrobot.workspace.comparison import read_whole, renamed_programs
 from kitrobot.workspace.files import read_bytes
 from kitrobot.workspace.outline import Outline
+from kitrobot.workspace.own_worlds import merge_places
 
 T = TypeVar("T")
 Port = tuple[str, str]
@@ -80,15 +81,17 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission) -> Merged:
     }
     rest = {
         field.name: choose(
-            f"the {field.name.removesuffix('_href')} of the mission",
+            f"the {field.name} of the mission",
             getattr(base, field.name),
             getattr(ours, field.name),
             getattr(theirs, field.name),
         )
         for field in fields(Mission)
-        if field.name not in ("programs", "team", *own)
+        if field.name not in ("programs", "team", "world_href", "own_world", *own)
     }
-    return Merged(Mission(programs=programs, team=Team(agents, goals), **own, **rest), tuple(conflicts))
+    href, own["own_world"] = merge_places(base, ours, theirs, _by_name, choose)
+    mission = Mission(programs=programs, team=Team(agents, goals), world_href=href, **own, **rest)
+    return Merged(mission, tuple(conflicts))
 
 
 def _with_new_names(base: Mission, ours: Mission, theirs: Mission) -> tuple[list[Agent], list[Agent], list[Agent]]:

@@ -28,7 +28,7 @@ from kitrobot.workspace.places import Places
 from kitrobot.workspace.problems import ProblemsError
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team import team_problems
-from kitrobot.world import SHIPPED, World, find_world, read_world
+from kitrobot.world import SHIPPED, World, check_plan, find_world, read_world
 
 if TYPE_CHECKING:
     from kitrobot.sim import Simulation
@@ -299,6 +299,10 @@ def _open(
     common = catalogue if catalogue is not None else load_catalogue([folder])
     known = common.extended(mission.constructors, mission.variables)
     own = tuple(known.problems[len(common.problems) :])
+    if mission.own_world is not None:
+        world, told = check_plan(mission.own_world)
+        # What was read from a file has said with its lines what is wrong with its world.
+        return OpenMission(name, mission, known, world, own if places is not None else (*own, *told))
     path = world_file(mission.world_href, [*before, folder], [*before, within] if within is not None else None)
     if path is None:
         place = (places.world or Place(name)) if places is not None else None

@@ -18,14 +18,28 @@ from kitrobot.world.model import (
     Wall,
     World,
 )
-from kitrobot.world.reading import read_world
-from kitrobot.world.writing import write_world
+from kitrobot.world.parts import MAX_NUMBER, MAX_SIZE_MM, PARTS
+from kitrobot.world.reading import (
+    ATTRIBUTES,
+    KINDS,
+    check_plan,
+    keep_unknown,
+    read_plan,
+    read_world,
+    with_things,
+)
+from kitrobot.world.writing import world_lines, write_world
 
 __all__ = [
+    "ATTRIBUTES",
     "COLOURS",
     "EMPTY",
+    "KINDS",
     "LEFT",
     "LOAD",
+    "MAX_NUMBER",
+    "MAX_SIZE_MM",
+    "PARTS",
     "RIGHT",
     "SHIPPED",
     "SUFFIX",
@@ -42,10 +56,15 @@ __all__ = [
     "Storehouse",
     "Wall",
     "World",
+    "check_plan",
     "distance_to_stretch",
     "find_world",
+    "keep_unknown",
     "normalised",
     "polyline",
+    "read_plan",
     "read_world",
+    "with_things",
+    "world_lines",
     "write_world",
 ]

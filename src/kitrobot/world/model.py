@@ -161,7 +161,7 @@ class Start:
 
 @dataclass(frozen=True)
 class World:
-    """A whole world."""
+    """A whole world; `unknown` is XML of its file that nobody knows, kept word for word."""
 
     name: str
     width_mm: float
@@ -173,6 +173,7 @@ class World:
     storehouses: tuple[Storehouse, ...] = ()
     starts: tuple[Start, ...] = ()
     floors: tuple[Floor, ...] = ()
+    unknown: tuple[str, ...] = ()
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
 

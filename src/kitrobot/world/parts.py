@@ -95,7 +95,7 @@ def _road(element: Element) -> Road:
     corners = tuple(element.found(Corner))
     road = Road(name, width, closed, corners)
     if not _is_drawn(element, road):
-        return road
+        return replace(road, sections=tuple(element.found(Section)))
     return replace(road, sections=_sections(element, road.line.length_mm))
 
 

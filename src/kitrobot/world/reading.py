@@ -6,16 +6,20 @@ a world looks at the diagnostics first.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import TypeVar
 
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import TEXTS, Element, Reader, Tag, did_you_mean, shown
+from kitrobot.primitives import rules as xml_rules
 from kitrobot.world import rules
-from kitrobot.world.geometry import distance_to_stretch
+from kitrobot.world.geometry import Corner, distance_to_stretch
 from kitrobot.world.model import ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World
 from kitrobot.world.parts import PARTS, length, mm
+from kitrobot.world.writing import write_world
 
 VERSION = 1
 
@@ -31,12 +35,35 @@ _NAMED: Mapping[str, type[Road] | type[Storehouse] | type[Dock]] = {
     "dock": Dock,
 }
 
+KINDS: Mapping[str, tuple[str, type[object]]] = {
+    "wall": ("walls", Wall),
+    "floor": ("floors", Floor),
+    "line": ("lines", ColouredLine),
+    "road": ("roads", Road),
+    "storehouse": ("storehouses", Storehouse),
+    "dock": ("docks", Dock),
+    "start": ("starts", Start),
+}
+"""Kind of thing → the field of a world that holds them, and what they are."""
+
 
 def _open(element: Element) -> None:
     element.version(VERSION)
 
 
-_ROOTS = {"world": Tag(attributes=("version", "name", "width", "height"), children={**TEXTS, **PARTS}, open=_open)}
+class _Unknown(str):
+    """XML of a world that we do not know."""
+
+    __slots__ = ()
+
+
+def keep_unknown(element: Element, raw: str) -> None:
+    """Keeps an element of a world that nobody knows, word for word."""
+    element.values.append((_Unknown(raw), element))
+
+
+ATTRIBUTES = ("version", "name", "width", "height")
+_ROOTS = {"world": Tag(attributes=ATTRIBUTES, children={**TEXTS, **PARTS}, open=_open, keep=keep_unknown)}
 
 
 def read_world(data: bytes, name: str) -> tuple[World | None, list[Diagnostic]]:
@@ -50,13 +77,92 @@ def read_world(data: bytes, name: str) -> tuple[World | None, list[Diagnostic]]:
     root = reader.read(_ROOTS)
     if root is None:
         return None, reader.diagnostics
-    found_before = len(reader.diagnostics)
-    world_name, width, height = root.required("name"), length(root, "width", 1.0), length(root, "height", 1.0)
-    if len(reader.diagnostics) > found_before:
-        # Without a size nothing can be said about where things are.
+    frame = _frame(root)
+    if frame is None:
         return None, reader.diagnostics
-    frame = World(world_name, width, height, help=root.texts.get("help", {}), label=root.texts.get("label", {}))
-    return _Whole(root, frame).world(), reader.diagnostics
+    world = _Whole(root, frame).world()
+    return world, with_things(root, reader.diagnostics)
+
+
+def _frame(root: Element) -> World | None:
+    """The world without what is in it; None without a size: then nothing can be said about where things are."""
+    found_before = len(root.reader.diagnostics)
+    world_name, width, height = root.required("name"), length(root, "width", 1.0), length(root, "height", 1.0)
+    if len(root.reader.diagnostics) > found_before:
+        return None
+    texts, unknown = root.texts, tuple(str(raw) for raw in root.found(_Unknown))
+    return World(world_name, width, height, unknown=unknown, help=texts.get("help", {}), label=texts.get("label", {}))
+
+
+def read_plan(root: Element) -> World | None:
+    """The world that an element inside another file describes, with the parts that do not fit: a plan to work on.
+
+    What does not fit is reported as for a file. None when the plan would not say what the element says (a number that
+    is none, an attribute that is missing): whoever writes the file keeps the element then.
+    """
+    if "version" in root.attributes and root.integer("version", 1, 10**9, 1) > VERSION:
+        message = f"expected version {VERSION} or older, found version {root.attributes['version']}"
+        root.report(xml_rules.NEWER_VERSION, message, "version", "open it with a newer KitRobot")
+        return None
+    frame = _frame(root)
+    if frame is None:
+        return None
+    _Whole(root, frame).world()
+    return _plan(root, frame) if _says_it_all(root) else None
+
+
+def _plan(root: Element, frame: World) -> World:
+    return replace(
+        frame,
+        **{kind: tuple(root.found(part)) for kind, part in KINDS.values()},  # type: ignore[arg-type]
+    )
+
+
+def _says_it_all(root: Element) -> bool:
+    """Whether everything wrong inside is about what fits together, so that the values are those of the file."""
+    here = (root.line, root.column)
+    for item in root.reader.diagnostics:
+        inside = item.place is not None and (item.place.line, item.place.column) >= here
+        if inside and item.is_error and not item.code.startswith("world-") and item.code != xml_rules.DUPLICATE.code:
+            return False
+        if item.code == xml_rules.TOO_MANY.code:
+            return False
+    placed = all(start.road or start.dock or start.storehouse or start.pose for start in root.found(Start))
+    return placed and not any(
+        element.found(Corner) and not {"x", "y", "width", "height"}.isdisjoint(element.attributes)
+        for _, element in root.found_at(Floor)
+    )
+
+
+def with_things(root: Element, diagnostics: list[Diagnostic]) -> list[Diagnostic]:
+    """The diagnostics, those about a thing of the world `root` with its kind and number: `road:0`."""
+    starts: list[tuple[int, int, str]] = [(root.line, root.column, "world:0")]
+    for name, (_, kind) in KINDS.items():
+        found = root.found_at(kind)
+        starts += [(element.line, element.column, f"{name}:{at}") for at, (_, element) in enumerate(found)]
+    starts.sort()
+
+    def thing(item: Diagnostic) -> str:
+        if item.thing or item.place is None:
+            return item.thing
+        at = bisect_right(starts, (item.place.line, item.place.column, "\uffff"))
+        return starts[at - 1][2] if at else ""
+
+    return [replace(item, thing=thing(item)) for item in diagnostics]
+
+
+@lru_cache(maxsize=16)
+def _checked(data: bytes, name: str) -> tuple[World | None, tuple[Diagnostic, ...]]:
+    world, diagnostics = read_world(data, name)
+    return world, tuple(replace(item, place=None) for item in diagnostics)
+
+
+def check_plan(plan: World) -> tuple[World | None, tuple[Diagnostic, ...]]:
+    """The world of all parts of a plan that fit, and what is wrong with the others; the diagnostics have no place.
+
+    A plan is held against the very rules of files: what is said here is said when it is read again.
+    """
+    return _checked(write_world(plan), plan.name)
 
 
 class _Whole:

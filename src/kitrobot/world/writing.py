@@ -18,10 +18,11 @@ def number(value: float) -> str:
 
 def write_world(world: World) -> bytes:
     """The file of a world; reading it gives the world back, lengths to a thousandth of a mm."""
-    return ("\n".join(_lines(world)) + "\n").encode()
+    return ("\n".join(world_lines(world)) + "\n").encode()
 
 
-def _lines(world: World) -> Iterator[str]:
+def world_lines(world: World) -> Iterator[str]:
+    """The lines of a world without their breaks; XML that is kept word for word is one of them, whatever it holds."""
     size = (("width", number(world.width_mm)), ("height", number(world.height_mm)))
     yield f"<world{attributes(('version', 1), ('name', world.name), *size)}>"
     yield from _texts("label", world.label)
@@ -42,6 +43,8 @@ def _lines(world: World) -> Iterator[str]:
         yield f"  <dock{_dock(dock)}/>"
     for start in world.starts:
         yield f"  <start{_start(start)}/>"
+    for raw in world.unknown:
+        yield f"  {raw}"
     yield "</world>"
 
 
@@ -82,11 +85,20 @@ def _road(road: Road) -> Iterator[str]:
     closed = attributes(("closed", "yes" if road.closed else None))
     yield f"  <road{attributes(('name', road.name), ('width', number(road.width_mm)))}{closed}>"
     yield from _points(road.corners)
+    end = _length(road)
     for section in road.sections:
-        until = None if math.isclose(section.to_mm, road.line.length_mm) else number(section.to_mm)
+        until = None if math.isclose(section.to_mm, end) else number(section.to_mm)
         stretch = attributes(("from", number(section.from_mm)), ("to", until))
         yield f"    <section{attributes(('sign', section.sign))}{stretch}/>"
     yield "  </road>"
+
+
+def _length(road: Road) -> float:
+    """How long the road is; infinite, as a section without `to`, for one that cannot be drawn."""
+    try:
+        return road.line.length_mm
+    except ValueError:
+        return math.inf
 
 
 def _dock(dock: Dock) -> str:

@@ -113,6 +113,13 @@ export interface Constructor {
   code: string;
 }
 
+/** A corner of a line; a radius rounds it off. */
+export interface Corner {
+  x: number;
+  y: number;
+  radius: number;
+}
+
 /** What is different in the mission from its file, a sentence each; `revision` is the file's. */
 export interface Difference {
   revision: string;
@@ -301,8 +308,9 @@ export interface Method {
 }
 
 /**
- * All of a `.krt`; `world` is the name of a world's file, "" for the empty world. `unknown` is XML of the file that
- * nobody knows, kept word for word; `label` and `help` are the title and what happens, by language.
+ * All of a `.krt`; `world` is the name of a world's file, "" for the empty world; `own_world` counts instead. `unknown`
+ * is XML of the file that nobody knows, kept word for word; `label` and `help` are the title and what happens, by
+ * language.
  */
 export interface Mission {
   version: 1;
@@ -317,6 +325,7 @@ export interface Mission {
   variables?: OwnVariable[];
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
+  own_world?: OwnWorld | null;
 }
 
 /**
@@ -401,10 +410,100 @@ export interface Offered {
   problems: Problem[];
 }
 
+/** Where stock goes from a storehouse onto a carrier, or back. */
+export interface OwnDock {
+  name: string;
+  road: string;
+  at_mm: number;
+  reach_mm: number;
+  storehouse: string;
+  kind: "load" | "unload";
+  side: "left" | "right";
+}
+
+/** A coloured part of the floor. */
+export interface OwnFloor {
+  colour: "red" | "green" | "blue";
+  points: Corner[];
+}
+
+/** A coloured line on the floor. */
+export interface OwnLine {
+  colour: "red" | "green" | "blue";
+  width_mm: number;
+  closed: boolean;
+  points: Corner[];
+}
+
+/** A road by its corners. */
+export interface OwnRoad {
+  name: string;
+  width_mm: number;
+  closed: boolean;
+  points: Corner[];
+  sections: OwnSection[];
+}
+
+/** A numbered stretch of a road; `to_mm` is None where it ends with its road. */
+export interface OwnSection {
+  sign: number;
+  from_mm: number;
+  to_mm: number | null;
+}
+
+/** Where an agent may start; `at` says which of the other fields count. */
+export interface OwnStart {
+  name: string;
+  at: "pose" | "road" | "dock" | "storehouse";
+  road?: string;
+  at_mm?: number;
+  dock?: string;
+  storehouse?: string;
+  x_mm?: number;
+  y_mm?: number;
+  heading_deg?: number;
+}
+
+/** A place for stock; `x_mm`, `y_mm` is its lower left corner. */
+export interface OwnStorehouse {
+  name: string;
+  x_mm: number;
+  y_mm: number;
+  width_mm: number;
+  height_mm: number;
+  capacity: number;
+  stock: number;
+}
+
 /** A variable that the mission adds to every robot of a kind. */
 export interface OwnVariable {
   robot: string;
   variable: RobotObject;
+}
+
+/** A straight wall. */
+export interface OwnWall {
+  x1: number;
+  y1: number;
+  x2: number;
+  y2: number;
+}
+
+/** All of a world; `unknown` is XML that nobody knows, kept word for word. */
+export interface OwnWorld {
+  name: string;
+  width_mm: number;
+  height_mm: number;
+  walls: OwnWall[];
+  floors: OwnFloor[];
+  lines: OwnLine[];
+  roads: OwnRoad[];
+  storehouses: OwnStorehouse[];
+  docks: OwnDock[];
+  starts: OwnStart[];
+  unknown?: string[];
+  label?: Record<string, string>;
+  help?: Record<string, string>;
 }
 
 /** A parameter of a method; `min` and `max` are included. */
@@ -507,6 +606,12 @@ export interface Place {
   slot: string;
 }
 
+/** A world's file as something that can be changed: None when it is not there or has mistakes, which are told. */
+export interface Plan {
+  world: OwnWorld | null;
+  problems: Problem[];
+}
+
 /** Something of the page that a step points at; `inner` is a setting or slot of a vertex, or "". */
 export interface Point {
   kind: "part" | "vertex" | "button" | "panel" | "program";
@@ -528,6 +633,7 @@ export interface Problem {
   program: string;
   vertices: string[];
   arcs: [string, string, string, string][];
+  thing?: string;
   fix?: Fix | null;
 }
 

@@ -12,6 +12,7 @@ from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS
 from kitrobot.primitives import MOST_OWN
 from kitrobot.server.shapes.catalogue import ConstructorShape, constructor_shape
 from kitrobot.server.shapes.own import OwnVariableShape, own_constructor, own_variable, own_variable_shape
+from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 
 MOST_VERTICES = 100_000
 MOST_AGENTS = 10_000
@@ -99,7 +100,7 @@ class ScheduledFailureShape(BaseModel):
 
 
 class MissionShape(BaseModel):
-    """All of a `.krt`; `world` is the name of a world's file, "" for the empty world.
+    """All of a `.krt`; `world` is the name of a world's file, "" for the empty world; `own_world` counts instead.
 
     `unknown` is XML of the file that nobody knows, kept word for word; `label` and `help` are the title and what
     happens, by language.
@@ -117,6 +118,7 @@ class MissionShape(BaseModel):
     variables: Annotated[list[OwnVariableShape], Field(max_length=MOST_OWN)] = []
     breakpoints: Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)] = []
     failures: Annotated[list[ScheduledFailureShape], Field(max_length=MOST_AGENTS)] = []
+    own_world: OwnWorldShape | None = None
 
 
 def mission_shape(mission: Mission) -> MissionShape:
@@ -147,6 +149,7 @@ def mission_shape(mission: Mission) -> MissionShape:
         failures=[
             ScheduledFailureShape(agent=one.agent, at_s=one.at_s, kind=one.kind.value) for one in mission.failures
         ],
+        own_world=None if mission.own_world is None else own_world_shape(mission.own_world),
     )
 
 
@@ -177,6 +180,7 @@ def mission_from_shape(shape: MissionShape) -> Mission:
         variables,
         breakpoints,
         failures,
+        None if shape.own_world is None else own_world(shape.own_world),
     )
 
 

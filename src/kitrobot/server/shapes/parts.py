@@ -10,6 +10,7 @@ from kitrobot.primitives import MOST_OWN
 from kitrobot.server.shapes.catalogue import CatalogueShape
 from kitrobot.server.shapes.mission import Words
 from kitrobot.server.shapes.own import OwnVariableShape
+from kitrobot.server.shapes.own_world import OwnWorldShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.world import WorldShape
 
@@ -25,6 +26,13 @@ class WorldFileShape(BaseModel):
     """The world of a mission: None when its file is not there, or is no world."""
 
     world: WorldShape | None
+
+
+class PlanShape(BaseModel):
+    """A world's file as something that can be changed: None when it is not there or has mistakes, which are told."""
+
+    world: OwnWorldShape | None
+    problems: list[ProblemShape]
 
 
 class WorldEntryShape(BaseModel):

@@ -34,6 +34,7 @@ class ProblemShape(BaseModel):
     program: str
     vertices: list[str]
     arcs: list[tuple[str, str, str, str]]
+    thing: str = ""
     fix: FixShape | None = None
 
 

@@ -1,0 +1,123 @@
+"""The worlds that missions bring along, held against each other: differences in words, and three-way merges.
+
+Things with names are found again by them; walls, floors and lines have none and are found again by what they are. What
+stands at one place of the list in both and differs is one thing that changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import fields, replace
+from typing import Any
+
+from kitrobot.mission import Mission
+from kitrobot.world import KINDS, World
+
+Choose = Callable[[str, Any, Any, Any], Any]
+Merge = Callable[[Sequence[Any], Sequence[Any], Sequence[Any], Callable[[Any], Any], str, Choose], list[Any]]
+
+_NAMELESS = ("wall", "floor", "line")
+_UNITS = ("_mm", "_rad")
+
+
+def world_differences(before: Mission, after: Mission) -> Iterator[tuple[str, str]]:
+    """The kind of each difference between the places of two missions, and its words."""
+    old, new = before.own_world, after.own_world
+    if old is not None and new is not None:
+        yield from _within(old, new)
+    elif before.world_href != after.world_href or old != new:
+        yield "world", f"the world: {_named(before)} → {_named(after)}"
+
+
+def _named(mission: Mission) -> str:
+    if mission.own_world is not None:
+        return f"its own, {mission.own_world.name}"
+    return mission.world_href or "empty"
+
+
+def _within(old: World, new: World) -> Iterator[tuple[str, str]]:
+    lists = [field for field, _ in KINDS.values()]
+    for field in fields(World):
+        if field.name not in lists and getattr(old, field.name) != getattr(new, field.name):
+            yield "world", f"the world: its {_word(field.name)} changed"
+    for kind, (name, _) in KINDS.items():
+        was, now = getattr(old, name), getattr(new, name)
+        if kind in _NAMELESS:
+            yield from _nameless(kind, was, now)
+        else:
+            yield from _by_name(kind, was, now)
+
+
+def _nameless(kind: str, old: Sequence[Any], new: Sequence[Any]) -> Iterator[tuple[str, str]]:
+    gone = [at for at, part in enumerate(old) if old[: at + 1].count(part) > new.count(part)]
+    come = [at for at, part in enumerate(new) if new[: at + 1].count(part) > old.count(part)]
+    if len(old) == len(new) and gone == come:
+        for at in gone:
+            yield "world-thing", f"the world: {kind} {at + 1} changed"
+        gone, come = [], []
+    for at in gone:
+        yield "world-thing-removed", f"the world: {kind} {at + 1} removed"
+    for at in come:
+        yield "world-thing-added", f"the world: {kind} {at + 1} added"
+    if old != new and sorted(map(repr, old)) == sorted(map(repr, new)):
+        yield "order", f"the world: its {kind}s stand in another order"
+
+
+def _by_name(kind: str, old: Sequence[Any], new: Sequence[Any]) -> Iterator[tuple[str, str]]:
+    was, now = {part.name: part for part in old}, {part.name: part for part in new}
+    if len(was) != len(old) or len(now) != len(new):
+        if old != new:
+            yield "world-thing", f"the world: its {kind}s changed"
+        return
+    for name in was:
+        if name not in now:
+            yield "world-thing-removed", f"the world: {kind} {name} removed"
+    for name, part in now.items():
+        if name not in was:
+            yield "world-thing-added", f"the world: {kind} {name} added"
+            continue
+        one = was[name]
+        changed = [_word(field.name) for field in fields(part) if getattr(one, field.name) != getattr(part, field.name)]
+        if changed:
+            yield "world-thing", f"the world: {kind} {name}: {', '.join(changed)} changed"
+    if list(old) != list(new) and was == now:
+        yield "order", f"the world: its {kind}s stand in another order"
+
+
+def _word(field: str) -> str:
+    """A field as people call it: its name without the unit."""
+    for unit in _UNITS:
+        field = field.removesuffix(unit)
+    return field.replace("_", " ")
+
+
+def merge_places(
+    base: Mission, ours: Mission, theirs: Mission, merge: Merge, choose: Choose
+) -> tuple[str, World | None]:
+    """Where the merged mission takes place: the name of a world's file, and the world of its own.
+
+    Worlds of their own are merged thing by thing, by `merge` (lists of things with names) and `choose` (single values).
+    """
+    one, mine, other = base.own_world, ours.own_world, theirs.own_world
+    if one is None or mine is None or other is None:
+        sides = [(side.world_href, side.own_world) for side in (base, ours, theirs)]
+        found: tuple[str, World | None] = choose("the world of the mission", *sides)
+        return found
+    values: dict[str, Any] = {}
+    kinds = {name: kind for kind, (name, _) in KINDS.items()}
+    for field in fields(World):
+        old, first, second = (getattr(side, field.name) for side in (one, mine, other))
+        kind = kinds.get(field.name)
+        if kind is None:
+            values[field.name] = choose(f"the {_word(field.name)} of the world", old, first, second)
+        elif kind in _NAMELESS:
+            values[field.name] = _merged(old, first, second)
+        else:
+            values[field.name] = tuple(merge(old, first, second, lambda part: part.name, f"the {kind}", choose))
+    return "", replace(mine, **values)
+
+
+def _merged(old: Sequence[Any], mine: Sequence[Any], other: Sequence[Any]) -> tuple[Any, ...]:
+    """Ours without what they took away, and with what they brought."""
+    kept = [part for part in mine if part not in old or part in other]
+    return (*kept, *(part for part in other if part not in old and part not in mine))
