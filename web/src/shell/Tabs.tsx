@@ -4,7 +4,7 @@
  * Each tab shows how many agents run its program and, during a run, the state of the one that is watched. At the end of
  * the row: which agent that is, where there are several, and a token per live thread that jumps to its vertex.
  */
-import { type KeyboardEvent, useEffect, useLayoutEffect, useRef, useState } from "react";
+import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
 import type { AgentActivity } from "../api/wire";
 import { renameProgram } from "../model/commands/changePrograms";
@@ -23,10 +23,7 @@ import { StateShape } from "./StateShape";
 /** Lies over its tab: a list of tabs holds nothing but tabs. */
 function NameField({ name }: { name: string }) {
   const [text, setText] = useState(name);
-  const [left, setLeft] = useState(0);
-  useLayoutEffect(() => {
-    setLeft(document.getElementById(`tab-${name}`)?.offsetLeft ?? 0);
-  }, [name]);
+  const [left] = useState(() => document.getElementById(`tab-${name}`)?.offsetLeft ?? 0);
   const stop = () => useRenaming.setState({ program: null });
   const { mission, execute } = useStudio.getState();
   const wanted = text.trim();
