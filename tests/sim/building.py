@@ -9,7 +9,7 @@ from pathlib import Path
 
 from kitrobot.compiler import Compiled, compile_program, compile_text
 from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Goal, Mission, Team, read_mission
+from kitrobot.mission import Agent, Failure, Goal, Mission, Team, read_mission
 from kitrobot.primitives import Catalogue, Robot, load_catalogue, read_robot
 from kitrobot.sim import Simulation
 from kitrobot.world import Pose, Start, World, find_world, read_world
@@ -80,9 +80,11 @@ def run_of(
     goals: Sequence[Goal] = (),
     seed: int = 1,
     seconds: float | None = 60,
+    failures: Sequence[Failure] = (),
+    fail_rate: float = 0.0,
 ) -> Simulation:
     """A run in which each agent has its own robot and LLL text."""
-    mission = Mission(team=Team(goals=list(goals)))
+    mission = Mission(team=Team(goals=list(goals)), failures=list(failures))
     images: dict[str, Compiled] = {}
     robots = Catalogue(robots={})
     for name, (robot, text) in agents.items():
@@ -91,7 +93,7 @@ def run_of(
         robots.robots[robot.name] = robot
         images[f"program of {name}"] = compiled = compile_text(text, robot)
         assert compiled.ok, compiled.diagnostics
-    return Simulation(mission, world, images, robots, seed, seconds)
+    return Simulation(mission, world, images, robots, seed, seconds, fail_rate)
 
 
 def steps(simulation: Simulation, count: int) -> Simulation:
@@ -117,14 +119,22 @@ def example_images() -> dict[str, Compiled]:
     return _example()[1]
 
 
-def transport(seed: int = 1, stock: int = 12, carriers: int = 3, seconds: float | None = 600) -> Simulation:
+def transport(
+    seed: int = 1,
+    stock: int = 12,
+    carriers: int = 3,
+    seconds: float | None = 600,
+    failures: Sequence[Failure] = (),
+    fail_rate: float = 0.0,
+) -> Simulation:
     """The example that everybody sees first, with so many boxes in A and so many carriers."""
     data, images = _example()
     mission, _ = read_mission(data, EXAMPLE.name)
     assert mission is not None
+    mission.failures = list(failures)
     mission.team.agents = [
         agent for agent in mission.team.agents if agent.program != "carrier" or int(agent.name[-1]) <= carriers
     ]
     ring = shipped_world("ring")
     houses = tuple(replace(house, stock=stock) if house.name == "A" else house for house in ring.storehouses)
-    return Simulation(mission, replace(ring, storehouses=houses), images, catalogue(), seed, seconds)
+    return Simulation(mission, replace(ring, storehouses=houses), images, catalogue(), seed, seconds, fail_rate)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Sequence
 from functools import cache
 
 from kitrobot.compiler import Compiled, compile_text
 from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Mission, Team
+from kitrobot.mission import Agent, Failure, Mission, Team
 from kitrobot.primitives import Catalogue, Robot
 from kitrobot.sim import Simulation
 from kitrobot.world import ColouredLine, Corner, Dock, Floor, Pose, Road, Section, Start, Storehouse, Wall, World
@@ -158,7 +159,7 @@ def _body(rng: random.Random, of: Robot, depth: int) -> str:
     return " ".join(parts)
 
 
-def random_team(seed: int, robots: int) -> Simulation:
+def random_team(seed: int, robots: int, failures: Sequence[Failure] = (), fail_rate: float = 0.0) -> Simulation:
     """A run of so many robots before its first step; the same for the same numbers."""
     rng = random.Random(seed)
     side = max(4, math.ceil(math.sqrt(robots)) + 1)
@@ -170,7 +171,11 @@ def random_team(seed: int, robots: int) -> Simulation:
     for _ in range(rng.choice((0, 3, 30)) if robots < 50 else robots // 4):
         x, y = rng.choice(places)
         walls.append(Wall(x + spacing / 2, y, x + spacing / 2, y + 70))
-    mission, images, catalogue = Mission(team=Team()), dict[str, Compiled](), Catalogue(robots={})
+    mission, images, catalogue = (
+        Mission(team=Team(), failures=list(failures)),
+        dict[str, Compiled](),
+        Catalogue(robots={}),
+    )
     kinds = [robot(rng.randrange(30)) for _ in range(min(robots, 6))]
     for number, kind in enumerate(kinds):
         mission.programs.append(empty_program(f"p{number}", kind.name))
@@ -206,4 +211,4 @@ def random_team(seed: int, robots: int) -> Simulation:
     )
     houses = (Storehouse("A", 0, 0, 100, 100, 9, 4), Storehouse("B", 500, 0, 100, 100, 9, 1))
     world = World("anywhere", size, size, tuple(walls), lines, ROADS, DOCKS, houses, tuple(starts), floors)
-    return Simulation(mission, world, images, catalogue, seed, 600)
+    return Simulation(mission, world, images, catalogue, seed, 600, fail_rate)

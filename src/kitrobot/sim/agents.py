@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from kitrobot.image import Command, Machine
 from kitrobot.primitives import Robot
-from kitrobot.sim.columns import A_FRESH, ENDED, TICK, WIRES
+from kitrobot.sim.columns import A_FRESH, CAUSE, DOWN, ENDED, FAILED, SINCE, TICK, WELL, WIRES
 from kitrobot.sim.commanding import busy
+from kitrobot.sim.failures import CAUSES
 from kitrobot.sim.state import State
 from kitrobot.trace import Threads
 
@@ -67,7 +68,28 @@ class Agent:
     def busy(self) -> bool:
         """Whether a device of it is doing something."""
         state = self.state
-        return any(busy(state.wires[at], state.actuator, state.actuator_real, state.real) for at in self._actuators())
+        tables = (state.actuator, state.actuator_real, state.real, state.whole)
+        return any(busy(state.wires[at], *tables) for at in self._actuators())
+
+    @property
+    def down(self) -> int:
+        """Whether its program misses its ticks: WELL, STALLED or FAILED (see columns)."""
+        return int(self.state.whole[DOWN][self.index])
+
+    @property
+    def doing(self) -> str:
+        """What it is doing, in one word of `AgentView.state`."""
+        if self.down != WELL:
+            return "failed" if self.down == FAILED else "stalled"
+        return "running" if self.busy else "idle" if self.ended else "waiting"
+
+    @property
+    def downfall(self) -> str:
+        """In words: what befell it, when, and how that came about; it must be down."""
+        state, i = self.state, self.index
+        seconds = state.whole[SINCE][i] * state.fixed_real[0]
+        cause = CAUSES[state.whole[CAUSE][i]]
+        return f"{self.name} {'failed' if self.down == FAILED else 'stalled'} after {seconds:.1f} s ({cause})"
 
     @property
     def active(self) -> Threads:

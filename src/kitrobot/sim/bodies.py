@@ -35,8 +35,8 @@ def _names(first: str, last: str) -> dict[str, int]:
     return {name.lower(): getattr(columns, name) for name in names[names.index(first) : names.index(last) + 1]}
 
 
-_REAL = _names("X", "GAP_BEHIND")
-_WHOLE = _names("SOLID", "ASLEEP")
+_REAL = _names("X", "TOLD")
+_WHOLE = _names("SOLID", "CAUSE")
 
 
 class Stage:

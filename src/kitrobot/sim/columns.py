@@ -32,8 +32,9 @@ FREE = -1
     AT,  # mm along its road
     GAP_AHEAD,  # the free way to the next robot on the same road, bumper to bumper; infinite without one
     GAP_BEHIND,
-) = range(16)
-REALS = 16
+    TOLD,  # the speed that the wheels of a failed robot were told
+) = range(17)
+REALS = 17
 
 # ---- robots, whole numbers: state.whole
 
@@ -57,8 +58,14 @@ REALS = 16
     WIRES,  # its first actuator in `wires`
     ENDED,
     ASLEEP,  # 1: the last tick changed nothing, so the next will not, until an input changes
-) = range(19)
-WHOLES = 19
+    DOWN,  # whether its program misses its ticks: WELL, STALLED or FAILED
+    MUTED,  # 1: it has lost its radio
+    SINCE,  # the step in which DOWN became what it is
+    CAUSE,  # what brought that about
+) = range(23)
+WHOLES = 23
+
+WELL, STALLED, FAILED = range(3)
 
 # ---- sensors: state.sensor and state.sensor_real
 
@@ -133,8 +140,11 @@ ACTUATOR_REALS = 6
     CYCLE,  # steps after which all ticks fall together again
     PATIENCE,  # quiet steps after which all late readings are in
     STUCK,
-) = range(15)
-CLOCKS = 15
+    LIVING,  # programs that have not ended, of robots that have not failed
+    PLANNED,  # how much of the schedule of failures has been
+    REVIVALS,  # how many revivals are still to come on schedule
+) = range(18)
+CLOCKS = 18
 
 # ---- what happens, as five numbers: kind, agent, what, how much, tick
 
@@ -149,7 +159,8 @@ CLOCKS = 15
     NO_ROOM,
     WRITTEN,  # what: the shared variable, how much: its value
     LOST,  # what: the actuator that a command did not reach
-) = range(10)
+    HARMED,  # what: what befell the robot, how much: its cause
+) = range(11)
 EVENT = 5
 
 

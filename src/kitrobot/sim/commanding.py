@@ -28,6 +28,8 @@ from kitrobot.sim.columns import (
     A_SIZE,
     A_TAKEN,
     ARM,
+    DOWN,
+    FAILED,
     LAMP,
     LOST,
     SPEED,
@@ -148,10 +150,11 @@ def deliver(
     whole: list[list[int]],
     queue: list[int],
 ) -> None:
-    """Hands over the commands whose time has come."""
+    """Hands over the commands whose time has come; those to a failed robot wait."""
+    down = whole[DOWN]
     for n in range(len(late)):
         k = late[n]
-        while actuator[A_QUEUED][k] > 0:
+        while actuator[A_QUEUED][k] > 0 and down[actuator[A_ROBOT][k]] != FAILED:
             q = actuator[A_QUEUE][k] + QUEUE * actuator[A_HEAD][k]
             if queue[q] > step:
                 break
@@ -161,8 +164,17 @@ def deliver(
             take(k, queue[q + 1], queue[q + 3], queue[q + 4], queue[q + 5], actuator, actuator_real, real, whole)
 
 
-def busy(k: int, actuator: list[list[int]], actuator_real: list[list[float]], real: list[list[float]]) -> bool:
+def busy(
+    k: int,
+    actuator: list[list[int]],
+    actuator_real: list[list[float]],
+    real: list[list[float]],
+    whole: list[list[int]],
+) -> bool:
     """Whether actuator k will change something without a new command, or one is on its way to it."""
+    i = actuator[A_ROBOT][k]
+    if whole[DOWN][i] == FAILED:
+        return real[SPEED][i] != 0.0
     if actuator[A_QUEUED][k] > 0:
         return True
     kind = actuator[A_KIND][k]
@@ -172,6 +184,5 @@ def busy(k: int, actuator: list[list[int]], actuator_real: list[list[float]], re
     if kind == WHEEL_DEVICE:
         return actuator_real[A_Q][k] != 0.0 or actuator_real[A_R][k] != 0.0
     if kind == DRIVE:
-        i = actuator[A_ROBOT][k]
         return real[SPEED][i] != 0.0 or real[TARGET][i] != 0.0
     return actuator[A_DONE][k] == 0

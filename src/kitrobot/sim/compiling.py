@@ -55,6 +55,7 @@ _MODULES = (
     "devices.wheel",
     "docks",
     "grids",
+    "harming",
     "motion",
     "physics",
     "reacting",

@@ -1,6 +1,8 @@
 """How a run ends, and why, in a sentence.
 
-*done*: every program has ended and every goal holds. *failed*: every program has ended and a goal does not hold.
+*done*: every program has ended and every goal holds. *failed*: every program has ended and a goal does not hold; or
+nobody is left to go on. When there are goals and they hold, a robot that failed on the way does not matter: what was
+to be done is done. The sentence names who failed or stalled.
 *time*: the time given ran out. *stuck*: nothing can ever change again; said only when it is certain (standstill).
 """
 
@@ -11,6 +13,10 @@ from collections.abc import Sequence
 from kitrobot.mission import ALL, Goal
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.bodies import Stage
+from kitrobot.sim.columns import WELL
+
+SHOWN = 5
+"""Agents that a sentence names."""
 
 
 class Goals:
@@ -23,6 +29,9 @@ class Goals:
             (goal.storehouse, names.index(goal.storehouse), stage.total if goal.stock == ALL else int(goal.stock))
             for goal in goals
         ]
+
+    def __bool__(self) -> bool:
+        return bool(self._goals)
 
     def hold(self) -> bool:
         """Whether every goal is reached."""
@@ -41,26 +50,47 @@ class Goals:
         return " and ".join(parts)
 
 
-def say_done(goals: Goals, seconds: float) -> str:
-    """Every program has ended and every goal holds."""
-    return f"Done after {seconds:.1f} s: {goals.say() or 'every program has ended'}."
+def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
+    """Every program that could has ended and every goal holds."""
+    lost = _casualties(agents)
+    although = f", although {lost}" if lost else ""
+    return f"Done after {seconds:.1f} s: {goals.say() or 'every program has ended'}{although}."
 
 
-def say_failed(goals: Goals) -> str:
-    """Every program has ended and some goal does not hold."""
-    return f"Every program has ended, but {goals.say()}."
+def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
+    """Every program that could has ended, and some goal does not hold or somebody failed."""
+    lost = _casualties(agents)
+    if not lost:
+        return f"Every program has ended, but {goals.say()}."
+    rest = f" {goals.say()}." if goals.say() else ""
+    if any(agent.ended for agent in agents):
+        return f"Every other program has ended, but {lost}.{rest}"
+    return f"Nobody is left to go on: {lost}.{rest}"
 
 
 def say_time(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """The time ran out."""
     running = sum(not agent.ended for agent in agents)
     rest = goals.say() or f"{running} of {len(agents)} programs had not ended"
-    return f"The time of {seconds:g} s ran out: {rest}."
+    lost = _casualties(agents)
+    return f"The time of {seconds:g} s ran out: {rest}{f'; {lost}' if lost else ''}."
 
 
 def say_stuck(goals: Goals, agents: Sequence[Agent]) -> str:
     """Nothing can change any more."""
-    waiting = [agent.name for agent in agents if not agent.ended]
-    shown = ", ".join(waiting[:5]) + (f" and {len(waiting) - 5} more" if len(waiting) > 5 else "")
-    rest = f" {goals.say()}." if goals.say() else ""
-    return f"Nothing can change any more: {shown} wait for something that will not come.{rest}"
+    waiting = [agent.name for agent in agents if not agent.ended and agent.down == WELL]
+    lost = _casualties(agents)
+    rest = (f" {lost}." if lost else "") + (f" {goals.say()}." if goals.say() else "")
+    if not waiting:
+        return f"Nothing can change any more.{rest}"
+    return f"Nothing can change any more: {_listed(waiting)} wait for something that will not come.{rest}"
+
+
+def _casualties(agents: Sequence[Agent]) -> str:
+    """Who failed or stalled before its program had ended, when and why; "" for nobody."""
+    return _listed([agent.downfall for agent in agents if agent.down != WELL and not agent.ended])
+
+
+def _listed(names: Sequence[str]) -> str:
+    """The first few of them."""
+    return ", ".join(names[:SHOWN]) + (f" and {len(names) - SHOWN} more" if len(names) > SHOWN else "")

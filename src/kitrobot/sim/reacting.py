@@ -6,7 +6,7 @@ everything as it found it, the next would do the same, and the machine sleeps un
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import ASLEEP, END, ENDED, PERIOD, PROGRAM, RUNNING, WIRES, tell
+from kitrobot.sim.columns import ASLEEP, DOWN, END, ENDED, LIVING, PERIOD, PROGRAM, RUNNING, WIRES, tell
 from kitrobot.sim.commanding import give
 from kitrobot.sim.rows import copy_row, same
 from kitrobot_onboard.interpreter import tick
@@ -38,11 +38,12 @@ def react(
     """One tick of every program that is due and awake; gives how many ran. `parts` is a program's actuators."""
     ended = whole[ENDED]
     asleep = whole[ASLEEP]
+    down = whole[DOWN]
     period = whole[PERIOD]
     program = whole[PROGRAM]
     ran = 0
     for i in range(len(ended)):
-        if asleep[i] or ended[i] or step % period[i]:
+        if asleep[i] or ended[i] or down[i] or step % period[i]:
             continue
         ran += 1
         p = program[i]
@@ -82,6 +83,7 @@ def react(
         if its_threads[0] < 0:
             ended[i] = 1
             clock[RUNNING] -= 1
+            clock[LIVING] -= 1
             tell(events, clock, END, i, 0, 0)
         elif quiet and same(its_threads, was_threads) and same(its_cells, was_cells) and same(its_pars, was_pars):
             asleep[i] = 1

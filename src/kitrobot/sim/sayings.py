@@ -4,23 +4,36 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from kitrobot.primitives import RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.agents import Agent
+from kitrobot.sim.failures import CAUSES, HARMS
+from kitrobot.sim.harming import REVIVE
 from kitrobot.sim.state import State, numbers
 from kitrobot.world import World
+
+Cause = Literal["program", "world", "person", "mission", "chance"]
+
+_CAUSES: tuple[Cause, ...] = ("person", "mission", "chance")
+"""Of what befalls a robot, in the order of their numbers in `harming`."""
 
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that happened: `kind` is load, unload, message, collision or end; `index` is the agent's number."""
+    """Something that happened: `kind` is load, unload, message, collision, failure, revival or end.
+
+    `index` is the agent's number; `cause` says what brought it about: a program, the world, a person's hand during the
+    run, the mission's schedule, or chance.
+    """
 
     tick: int
     kind: str
     agent: str
     text: str
     index: int
+    cause: Cause = "program"
 
 
 class Sayings:
@@ -48,7 +61,8 @@ class Sayings:
         for at in range(0, len(rows), c.EVENT):
             kind, agent, what, much, tick = rows[at : at + c.EVENT]
             word, text = self._say(kind, what, much)
-            made.append(Event(tick, word, self._members[agent].name, text, agent))
+            cause: Cause = _CAUSES[much] if kind == c.HARMED else "world" if kind == c.COLLISION else "program"
+            made.append(Event(tick, word, self._members[agent].name, text, agent, cause))
         return made
 
     def _say(self, kind: int, what: int, much: int) -> tuple[str, str]:
@@ -71,6 +85,8 @@ class Sayings:
             return "message", f"storehouse {self._houses[what]} is full"
         if kind == c.LOST:
             return "message", f"a command did not reach {self._actuators[what]}"
+        if kind == c.HARMED:
+            return "revival" if what == REVIVE else "failure", f"{HARMS[what]} ({CAUSES[much]})"
         assert kind == c.WRITTEN, f"nobody says {kind}"
         variable = self._variables[what]
         boolean = variable.minimum == 0 and variable.type.value == "boolean"

@@ -8,7 +8,15 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import RobotObject
 from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
-from kitrobot.sim.sharing import COPIES_FIRST, COPIES_LAST, SHARED_ROWS, SHARED_VALUE, SHARED_WRITER, WRITING
+from kitrobot.sim.sharing import (
+    APART_ROWS,
+    COPIES_FIRST,
+    COPIES_LAST,
+    SHARED_ROWS,
+    SHARED_VALUE,
+    SHARED_WRITER,
+    WRITING,
+)
 
 
 class SharedTables:
@@ -47,6 +55,7 @@ class SharedTables:
         self.copy_robot = [robot for found in copies for robot, _ in found]
         self.copy_cell = [cell for found in copies for _, cell in found]
         self.rows: list[list[int]] = [[0] * len(self.variables) for _ in range(SHARED_ROWS)]
+        self.apart: list[list[int]] = [[0] * len(self.mine) for _ in range(APART_ROWS)]
         at = 0
         for number, found in enumerate(copies):
             self.rows[SHARED_VALUE][number] = self.variables[number].initial

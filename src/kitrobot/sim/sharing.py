@@ -5,17 +5,23 @@ the writer has seen; of two with the same stamp the one of the agent that stands
 had written one after the other. Everybody hears of every write at once, so all copies agree between steps. Writing the
 value that is there already is no write.
 
+Who has no radio (muted, or failed) is apart: it neither hears nor is heard, and stamps what it writes by itself. When
+it is back, the latest write wins as ever: either all others take its value, or it takes theirs.
+
 The rows of `shared`: the value that holds, its clock and its writer, where its copies begin in `copy_robot` and
 `copy_cell`, where they end, and room for the writer of this step. Robot i has the variables `mine[k]` in its cells
-`mine_cell[k]` for k from `mine_first[i]` to `mine_first[i + 1]` - 1.
+`mine_cell[k]` for k from `mine_first[i]` to `mine_first[i + 1]` - 1; the rows of `apart` say what it knows of each, as
+long as it is apart: value, clock and writer.
 """
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import ASLEEP, PERIOD, WRITTEN, tell
+from kitrobot.sim.columns import ASLEEP, DOWN, FAILED, MUTED, PERIOD, WRITTEN, tell
 
 SHARED_VALUE, SHARED_CLOCK, SHARED_WRITER, COPIES_FIRST, COPIES_LAST, WRITING = range(6)
 SHARED_ROWS = 6
+APART_VALUE, APART_CLOCK, APART_WRITER = range(3)
+APART_ROWS = 3
 
 
 def exchange(
@@ -23,6 +29,7 @@ def exchange(
     whole: list[list[int]],
     cells: list[list[int]],
     shared: list[list[int]],
+    apart: list[list[int]],
     mine_first: list[int],
     mine: list[int],
     mine_cell: list[int],
@@ -36,12 +43,17 @@ def exchange(
     writing = shared[WRITING]
     asleep = whole[ASLEEP]
     period = whole[PERIOD]
+    down = whole[DOWN]
+    muted = whole[MUTED]
     written = 0
     for i in range(len(asleep)):
         first = mine_first[i]
         last = mine_first[i + 1]
         # Who sleeps has written nothing.
         if first == last or asleep[i] or step % period[i]:
+            continue
+        if muted[i] or down[i] == FAILED:
+            note(i, cells, apart, mine_first, mine_cell)
             continue
         row = cells[i]
         for k in range(first, last):
@@ -60,9 +72,73 @@ def exchange(
                 values[v] = cells[i][mine_cell[k]]
         shared[SHARED_CLOCK][v] += 1
         shared[SHARED_WRITER][v] = i
-        for k in range(shared[COPIES_FIRST][v], shared[COPIES_LAST][v]):
-            j = copy_robot[k]
-            if cells[j][copy_cell[k]] != values[v]:
-                cells[j][copy_cell[k]] = values[v]
-                asleep[j] = 0
+        spread(v, whole, cells, shared, copy_robot, copy_cell)
         tell(events, clock, WRITTEN, i, v, values[v])
+
+
+def spread(
+    v: int,
+    whole: list[list[int]],
+    cells: list[list[int]],
+    shared: list[list[int]],
+    copy_robot: list[int],
+    copy_cell: list[int],
+) -> None:
+    """Gives the value of variable v to all who hear."""
+    value = shared[SHARED_VALUE][v]
+    down = whole[DOWN]
+    muted = whole[MUTED]
+    for k in range(shared[COPIES_FIRST][v], shared[COPIES_LAST][v]):
+        j = copy_robot[k]
+        if muted[j] == 0 and down[j] != FAILED and cells[j][copy_cell[k]] != value:
+            cells[j][copy_cell[k]] = value
+            whole[ASLEEP][j] = 0
+
+
+def note(i: int, cells: list[list[int]], apart: list[list[int]], mine_first: list[int], mine_cell: list[int]) -> None:
+    """Stamps what robot i wrote while it is apart."""
+    for k in range(mine_first[i], mine_first[i + 1]):
+        if cells[i][mine_cell[k]] != apart[APART_VALUE][k]:
+            apart[APART_VALUE][k] = cells[i][mine_cell[k]]
+            apart[APART_CLOCK][k] += 1
+            apart[APART_WRITER][k] = i
+
+
+def leave(i: int, shared: list[list[int]], apart: list[list[int]], mine_first: list[int], mine: list[int]) -> None:
+    """Robot i loses its radio: it knows what held until now."""
+    for k in range(mine_first[i], mine_first[i + 1]):
+        apart[APART_VALUE][k] = shared[SHARED_VALUE][mine[k]]
+        apart[APART_CLOCK][k] = shared[SHARED_CLOCK][mine[k]]
+        apart[APART_WRITER][k] = shared[SHARED_WRITER][mine[k]]
+
+
+def rejoin(
+    i: int,
+    whole: list[list[int]],
+    cells: list[list[int]],
+    shared: list[list[int]],
+    apart: list[list[int]],
+    mine_first: list[int],
+    mine: list[int],
+    mine_cell: list[int],
+    copy_robot: list[int],
+    copy_cell: list[int],
+    events: list[int],
+    clock: list[int],
+) -> None:
+    """Robot i has its radio again: of each variable the latest write wins."""
+    note(i, cells, apart, mine_first, mine_cell)
+    for k in range(mine_first[i], mine_first[i + 1]):
+        v = mine[k]
+        stamp = apart[APART_CLOCK][k]
+        newest = shared[SHARED_CLOCK][v]
+        if stamp > newest or (stamp == newest and apart[APART_WRITER][k] > shared[SHARED_WRITER][v]):
+            shared[SHARED_CLOCK][v] = stamp
+            shared[SHARED_WRITER][v] = apart[APART_WRITER][k]
+            if apart[APART_VALUE][k] != shared[SHARED_VALUE][v]:
+                shared[SHARED_VALUE][v] = apart[APART_VALUE][k]
+                spread(v, whole, cells, shared, copy_robot, copy_cell)
+                tell(events, clock, WRITTEN, i, v, apart[APART_VALUE][k])
+        elif cells[i][mine_cell[k]] != shared[SHARED_VALUE][v]:
+            cells[i][mine_cell[k]] = shared[SHARED_VALUE][v]
+            whole[ASLEEP][i] = 0

@@ -23,7 +23,7 @@ from typing import Literal
 from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.lll import collection_paused
-from kitrobot.mission import Mission, write_mission
+from kitrobot.mission import FailureKind, Mission, write_mission
 from kitrobot.primitives import Catalogue
 from kitrobot.sim import columns
 from kitrobot.sim.agents import Agent
@@ -33,6 +33,8 @@ from kitrobot.sim.columns import (
     CHANCE,
     COLLISIONS,
     EVENTS,
+    LIVING,
+    REVIVALS,
     RUNNING,
     S_DROPOUT,
     S_FORCE,
@@ -44,6 +46,7 @@ from kitrobot.sim.columns import (
     TICK,
 )
 from kitrobot.sim.endings import Goals, say_done, say_failed, say_stuck, say_time
+from kitrobot.sim.failures import harm_by_hand, keep_untold, room_to_tell
 from kitrobot.sim.hurry import Hurry
 from kitrobot.sim.sayings import Event, Sayings, sensor_names
 from kitrobot.sim.shared import SharedTables
@@ -61,10 +64,12 @@ FAILED = 2
 ALARM = 4
 ARM = 8
 MOVING = 16
-"""The bits of an agent's flags: lamp on, failed, collision sensor pressed, arm out, moving."""
+STALLED = 32
+MUTED = 64
+"""The bits of an agent's flags: lamp on, failed, collision sensor pressed, arm out, moving, stalled, without radio."""
 
 
-SNAPSHOT_VERSION = 1
+SNAPSHOT_VERSION = 2
 SNAPSHOT_MARK = b"KRSNAP\n" + bytes([SNAPSHOT_VERSION])
 
 
@@ -73,8 +78,9 @@ class AgentView:
     """An agent as it is now. `kind` is carrier, loader, unloader, store-manager or robot; `number` counts within a
     kind.
 
-    `state` is "running" while a device of it works or moves, "waiting" while only its program goes on, "idle" after its
-    program has ended. `active` is (slot, instruction) of each live thread.
+    `state` is "failed" or "stalled" when that befell it; else "running" while a device of it works or moves, "waiting"
+    while only its program goes on, "idle" after its program has ended. `active` is (slot, instruction) of each live
+    thread.
     """
 
     name: str
@@ -104,6 +110,7 @@ class Simulation:
         catalogue: the robots.
         seed: decides all chance.
         seconds: simulated time after which the run ends with the outcome "time"; None for no limit.
+        fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
 
     Raises:
         SimulationError: the mission cannot be run in this world; its diagnostics say everything that is in the way.
@@ -117,13 +124,15 @@ class Simulation:
         catalogue: Catalogue,
         seed: int = 0,
         seconds: float | None = None,
+        fail_rate: float = 0.0,
     ) -> None:
         with collection_paused():
-            staging = Staging(mission, world, images, catalogue, seed)
+            staging = Staging(mission, world, images, catalogue, seed, fail_rate)
         self.mission = mission
         self.world = world
         self.seed = seed
         self.seconds_limit = seconds
+        self.fail_rate = fail_rate
         self.tick_ms = staging.step_ms
         self.outcome: Outcome | None = None
         self.sentence = ""
@@ -138,9 +147,13 @@ class Simulation:
         self.stage = Stage(world, self.state)
         self._packing = Packing(self.state)
         self._images = {agent.program: images[agent.program].image for agent in self.members}
+        self.debug = {agent.program: images[agent.program].debug for agent in self.members}
+        """Where the instructions of each program came from."""
+        self._variables = shared.variables
         self._sayings = Sayings(world, self.members, shared.variables, self.state)
         self._goals = Goals(mission.team.goals, self.stage)
         self._sensors = sensor_names(self.state, self.members)
+        self._sensors_of = [[self._sensors[one.index, s] for s in one.machine.layout.sensors] for one in self.members]
         self._show(self.state)
         self._last_tick: int | None = None
         if seconds is not None:
@@ -177,7 +190,7 @@ class Simulation:
             return 0
         if self._last_tick is not None:
             steps = min(steps, self._last_tick - self.tick)
-        self.state.clock[EVENTS] = 0
+        keep_untold(self.state)
         done = 0
         while done < steps:
             compiled = None if self.stays_plain else self._hurry.compiled()
@@ -203,11 +216,12 @@ class Simulation:
 
     def _look_for_an_end(self) -> None:
         clock = self.state.clock
-        if clock[RUNNING] == 0:
-            if self._goals.hold():
-                self._end("done", say_done(self._goals, self.seconds))
+        if clock[RUNNING] == 0 or (clock[LIVING] == 0 and clock[REVIVALS] == 0):
+            lost = [agent for agent in self.members if agent.down and not agent.ended]
+            if self._goals.hold() and (self._goals or not lost):
+                self._end("done", say_done(self._goals, self.seconds, self.members))
             else:
-                self._end("failed", say_failed(self._goals))
+                self._end("failed", say_failed(self._goals, self.members))
         elif self._last_tick is not None and clock[TICK] >= self._last_tick:
             assert self.seconds_limit is not None
             self._end("time", say_time(self._goals, self.seconds_limit, self.members))
@@ -256,6 +270,11 @@ class Simulation:
         forced = self.state.sensor[S_FORCED]
         return [name for name in member.machine.layout.sensors if forced[self._sensors[member.index, name]]]
 
+    def forced_bits(self, index: int) -> int:
+        """The same of the agent at that place in the team: a bit for each sensor of its robot, the first lowest."""
+        forced = self.state.sensor[S_FORCED]
+        return sum(1 << bit for bit, k in enumerate(self._sensors_of[index]) if forced[k])
+
     def set_variable(self, agent: str, variable: str, value: int) -> None:
         """Sets an agent's variable between two steps, within its range; a shared one spreads with the next step.
 
@@ -269,13 +288,50 @@ class Simulation:
         self.state.whole[ASLEEP][member.index] = 0
         stirred(self.state.clock)
 
+    def harm(self, agent: str, kind: FailureKind | str) -> bool:
+        """Lets an agent fail, stall or lose its radio, or makes it well again (see harming); told with the next step.
+
+        Who fails stops its motors at once. A run that ended because nobody could go on does when somebody is revived.
+        Gives whether that changed anything.
+
+        Raises:
+            KitRobotError: there is no such agent, or too much was done to this run between two steps.
+        """
+        member = next((one for one in self.members if one.name == agent), None)
+        if member is None:
+            raise KitRobotError(f"no agent {agent} takes part in this run")
+        keep_untold(self.state)
+        if not room_to_tell(self.state, 1 + len(self._variables)):
+            raise KitRobotError("too much was done to this run between two steps", "let it go on for a step")
+        before = self.state.clock[EVENTS]
+        harm_by_hand(self.state, member.index, FailureKind(kind))
+        if self.state.clock[EVENTS] == before:
+            return False
+        self.state.clock[STUCK] = 0
+        self.outcome, self.sentence = None, ""
+        self._look_for_an_end()
+        return True
+
+    @property
+    def untold(self) -> list[Event]:
+        """What was done by hand since the last step; the next one tells it."""
+        return [event for event in self._sayings.events(self.state) if event.tick == self.tick]
+
+    def stop_motors(self) -> None:
+        """Everything stands still at once: the emergency stop, after which a run is not gone on with."""
+        real = self.state.real
+        for column in (columns.SPEED, columns.TARGET, columns.TOLD, columns.TURN, columns.WAY):
+            real[column][:] = [0.0] * len(self.members)
+        clock = self.state.clock
+        clock[columns.ROLLING] = 0
+
     # -- keeping and going back
 
     @cached_property
     def identity(self) -> bytes:
         """32 bytes that runs have in common exactly when they are the same mission, world, programs and seed."""
         digest = hashlib.sha256(write_mission(self.mission) + write_world(self.world))
-        digest.update(f"{self.seed}/{self.seconds_limit}/{SNAPSHOT_VERSION}".encode())
+        digest.update(f"{self.seed}/{self.seconds_limit}/{self.fail_rate}/{SNAPSHOT_VERSION}".encode())
         for name, image in sorted(self._images.items()):
             assert image is not None, "staged before"
             digest.update(name.encode() + image.to_bytes())
@@ -309,7 +365,7 @@ class Simulation:
         except ValueError as error:
             raise SimulationError("this is not a whole snapshot of a run", "take one with `snapshot()`") from error
         self.outcome, self.sentence = None, ""
-        self.events = self._sayings.events(self.state)
+        self.events = [event for event in self._sayings.events(self.state) if event.tick < self.tick]
         self._look_for_an_end()
 
     # -- looking
@@ -340,12 +396,15 @@ class Simulation:
         return {agent.name: int(self.stage.delivered[agent.index]) for agent in self.members if agent.kind == "carrier"}
 
     def flags(self, index: int) -> int:
-        """Lamp, alarm, arm and motion of an agent, as bits."""
+        """Lamp, alarm, arm, motion, and what befell an agent, as bits."""
         real, whole = self.state.real, self.state.whole
         return (
             (LAMP if whole[columns.LAMP][index] else 0)
             | (ALARM if whole[columns.ALARM][index] else 0)
             | (ARM if whole[columns.ARM][index] else 0)
+            | (FAILED if whole[columns.DOWN][index] == columns.FAILED else 0)
+            | (STALLED if whole[columns.DOWN][index] == columns.STALLED else 0)
+            | (MUTED if whole[columns.MUTED][index] else 0)
             | (MOVING if real[columns.SPEED][index] or real[columns.TURN][index] else 0)
         )
 
@@ -373,7 +432,7 @@ class Simulation:
             normalised(real[columns.HEADING][index]),
             int(self.state.whole[columns.LOAD][index]),
             self.flags(index),
-            "running" if agent.busy else "idle" if agent.ended else "waiting",
+            agent.doing,
             agent.active,
             machine.variables(),
             {name: machine.input(name) for name in machine.layout.sensors},

@@ -21,6 +21,7 @@ from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.columns import AT, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
 from kitrobot.sim.devices import Device, Standing, Values
+from kitrobot.sim.failures import fates
 from kitrobot.sim.grids import cell_at, fixed
 from kitrobot.sim.settings import find_device, read_conflicts, read_settings
 from kitrobot.sim.tables import Tables, wall_rows
@@ -45,13 +46,20 @@ class Staging:
     """
 
     def __init__(
-        self, mission: Mission, world: World, images: Mapping[str, Compiled], catalogue: Catalogue, seed: int
+        self,
+        mission: Mission,
+        world: World,
+        images: Mapping[str, Compiled],
+        catalogue: Catalogue,
+        seed: int,
+        fail_rate: float = 0.0,
     ) -> None:
         self.mission = mission
         self.world = world
         self.images = images
         self.catalogue = catalogue
         self.seed = seed
+        self.fail_rate = fail_rate
         self.agents: list[Agent] = []
         self.problems: list[Diagnostic] = []
         self.step_ms = 1
@@ -93,6 +101,8 @@ class Staging:
                 self.problems.append(rules.GOAL(message, help=did_you_mean(goal.storehouse, known)))
         if not self.problems:
             self._nobody_overlaps()
+        names = [agent.name for agent in self.agents]
+        self.tables.fates = fates(self.mission.failures, names, self.step_ms, self.fail_rate, self.seed)
 
     def _robot(self, program_name: str) -> Robot | None:
         program = self.mission.program(program_name)

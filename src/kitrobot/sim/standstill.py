@@ -1,14 +1,14 @@
 """Finds out that nothing can ever change again.
 
 It is certain when the whole state of the run (machines, nothing moving, nothing on its way, and for so long that late
-sensors have nothing new to tell) comes back as it was and nothing in it is left to chance: from the same state follows
-the same future. States are compared with one that is kept and taken anew at ever longer distances (Brent's way to find
-a cycle), so a program that only polls is found out too, whatever its period.
+sensors have nothing new to tell) comes back as it was, nothing in it is left to chance, and nobody is to be revived on
+schedule: from the same state follows the same future. States are compared with one that is kept and taken anew at ever
+longer distances (Brent's way to find a cycle), so a program that only polls is found out too, whatever its period.
 """
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import CHANCE, CYCLE, DISTANCE, ENDED, KEPT, PATIENCE, QUIET, STUCK, TICK, UNTIL
+from kitrobot.sim.columns import CHANCE, CYCLE, DISTANCE, ENDED, KEPT, PATIENCE, QUIET, REVIVALS, STUCK, TICK, UNTIL
 from kitrobot.sim.rows import copy_row, same
 
 QUIET_STEPS = 50
@@ -27,7 +27,7 @@ def look_for_standstill(
 ) -> None:
     """Called after a step in which nothing stirred; sets STUCK when the state has come back."""
     clock[QUIET] += 1
-    if clock[QUIET] < clock[PATIENCE] or clock[TICK] % clock[CYCLE] != 0 or clock[CHANCE] > 0:
+    if clock[QUIET] < clock[PATIENCE] or clock[TICK] % clock[CYCLE] != 0 or clock[CHANCE] > 0 or clock[REVIVALS] > 0:
         return
     ended = whole[ENDED]
     if clock[KEPT] == 0 or clock[DISTANCE] >= clock[UNTIL]:

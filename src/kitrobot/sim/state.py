@@ -67,11 +67,15 @@ class State(NamedTuple):
     queue: Wholes
     # Shared variables.
     shared: WholeRows
+    apart: WholeRows
     mine_first: Wholes
     mine: Wholes
     mine_cell: Wholes
     copy_robot: Wholes
     copy_cell: Wholes
+    # What befalls robots: the schedule, and the keys of chance.
+    plan: WholeRows
+    fate: WholeRows
     # The world.
     roads: WholeRows
     road_length: Reals
@@ -166,7 +170,7 @@ class Packing:
 
     def _tables(self, state: State, kept: bool, contacts: int, events: int) -> Iterator[tuple[str, Any, int]]:
         """(kind of number, row, how much of it) of all that changes in a run, the clock aside."""
-        for wholes in (*state.whole, *state.sensor, *state.actuator, *state.shared):
+        for wholes in (*state.whole, *state.sensor, *state.actuator, *state.shared, *state.apart):
             yield "q", wholes, len(wholes)
         for reals in (*state.real, *state.actuator_real):
             yield "d", reals, len(reals)

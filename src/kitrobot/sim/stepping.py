@@ -1,8 +1,8 @@
 """The step of a whole run, machines and world, for all robots at once: one source, run by CPython or compiled by Numba.
 
-In this order: sensors measure; every machine whose tick it is is given what they read, then all of these react, in team
-order; devices take the commands and move; robots move, and what touches is parted; shared variables spread; and when
-nothing stirs, it is asked whether anything ever will.
+In this order: robots fail or are revived; sensors measure; every machine whose tick it is is given what they read, then
+all of these react, in team order; devices take the commands and move; robots move, and what touches is parted; shared
+variables spread; and when nothing stirs, it is asked whether anything ever will.
 
 Everything here and in what it calls is in the part of Python that Numba takes: loops over rows of numbers, whole
 numbers that fit 64 bits, no division by zero, no function of the C library but the square root. So both give the same
@@ -14,12 +14,16 @@ from __future__ import annotations
 
 from kitrobot.sim.columns import (
     A_FRESH,
+    DOWN,
     EVENTS,
+    LIVING,
     LOAD,
     LOW_X,
     LOW_Y,
     MOVED,
+    PLANNED,
     RADIUS,
+    REVIVALS,
     ROLLING,
     RUNNING,
     S_ROBOT,
@@ -46,6 +50,7 @@ from kitrobot.sim.devices.store import STORE, sense_stores
 from kitrobot.sim.devices.turn import TURN_DEVICE, move_turns
 from kitrobot.sim.devices.wheel import WHEEL_DEVICE, move_wheels
 from kitrobot.sim.grids import fill
+from kitrobot.sim.harming import harm_by_chance, harm_on_schedule
 from kitrobot.sim.physics import CLOSED, move_robots
 from kitrobot.sim.reacting import react
 from kitrobot.sim.sampling import sample, sample_done
@@ -54,8 +59,8 @@ from kitrobot.sim.standstill import look_for_standstill, stirred
 from kitrobot.sim.state import State
 
 # What does not change in a run: state.fixed_real and state.fixed.
-DT, WIDEST = range(2)
-TOGETHER, SEES, MOST_EVENTS = range(3)
+DT, WIDEST, FAILS = range(3)
+TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY = range(4)
 
 
 def advance(state: State, steps: int) -> int:
@@ -103,11 +108,14 @@ def advance(state: State, steps: int) -> int:
         takens,
         queue,
         shared,
+        apart,
         mine_first,
         mine,
         mine_cell,
         copy_robot,
         copy_cell,
+        plan,
+        fate,
         roads,
         road_length,
         points,
@@ -150,11 +158,48 @@ def advance(state: State, steps: int) -> int:
     sensor_values = sensor[S_VALUE]
     turn = real[TURN]
     done = 0
-    while done < steps and clock[RUNNING] > 0 and clock[STUCK] == 0:
+    while done < steps and is_going_on(clock):
         if 5 * (clock[EVENTS] + most_events) > len(events):
             break
         step = clock[TICK]
         events_before = clock[EVENTS]
+
+        if clock[PLANNED] < len(plan[0]):
+            harm_on_schedule(
+                step,
+                plan,
+                real,
+                whole,
+                cells,
+                shared,
+                apart,
+                mine_first,
+                mine,
+                mine_cell,
+                copy_robot,
+                copy_cell,
+                events,
+                clock,
+            )
+        if fixed_real[FAILS] > 0.0:
+            harm_by_chance(
+                step,
+                fixed[FAILS_EVERY],
+                fixed_real[FAILS],
+                fate,
+                real,
+                whole,
+                cells,
+                shared,
+                apart,
+                mine_first,
+                mine,
+                mine_cell,
+                copy_robot,
+                copy_cell,
+                events,
+                clock,
+            )
 
         if sensor_bank[BUTTON] < sensor_bank[BUTTON + 1]:
             sense_buttons(sensor_bank[BUTTON], sensor_bank[BUTTON + 1], sensor_robots, whole[TOUCHING], sensor_values)
@@ -308,9 +353,17 @@ def advance(state: State, steps: int) -> int:
                 clock,
             )
         if actuator_bank[DOOR] < actuator_bank[DOOR + 1]:
-            move_doors(actuator_bank[DOOR], actuator_bank[DOOR + 1], dt, actuator, actuator_real)
+            move_doors(actuator_bank[DOOR], actuator_bank[DOOR + 1], dt, actuator, actuator_real, whole[DOWN])
         if actuator_bank[TURN_DEVICE] < actuator_bank[TURN_DEVICE + 1]:
-            move_turns(actuator_bank[TURN_DEVICE], actuator_bank[TURN_DEVICE + 1], dt, actuator, actuator_real, turn)
+            move_turns(
+                actuator_bank[TURN_DEVICE],
+                actuator_bank[TURN_DEVICE + 1],
+                dt,
+                actuator,
+                actuator_real,
+                turn,
+                whole[DOWN],
+            )
         if actuator_bank[WHEEL_DEVICE] < actuator_bank[WHEEL_DEVICE + 1]:
             move_wheels(actuator_bank[WHEEL_DEVICE], actuator_bank[WHEEL_DEVICE + 1], dt, actuator, actuator_real, real)
         move_robots(
@@ -348,6 +401,7 @@ def advance(state: State, steps: int) -> int:
                 whole,
                 cells,
                 shared,
+                apart,
                 mine_first,
                 mine,
                 mine_cell,
@@ -359,20 +413,33 @@ def advance(state: State, steps: int) -> int:
         clock[TICK] = step + 1
         done += 1
 
-        if clock[ROLLING] > 0 or clock[EVENTS] > events_before or is_stirring(step, actuator, actuator_real, real):
+        if (
+            clock[ROLLING] > 0
+            or clock[EVENTS] > events_before
+            or is_stirring(step, actuator, actuator_real, real, whole)
+        ):
             stirred(clock)
         elif clock[RUNNING] > 0:
             look_for_standstill(whole, cells, threads, pars, kept_cells, kept_threads, kept_pars, clock)
     return done
 
 
+def is_going_on(clock: list[int]) -> bool:
+    """Whether the run has not come to its end: somebody goes on, or failed and is to be revived."""
+    return clock[STUCK] == 0 and clock[RUNNING] > 0 and (clock[LIVING] > 0 or clock[REVIVALS] > 0)
+
+
 def is_stirring(
-    step: int, actuator: list[list[int]], actuator_real: list[list[float]], real: list[list[float]]
+    step: int,
+    actuator: list[list[int]],
+    actuator_real: list[list[float]],
+    real: list[list[float]],
+    whole: list[list[int]],
 ) -> bool:
     """Whether a device was told something new in this step, or has something to do."""
     fresh = actuator[A_FRESH]
     count = len(fresh)
     k = 0
-    while k < count and fresh[k] != step + 1 and not busy(k, actuator, actuator_real, real):
+    while k < count and fresh[k] != step + 1 and not busy(k, actuator, actuator_real, real, whole):
         k += 1
     return k < count

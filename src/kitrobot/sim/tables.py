@@ -18,6 +18,7 @@ from kitrobot.sim.chance import keys
 from kitrobot.sim.commanding import QUEUE
 from kitrobot.sim.contacts import TOUCH_MM
 from kitrobot.sim.devices import Actuator, Device, Sensor, Standing, Values, actuators, sensors, ticks
+from kitrobot.sim.failures import Fates
 from kitrobot.sim.grids import FEW, Grid, fixed
 from kitrobot.sim.physics import arrange
 from kitrobot.sim.shared import SharedTables
@@ -27,6 +28,9 @@ from kitrobot.world import COLOURS, Pose, World
 
 NEVER = -(1 << 40)
 """What no sensor reads: the machine was given nothing yet."""
+
+BY_HAND_AT_ONCE = 64
+"""So much can be done to the robots of any run by hand between two steps, and be told."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +70,8 @@ class Tables:
         self._sensors: list[Fitted] = []
         self._actuators: list[Fitted] = []
         self._turning: set[int] = set()
+        self.fates = Fates()
+        """What is to befall the robots; set before `state`."""
 
     # -- robots
 
@@ -154,9 +160,12 @@ class Tables:
         buckets = 64
         while buckets < 2 * pairs:
             buckets *= 2
-        most_events = count + pairs + 2 * len(self._actuators) + len(shared.variables)
+        variables = len(shared.variables)
+        most_events = count + pairs + 2 * len(self._actuators) + variables
+        most_events += self.fates.most_events(count, variables)
         clock = [0] * c.CLOCKS
-        clock[c.RUNNING] = count
+        clock[c.RUNNING] = clock[c.LIVING] = count
+        clock[c.REVIVALS] = self.fates.revivals
         clock[c.MOVED] = 1
         clock[c.CYCLE] = math.lcm(*whole[c.PERIOD])
         clock[c.UNTIL] = 1
@@ -174,10 +183,10 @@ class Tables:
         machines = self.machines
         room = max(4 * max(len(self.world.walls), FEW), 2 * in_grid) + 32
         state = State(
-            fixed=[1 if together else 0, 1 if sees else 0, most_events],
-            fixed_real=[self.dt, widest],
+            fixed=[1 if together else 0, 1 if sees else 0, most_events, self.fates.every],
+            fixed_real=[self.dt, widest, self.fates.probability],
             clock=clock,
-            events=[0] * (c.EVENT * 2 * most_events),
+            events=[0] * (c.EVENT * (2 * most_events + BY_HAND_AT_ONCE + variables)),
             real=real,
             whole=whole,
             solid=solid,
@@ -212,11 +221,14 @@ class Tables:
             takens=actuator.takens,
             queue=[0] * actuator.room,
             shared=shared.rows,
+            apart=shared.apart,
             mine_first=shared.mine_first,
             mine=shared.mine,
             mine_cell=shared.mine_cell,
             copy_robot=shared.copy_robot,
             copy_cell=shared.copy_cell,
+            plan=self.fates.plan,
+            fate=self.fates.keys,
             roads=world.roads,
             road_length=world.road_length,
             points=world.points,

@@ -12,14 +12,17 @@ Left to others: how a step is made (simulation), pausing, pace, who watches.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Literal
 
+from kitrobot.mission import FailureKind
 from kitrobot.sim.sayings import Event
 from kitrobot.sim.simulation import Simulation
 
 ROOM_BYTES = 64 * 1024 * 1024
+OUTSIDE = "outside"
+"""The kind of event that says what somebody did to the run."""
 FIRST_SPACING = 25
 """Steps between two kept states, to begin with."""
 ASKED_EVERY = 100
@@ -30,10 +33,12 @@ MOST_EVENTS = 100_000
 
 @dataclass(frozen=True)
 class Intervention:
-    """What was done to a run from outside, before the step `tick`. `name` is a sensor's or a variable's."""
+    """What was done to a run from outside, before the step `tick`. `name` is a sensor's or a variable's, or
+    what befalls the agent.
+    """
 
     tick: int
-    kind: Literal["force", "set"]
+    kind: Literal["force", "set", "harm"]
     agent: str
     name: str
     value: int | None
@@ -116,16 +121,54 @@ class Timeline:
         """
         self._intervene(Intervention(self.tick, "set", agent, variable, value))
 
+    def harm(self, agent: str, kind: FailureKind | str) -> bool:
+        """As `Simulation.harm`, and part of the run from this step on; what changes nothing is not.
+
+        Raises:
+            KitRobotError: there is no such agent, or too much was done between two steps.
+        """
+        changed = self.simulation.harm(agent, kind)
+        if changed:
+            self._note(Intervention(self.tick, "harm", agent, FailureKind(kind).value, None))
+        return changed
+
     def events_until(self, tick: int) -> list[Event]:
-        """What happened in the steps before this one."""
-        return [event for event in self.events if event.tick < tick]
+        """What happened in the steps before this one, and was done from outside up to it."""
+        return [event for event in self.events if event.tick < tick or (event.kind == OUTSIDE and event.tick == tick)]
+
+    def done_again(self, simulation: Simulation) -> Iterator[list[Event]]:
+        """The same run once more, up to `latest`, in a simulation at its first step: before each step and after the
+        last one it stands as this one did, and what happened since is given.
+
+        What befalls agents by hand is told by the step after it, or at the very end.
+        """
+        again = Timeline(simulation, room_bytes=1)
+        again.interventions, last = list(self.interventions), self.latest
+        for one in again.interventions:
+            if one.tick == again.tick:
+                again._apply(one)
+        happened: list[Event] = []
+        while True:
+            outside = [one for one in again.interventions if one.tick == again.tick]
+            happened += [event for one in outside for event in again._told(one)]
+            if again.tick >= last or simulation.outcome is not None:
+                yield happened + simulation.untold
+                return
+            yield happened
+            again.advance(1)
+            happened = list(simulation.events)
 
     # -- inside
 
     def _intervene(self, intervention: Intervention) -> None:
         self._apply(intervention)
+        self._note(intervention)
+
+    def _note(self, intervention: Intervention) -> None:
+        """It was done just now: what was to come is forgotten."""
         self._forget_what_was_to_come()
         self.interventions.append(intervention)
+        self.events += self._told(intervention)
         # The state that is kept of this very step is from before it.
         if self._ticks[-1] == self.tick and len(self._ticks) > 1:
             self._drop(-1)
@@ -133,13 +176,26 @@ class Timeline:
             self._bytes -= len(self._states[0])
             self._states[0] = self.simulation.snapshot()
             self._bytes += len(self._states[0])
-            self.interventions = [one for one in self.interventions if one.tick != self.tick]
 
     def _apply(self, intervention: Intervention) -> None:
         if intervention.kind == "force":
             self.simulation.force(intervention.agent, intervention.name, intervention.value)
+        elif intervention.kind == "harm":
+            self.simulation.harm(intervention.agent, intervention.name)
         else:
             self.simulation.set_variable(intervention.agent, intervention.name, intervention.value or 0)
+
+    def _told(self, intervention: Intervention) -> list[Event]:
+        """An intervention as an event; what befalls an agent is told by the run itself."""
+        who, name, value = intervention.agent, intervention.name, intervention.value
+        index = next((one.index for one in self.simulation.members if one.name == who), -1)
+        if intervention.kind == "set":
+            text = f"{name} was set to {value} by hand"
+        elif intervention.kind == "force":
+            text = f"{name} was let go" if value is None else f"{name} was held at {value} by hand"
+        else:
+            return []
+        return [Event(intervention.tick, OUTSIDE, who, text, index, "person")]
 
     def _forget_what_was_to_come(self) -> None:
         tick = self.tick

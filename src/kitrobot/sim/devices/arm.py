@@ -19,6 +19,8 @@ from kitrobot.sim.columns import (
     A_WAY,
     ARM,
     DELIVERED,
+    DOWN,
+    FAILED,
     LOAD,
     LOADED,
     NO_BOX,
@@ -92,8 +94,9 @@ def move_arms(
 ) -> None:
     """Goes on for a step with the devices `first` … `last` - 1."""
     done = actuator[A_DONE]
+    down = whole[DOWN]
     for k in range(first, last):
-        if done[k]:
+        if done[k] or down[actuator[A_ROBOT][k]] == FAILED:
             continue
         left = actuator_real[A_Q][k] - dt
         actuator_real[A_Q][k] = left

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_S
+from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, A_S, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
 
 DOOR = 1
@@ -39,11 +39,18 @@ def take_door(
     actuator[A_DONE][k] = 0
 
 
-def move_doors(first: int, last: int, dt: float, actuator: list[list[int]], actuator_real: list[list[float]]) -> None:
+def move_doors(
+    first: int,
+    last: int,
+    dt: float,
+    actuator: list[list[int]],
+    actuator_real: list[list[float]],
+    down: list[int],
+) -> None:
     """Goes on for a step with the devices `first` … `last` - 1."""
     done = actuator[A_DONE]
     for k in range(first, last):
-        if done[k]:
+        if done[k] or down[actuator[A_ROBOT][k]] == FAILED:
             continue
         way = actuator_real[A_Q][k] - actuator_real[A_P][k]
         step = dt / actuator_real[A_S][k]

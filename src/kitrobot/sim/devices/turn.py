@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT
+from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
 
 TURN_DEVICE = 5
@@ -64,6 +64,7 @@ def move_turns(
     actuator: list[list[int]],
     actuator_real: list[list[float]],
     turn: list[float],
+    down: list[int],
 ) -> None:
     """Goes on for a step with the devices `first` … `last` - 1."""
     robots = actuator[A_ROBOT]
@@ -72,7 +73,7 @@ def move_turns(
     lefts = actuator_real[A_R]
     for k in range(first, last):
         rate = rates[k]
-        if done[k] and rate == 0.0:
+        if (done[k] and rate == 0.0) or down[robots[k]] == FAILED:
             turn[robots[k]] = 0.0
             continue
         step = rate * dt
