@@ -1,0 +1,116 @@
+"""Failures as missions and people speak of them, for the loops in `harming`: names, seconds, chances a minute."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from kitrobot.mission import Failure, FailureKind
+from kitrobot.sim import columns as c
+from kitrobot.sim.chance import keys
+from kitrobot.sim.harming import BY_HAND, PLAN_ROWS, REVIVE, harm
+from kitrobot.sim.state import State
+
+KINDS = tuple(FailureKind)
+"""The kinds in the order of their numbers in `harming`."""
+
+HARMS = ("fails", "stalls", "loses its radio", "is well again")
+CAUSES = ("by hand", "on schedule", "by chance")
+"""What befalls a robot and how that comes about, in the order of their numbers in `harming`."""
+
+MINUTE_MS = 60_000
+TURN_MS = 1000
+"""How often each robot may fail by chance, in simulated time."""
+
+
+@dataclass
+class Fates:
+    """What is to befall the robots of a run.
+
+    Attributes:
+        plan: the schedule, as rows of numbers (see harming).
+        keys: of each robot, the two keys of its chance.
+        every: steps between two turns of a robot to fail by chance.
+        probability: of failing in one turn, 0…1.
+    """
+
+    plan: list[list[int]] = field(default_factory=lambda: [[] for _ in range(PLAN_ROWS)])
+    keys: list[list[int]] = field(default_factory=lambda: [[], []])
+    every: int = 1
+    probability: float = 0.0
+
+    @property
+    def revivals(self) -> int:
+        """How many revivals are on the schedule."""
+        return self.plan[2].count(REVIVE)
+
+    def most_events(self, robots: int, variables: int) -> int:
+        """The most that can be told of failures in one step: who comes back tells its shared variables too."""
+        at_once = max(Counter(self.plan[0]).values(), default=0)
+        return at_once * (1 + variables) + (robots if self.probability else 0)
+
+
+def fates(failures: Sequence[Failure], names: Sequence[str], step_ms: int, fail_rate: float, seed: int) -> Fates:
+    """What a mission's schedule and a failure rate come to in a run.
+
+    Args:
+        failures: the schedule; what happens to somebody who takes no part is passed over.
+        names: the agents, in team order.
+        step_ms: a step of the run.
+        fail_rate: the probability (0…1) that an agent fails in a minute.
+        seed: where chance begins.
+    """
+    numbers = {name: number for number, name in enumerate(names)}
+    rows = sorted(
+        (
+            (math.ceil(failure.at_s * 1000 / step_ms - 1e-9), numbers[failure.agent], KINDS.index(failure.kind))
+            for failure in failures
+            if failure.agent in numbers
+        ),
+        key=lambda row: row[0],
+    )
+    made = Fates([list(row) for row in zip(*rows, strict=True)] if rows else [[] for _ in range(PLAN_ROWS)])
+    if fail_rate > 0:
+        made.every = max(1, round(TURN_MS / step_ms))
+        made.probability = 1.0 - (1.0 - fail_rate) ** (made.every * step_ms / MINUTE_MS)
+        drawn = [keys(seed, name, "failure") for name in names]
+        made.keys = [[one for one, _ in drawn], [other for _, other in drawn]]
+    return made
+
+
+def room_to_tell(state: State, most: int) -> bool:
+    """Whether so many events more can be written down, and after them all of one step."""
+    return c.EVENT * (state.clock[c.EVENTS] + most + state.fixed[2]) <= len(state.events)
+
+
+def keep_untold(state: State) -> None:
+    """Forgets the events of past steps; what was done by hand since the last one is still to be told."""
+    clock, events = state.clock, state.events
+    tick, end = clock[c.TICK], c.EVENT * clock[c.EVENTS]
+    first = next((at for at in range(0, end, c.EVENT) if events[at + c.EVENT - 1] == tick), end)
+    for at in range(first, end):
+        events[at - first] = events[at]
+    clock[c.EVENTS] = (end - first) // c.EVENT
+
+
+def harm_by_hand(state: State, robot: int, kind: FailureKind) -> None:
+    """Does it to a robot between two steps; there must be room to tell it."""
+    harm(
+        robot,
+        KINDS.index(kind),
+        BY_HAND,
+        state.real,
+        state.whole,
+        state.cells,
+        state.shared,
+        state.apart,
+        state.mine_first,
+        state.mine,
+        state.mine_cell,
+        state.copy_robot,
+        state.copy_cell,
+        state.events,
+        state.clock,
+    )
