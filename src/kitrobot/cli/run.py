@@ -25,12 +25,23 @@ def run_mission(
     trace: Annotated[
         Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run: same seed, same bytes.")
     ] = None,
+    fail_rate: Annotated[
+        float,
+        typer.Option(
+            min=0.0,
+            max=1.0,
+            metavar="P",
+            help="The probability that a robot fails for good within a minute, by chance: from the seed, 0 to 1.",
+        ),
+    ] = 0.0,
     as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
 ) -> None:
     """Run a mission in the simulator, as fast as it goes.
 
     The exit status is 0 when the mission was done, and 1 when it failed, got stuck, ran out of time or has errors.
     """
+    if not math.isfinite(fail_rate):
+        raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
     if not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("a run takes more than 0 seconds", param_hint="'--seconds'")
     from kitrobot.workspace import open_mission
@@ -40,7 +51,7 @@ def run_mission(
     if report.ok:
         show(report.problems, report.sources)
     with _progress(seconds) as progress:
-        run = mission.run(seed=seed, seconds=seconds, trace=trace, progress=progress)
+        run = mission.run(seed=seed, seconds=seconds, trace=trace, progress=progress, fail_rate=fail_rate)
     give(json.dumps(run.to_json(), ensure_ascii=False) + "\n" if as_json else _summary(run))
     if run.outcome != "done":
         raise typer.Exit(1)

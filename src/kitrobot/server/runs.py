@@ -30,7 +30,9 @@ from kitrobot.server.shapes import (
     BreakpointsRequest,
     ErrorMessage,
     ForceRequest,
+    HarmRequest,
     HitShape,
+    LookRequest,
     PauseRequest,
     ProblemsMessage,
     ResumeRequest,
@@ -161,6 +163,10 @@ class Session:
                 self._jobs.append(lambda: watch.force(request.agent, request.sensor, request.value))
             case SetRequest():
                 self._jobs.append(lambda: watch.set_variable(request.agent, request.variable, request.value))
+            case HarmRequest():
+                self._jobs.append(lambda: watch.harm(request.agent, request.kind))
+            case LookRequest():
+                self._jobs.append(lambda: watch.look_at(request.agents))
             case BreakpointsRequest():
                 self._jobs.append(lambda: watch.pause_at(breakpoint_from_shape(one) for one in request.breakpoints))
         if isinstance(request, StepRequest | SeekRequest) and (request.type == "seek" or request.back):
@@ -213,6 +219,8 @@ class Session:
             began = self._clock()
             self._wake.clear()
             if self._stopping:
+                watch.stop()
+                await self._news(watch)
                 await self._state(watch, "stopped")
                 return
             if await self._do_jobs(watch):

@@ -22,6 +22,9 @@ from kitrobot.workspace import OpenMission
 MOST_EVENTS_TOLD = 5000
 """Events that are told at once when all of them are told again."""
 
+MOST_REPORTED = 100
+"""In a run of more agents than this, only those that are looked at are reported; all are in the frames."""
+
 _TICKS_BETWEEN_LOOKS = 8
 """Ticks run between two looks at the clock."""
 
@@ -41,6 +44,9 @@ class Watch:
         self._debug = {name: compiled.debug for name, compiled in opened.compiled.items()}
         self._told: dict[str, dict[str, Any]] = {}
         self._events: list[Event] = []
+        self._early: list[Event] = []
+        """What was done by hand and told at once, before the step that tells it."""
+        self._looked_at = self._first_ones()
         self._again = False
         self._breakpoints = Breakpoints(opened.mission.breakpoints, simulation.members, opened.compiled)
         self.hits: list[Hit] = []
@@ -88,7 +94,9 @@ class Watch:
     def _advance(self, ticks: int) -> int:
         before = self._timeline.latest
         done = self._timeline.advance(ticks)
-        self._events += [event for event in self._simulation.events if event.tick >= before]
+        happened = self._simulation.events
+        self._events += [one for one in happened if one.tick >= before and one not in self._early]
+        self._early = []
         if self._breakpoints:
             self.hits = self._breakpoints.after_step(self.tick)
         return done
@@ -144,6 +152,30 @@ class Watch:
         self._timeline.set_variable(agent, variable, value)
         self._again = True
 
+    def harm(self, agent: str, kind: str) -> None:
+        """Lets an agent fail, stall or lose its radio, or makes it well again.
+
+        Raises:
+            KitRobotError: there is no such agent, or too much was done at once.
+        """
+        if self._timeline.harm(agent, kind):
+            self._again = True
+            self._early = self._simulation.untold
+
+    def look_at(self, agents: Iterable[str]) -> None:
+        """Of very many agents these are reported from now on; the first one of each program always is."""
+        self._looked_at = self._first_ones() | frozenset(agents)
+
+    def _first_ones(self) -> frozenset[str]:
+        first: dict[str, str] = {}
+        for agent in self._simulation.members:
+            first.setdefault(agent.program, agent.name)
+        return frozenset(first.values())
+
+    def stop(self) -> None:
+        """Stops every motor; the run is not gone on with."""
+        self._simulation.stop_motors()
+
     def pause_at(self, breakpoints: Iterable[Breakpoint]) -> None:
         """These are the breakpoints from now on; visits are counted anew.
 
@@ -184,12 +216,16 @@ class Watch:
         """What changed since the last time, in the shape of a `TickMessage`."""
         simulation = self._simulation
         changed = {}
-        for agent in simulation.agents:
+        everybody = len(simulation.members) <= MOST_REPORTED
+        for member in simulation.members:
+            if not everybody and member.name not in self._looked_at:
+                continue
+            agent = simulation.view(member.index)
             report = self._report(agent)
             if self._told.get(agent.name) != report:
                 changed[agent.name] = self._told[agent.name] = report
         again = self._again
-        happened = self._timeline.events[-MOST_EVENTS_TOLD:] if again else self._events
+        happened = [*self._timeline.events[-MOST_EVENTS_TOLD:], *self._early] if again else self._events
         events = [
             {"tick": event.tick, "kind": event.kind, "agent": event.agent, "text": said(event.text)}
             for event in happened

@@ -186,7 +186,12 @@ class OpenMission:
         return simulation(self, seed)
 
     def run(
-        self, seed: int = 1, seconds: float = 600.0, trace: Path | None = None, progress: Progress | None = None
+        self,
+        seed: int = 1,
+        seconds: float = 600.0,
+        trace: Path | None = None,
+        progress: Progress | None = None,
+        fail_rate: float = 0.0,
     ) -> Run:
         """Runs the mission in the simulator, as fast as it goes.
 
@@ -195,6 +200,7 @@ class OpenMission:
             seconds: simulated seconds after which it is out of time.
             trace: a file to record the run in.
             progress: is told the simulated seconds so far, now and then.
+            fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
 
         Raises:
             ProblemsError: the mission has errors.
@@ -202,7 +208,7 @@ class OpenMission:
         """
         from kitrobot.workspace.running import run
 
-        return run(self, seed, seconds, trace, progress)
+        return run(self, seed, seconds, trace, progress, fail_rate)
 
 
 def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:

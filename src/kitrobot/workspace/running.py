@@ -68,8 +68,8 @@ class Run:
         }
 
 
-def simulation(opened: OpenMission, seed: int, seconds: float | None = None) -> Simulation:
-    """A mission in its world, before its first tick; `seconds` is its time limit.
+def simulation(opened: OpenMission, seed: int, seconds: float | None = None, fail_rate: float = 0.0) -> Simulation:
+    """A mission in its world, before its first tick; `seconds` is its time limit, `fail_rate` as in `Simulation`.
 
     Raises:
         ProblemsError: the mission has errors; all are told.
@@ -77,10 +77,10 @@ def simulation(opened: OpenMission, seed: int, seconds: float | None = None) -> 
     report = opened.report
     if not report.ok:
         raise ProblemsError(f"`{opened.name}` has errors, so it was not run", "", report.problems, report.sources)
-    return stage(opened, seed, seconds)
+    return stage(opened, seed, seconds, fail_rate)
 
 
-def stage(opened: OpenMission, seed: int, seconds: float | None = None) -> Simulation:
+def stage(opened: OpenMission, seed: int, seconds: float | None = None, fail_rate: float = 0.0) -> Simulation:
     """As `simulation`, for a mission that was found free of errors otherwise.
 
     Raises:
@@ -88,17 +88,24 @@ def stage(opened: OpenMission, seed: int, seconds: float | None = None) -> Simul
     """
     assert opened.world is not None, "a mission without its world has an error"
     try:
-        return Simulation(opened.mission, opened.world, opened.compiled, opened.catalogue, seed, seconds)
+        return Simulation(opened.mission, opened.world, opened.compiled, opened.catalogue, seed, seconds, fail_rate)
     except SimulationError as error:
         found = tuple(_placed(opened, item) for item in error.diagnostics)
         raise ProblemsError(f"`{opened.name}` cannot be run", "", found, opened.sources) from None
 
 
-def run(opened: OpenMission, seed: int, seconds: float, trace: Path | None, progress: Progress | None) -> Run:
+def run(
+    opened: OpenMission,
+    seed: int,
+    seconds: float,
+    trace: Path | None,
+    progress: Progress | None,
+    fail_rate: float = 0.0,
+) -> Run:
     """Runs a mission to its end; see `OpenMission.run`."""
     if trace is not None and opened.path is not None and same_file(trace, opened.path):
         raise TracePlaceError(f"the trace would be written over `{trace}`", "give it a name of its own")
-    made = simulation(opened, seed, seconds)
+    made = simulation(opened, seed, seconds, fail_rate)
     began = time.perf_counter()
     simulate(made, trace, None if progress is None else lambda now: progress(now.seconds))
     real = time.perf_counter() - began

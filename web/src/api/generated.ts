@@ -20,7 +20,7 @@ export interface Agent {
 /** What an agent does: where its threads stand, its variables and sensors. */
 export interface AgentReport {
   active: [number, string][];
-  state: "running" | "waiting" | "idle" | "failed";
+  state: "running" | "waiting" | "idle" | "failed" | "stalled";
   values: Record<string, number>;
   inputs: Record<string, number>;
   fault: number;
@@ -229,6 +229,13 @@ export interface Group {
   constructors: Constructor[];
 }
 
+/** Let an agent fail for good, miss its ticks or lose its radio, or make it well again. */
+export interface HarmRequest {
+  type: "harm";
+  agent: string;
+  kind: "fail" | "stall" | "mute" | "revive";
+}
+
 /** The first message of `WS /api/watch`: the name of the page's tab. */
 export interface HelloMessage {
   type: "hello";
@@ -292,6 +299,12 @@ export interface Line {
   width_mm: number;
   closed: boolean;
   points: [number, number][];
+}
+
+/** Of a run with very many agents: tell what these do; others are told only as poses. */
+export interface LookRequest {
+  type: "look";
+  agents: string[];
 }
 
 /** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
@@ -455,13 +468,13 @@ export interface OwnSection {
 export interface OwnStart {
   name: string;
   at: "pose" | "road" | "dock" | "storehouse";
-  road?: string;
-  at_mm?: number;
-  dock?: string;
-  storehouse?: string;
-  x_mm?: number;
-  y_mm?: number;
-  heading_deg?: number;
+  road: string;
+  at_mm: number;
+  dock: string;
+  storehouse: string;
+  x_mm: number;
+  y_mm: number;
+  heading_deg: number;
 }
 
 /** A place for stock; `x_mm`, `y_mm` is its lower left corner. */
@@ -501,9 +514,9 @@ export interface OwnWorld {
   storehouses: OwnStorehouse[];
   docks: OwnDock[];
   starts: OwnStart[];
-  unknown?: string[];
-  label?: Record<string, string>;
-  help?: Record<string, string>;
+  unknown: string[];
+  label: Record<string, string>;
+  help: Record<string, string>;
 }
 
 /** A parameter of a method; `min` and `max` are included. */
@@ -660,6 +673,13 @@ export interface ProgramReport {
   instructions: number;
 }
 
+/** Play a recording that was opened; `recording` is its number. */
+export interface ReplayRequest {
+  type: "replay";
+  recording: string;
+  speed: number;
+}
+
 /** A mission looked through. */
 export interface Report {
   programs: ProgramReport[];
@@ -709,7 +729,7 @@ export interface RobotObject {
 /** Something worth a mark on the timeline. */
 export interface RunEvent {
   tick: number;
-  kind: "load" | "unload" | "message" | "collision" | "end";
+  kind: "load" | "unload" | "message" | "collision" | "failure" | "revival" | "end" | "outside";
   agent: string;
   text: string;
 }
@@ -824,7 +844,7 @@ export interface StartedAgent {
   kind: string;
 }
 
-/** The run is on. */
+/** The run is on, or a recording of one. */
 export interface StartedMessage {
   type: "started";
   run: string;
@@ -834,12 +854,13 @@ export interface StartedMessage {
   agents: StartedAgent[];
   stock: Record<string, number>;
   total: number;
+  recording: boolean;
 }
 
-/** What became of the run; `sentence` says why it ended, `hits` why it pauses. */
+/** What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only. */
 export interface StateMessage {
   type: "state";
-  status: "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped";
+  status: "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped" | "end";
   tick: number;
   seconds: number;
   sentence: string;
@@ -884,9 +905,9 @@ export interface TextEdit {
 }
 
 /**
- * The run as it stands; `agents` holds only those that changed since the last message. `latest` is the furthest tick of
- * this future: less than before when another one has begun. `events` are those since the last message, or with `again`
- * all up to `latest`.
+ * The run as it stands; `agents` holds only those that changed since the last message, and of very many only those that
+ * are looked at. `latest` is the furthest tick of this future: less than before when another one has begun. `events`
+ * are those since the last message, or with `again` all up to `latest`.
  */
 export interface TickMessage {
   type: "tick";
@@ -1001,12 +1022,15 @@ export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsM
 
 export type RunRequest =
   | StartRequest
+  | ReplayRequest
   | PauseRequest
   | ResumeRequest
   | StepRequest
   | SeekRequest
   | ForceRequest
   | SetRequest
+  | HarmRequest
+  | LookRequest
   | BreakpointsRequest
   | StopRequest
   | SpeedRequest;

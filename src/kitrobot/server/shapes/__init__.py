@@ -34,6 +34,7 @@ from kitrobot.server.shapes.mission import MissionShape, breakpoint_from_shape, 
 from kitrobot.server.shapes.problem import FailureShape, ProblemShape, problem_shapes
 from kitrobot.server.shapes.report import CheckShape, ProgramReportShape, ReportShape
 from kitrobot.server.shapes.run import (
+    EVENT_KINDS,
     REQUEST,
     REQUEST_MODELS,
     RUN_MESSAGE_MODELS,
@@ -41,9 +42,12 @@ from kitrobot.server.shapes.run import (
     BreakpointsRequest,
     ErrorMessage,
     ForceRequest,
+    HarmRequest,
     HitShape,
+    LookRequest,
     PauseRequest,
     ProblemsMessage,
+    ReplayRequest,
     ResumeRequest,
     RunEventShape,
     RunMessage,
@@ -63,6 +67,7 @@ from kitrobot.server.shapes.run import (
 from kitrobot.server.shapes.world import WorldShape, world_shape
 
 __all__ = [
+    "EVENT_KINDS",
     "REQUEST",
     "REQUEST_MODELS",
     "RUN_MESSAGE_MODELS",
@@ -80,12 +85,14 @@ __all__ = [
     "FailureShape",
     "ForceRequest",
     "ForgetShape",
+    "HarmRequest",
     "HelloMessage",
     "HitShape",
     "JournalAppendShape",
     "JournalShape",
     "JournalSizeShape",
     "LeftShape",
+    "LookRequest",
     "MissionEntryShape",
     "MissionFileShape",
     "MissionShape",
@@ -96,6 +103,7 @@ __all__ = [
     "ProblemShape",
     "ProblemsMessage",
     "ProgramReportShape",
+    "ReplayRequest",
     "ReportShape",
     "ResumeRequest",
     "RunEventShape",

@@ -5,7 +5,7 @@ Poses are not here: they travel as binary frames (see `runs`). Everything else i
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
@@ -18,6 +18,9 @@ from kitrobot.server.shapes.world import WorldShape
 Speed = Annotated[float, Field(ge=0, le=FASTEST, allow_inf_nan=False)]
 """Times real time; 0 is as fast as it goes."""
 
+MOST_LOOKED_AT = 200
+"""Agents that a page looks at closely at a time."""
+
 
 class StartRequest(BaseModel):
     """Run this mission; `path` is the file it was opened from, "" for a new one."""
@@ -26,6 +29,14 @@ class StartRequest(BaseModel):
     mission: MissionShape
     path: str
     seed: Annotated[int, Field(ge=0, le=2**53)]
+    speed: Speed
+
+
+class ReplayRequest(BaseModel):
+    """Play a recording that was opened; `recording` is its number."""
+
+    type: Literal["replay"]
+    recording: Annotated[str, Field(max_length=20)]
     speed: Speed
 
 
@@ -75,6 +86,21 @@ class SetRequest(BaseModel):
     value: Annotated[int, Field(ge=-(2**40), le=2**40)]
 
 
+class HarmRequest(BaseModel):
+    """Let an agent fail for good, miss its ticks or lose its radio, or make it well again."""
+
+    type: Literal["harm"]
+    agent: str
+    kind: Literal["fail", "stall", "mute", "revive"]
+
+
+class LookRequest(BaseModel):
+    """Of a run with very many agents: tell what these do; others are told only as poses."""
+
+    type: Literal["look"]
+    agents: Annotated[list[str], Field(max_length=MOST_LOOKED_AT)]
+
+
 class BreakpointsRequest(BaseModel):
     """Pause at these from now on."""
 
@@ -102,14 +128,16 @@ Steering = (
     | SeekRequest
     | ForceRequest
     | SetRequest
+    | HarmRequest
+    | LookRequest
     | BreakpointsRequest
     | StopRequest
     | SpeedRequest
 )
 """What can be asked of a run that is on."""
 
-RunRequest = Annotated[StartRequest | Steering, Field(discriminator="type")]
-REQUEST: TypeAdapter[StartRequest | Steering] = TypeAdapter(RunRequest)
+RunRequest = Annotated[StartRequest | ReplayRequest | Steering, Field(discriminator="type")]
+REQUEST: TypeAdapter[StartRequest | ReplayRequest | Steering] = TypeAdapter(RunRequest)
 
 
 class StartedAgentShape(BaseModel):
@@ -127,7 +155,7 @@ class _Message(BaseModel):
 
 
 class StartedMessage(_Message):
-    """The run is on."""
+    """The run is on, or a recording of one."""
 
     type: Literal["started"] = "started"
     run: str
@@ -137,6 +165,7 @@ class StartedMessage(_Message):
     agents: list[StartedAgentShape]
     stock: dict[str, int]
     total: int
+    recording: bool = False
 
 
 class HitShape(BaseModel):
@@ -149,10 +178,10 @@ class HitShape(BaseModel):
 
 
 class StateMessage(_Message):
-    """What became of the run; `sentence` says why it ended, `hits` why it pauses."""
+    """What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only."""
 
     type: Literal["state"] = "state"
-    status: Literal["running", "paused", "done", "failed", "stuck", "time", "stopped"]
+    status: Literal["running", "paused", "done", "failed", "stuck", "time", "stopped", "end"]
     tick: int
     seconds: float
     sentence: Sentence
@@ -163,24 +192,30 @@ class AgentReportShape(BaseModel):
     """What an agent does: where its threads stand, its variables and sensors."""
 
     active: list[tuple[int, str]]
-    state: Literal["running", "waiting", "idle", "failed"]
+    state: Literal["running", "waiting", "idle", "failed", "stalled"]
     values: dict[str, int]
     inputs: dict[str, int]
     fault: int
     forced: list[str]
 
 
+EventKind = Literal["load", "unload", "message", "collision", "failure", "revival", "end", "outside"]
+EVENT_KINDS: tuple[str, ...] = get_args(EventKind)
+"""outside: what somebody did to the run."""
+
+
 class RunEventShape(BaseModel):
     """Something worth a mark on the timeline."""
 
     tick: int
-    kind: Literal["load", "unload", "message", "collision", "end"]
+    kind: EventKind
     agent: str
     text: str
 
 
 class TickMessage(_Message):
-    """The run as it stands; `agents` holds only those that changed since the last message.
+    """The run as it stands; `agents` holds only those that changed since the last message, and
+    of very many only those that are looked at.
 
     `latest` is the furthest tick of this future: less than before when another one has begun. `events` are those since
     the last message, or with `again` all up to `latest`.
@@ -219,12 +254,15 @@ RunMessage = Annotated[
 ]
 REQUEST_MODELS: tuple[type[BaseModel], ...] = (
     StartRequest,
+    ReplayRequest,
     PauseRequest,
     ResumeRequest,
     StepRequest,
     SeekRequest,
     ForceRequest,
     SetRequest,
+    HarmRequest,
+    LookRequest,
     BreakpointsRequest,
     StopRequest,
     SpeedRequest,
