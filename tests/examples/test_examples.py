@@ -57,6 +57,28 @@ def way(watched: Watched) -> float:
     return sum(math.dist(a, b) for a, b in itertools.pairwise(path))
 
 
+def is_lap_on_the_line(seen: Watched) -> bool:
+    """Never further from the middle of the line than its width, and all the way round."""
+    [line] = [one for one in seen.run.world.lines if one.closed]
+    away = max(line.line.nearest(x, y)[1] for x, y in seen.path())
+    return away < line.width_mm and way(seen) > 0.95 * line.line.length_mm
+
+
+def is_along_the_walls(seen: Watched) -> bool:
+    """Near one of the four walls of the hall all the time, and near all of them once."""
+    world = seen.run.world
+    near = [(x, y, world.width_mm - x, world.height_mm - y) for x, y in seen.path()]
+    return all(100 < min(sides) < 300 for sides in near) and all(min(side) < 300 for side in zip(*near, strict=True))
+
+
+def is_found(seen: Watched) -> bool:
+    """It stands on the red floor, which it was the first to see."""
+    [red] = [floor for floor in seen.run.world.floors if floor.colour == "red"]
+    x, y = (sum(row[:-1]) / (len(row) - 1) for row in (red.line.xs, red.line.ys))
+    inside = [math.dist(point, (x, y)) <= 200 for point in seen.path()]
+    return inside[-1] and not any(inside[:-200]) and seen.lamps_lit() == 4
+
+
 ACHIEVED: dict[str, Callable[[Watched], bool]] = {
     "blink": lambda seen: seen.lamps_lit() == 5 and way(seen) > 300,
     "brake": lambda seen: 3700 < seen.path()[-1][0] < 3960,
@@ -64,16 +86,19 @@ ACHIEVED: dict[str, Callable[[Watched], bool]] = {
     "circle": lambda seen: seen.reached(1800, 1000) and seen.reached(1100, 1700) and seen.reached(400, 1050),
     "door": lambda seen: seen.lamps_lit() == 5 and way(seen) == 0,
     "faster": lambda seen: variable(seen, "Level") == 80 and way(seen) > 500,
+    "line-follower": is_lap_on_the_line,
     "merge": lambda seen: seen.run.stock == {"A": 0, "B": 8, "C": 0} and len(seen.run.delivered) == 2,
     "pair": lambda seen: all(abs(seen.path(k)[-1][0] - 350) < 60 and seen.lamps_lit(k) == 2 for k in (0, 1)),
     "passing-loop": lambda seen: seen.run.stock == {"A": 0, "B": 6} and min(seen.run.delivered.values()) == 3,
     "red-and-green": lambda seen: seen.lamps_lit() == 1 and abs(seen.path()[-1][0] - 1900) < 120,
     "rooms": lambda seen: way(seen) > 1500,
+    "search": is_found,
     "square": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 30 and way(seen) > 600,
     "star": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 60 and seen.lamps_lit() == 15,
     "stripes": lambda seen: variable(seen, "Count") == 4 and 1500 < seen.path()[-1][0] < 1850,
     "transport": lambda seen: seen.run.stock == {"A": 0, "B": 12},
     "wall": lambda seen: way(seen) > 3000,
+    "wall-follower": is_along_the_walls,
 }
 
 

@@ -145,12 +145,15 @@ def test_nobody_is_so_fast_that_it_goes_through_a_wall(speed: int) -> None:
 SWIFT = 'speed="400" acceleration="1e6" braking="1e6" track="80"'
 
 
-def tank(text: str, settings: str = SWIFT) -> Simulation:
-    """A robot of two wheels in the middle of the room, looking along +x."""
+def tank(text: str, settings: str = SWIFT, twice: bool = False) -> Simulation:
+    """A robot of two wheels in the middle of the room, looking along +x; and one that only waits."""
     parts = [
         SIDE.format(name=side.title(), settings=f'side="{side}" length="80" {settings}') for side in ("left", "right")
     ]
-    return run_of({"a": (avatar(*parts, name="tank"), text)}, empty_world(a=(2000, 1250, 0)))
+    agents = {"a": (avatar(*parts, name="tank"), text)}
+    if twice:
+        agents["b"] = avatar(*parts, name="idler"), "WAIT(600);"
+    return run_of(agents, empty_world(a=(2000, 1250, 0), b=(300, 300, 0)))
 
 
 @given(st.integers(-100, 100), st.integers(-100, 100))
@@ -214,3 +217,15 @@ def test_a_run_of_wheels_is_over_only_when_they_stand() -> None:
     steps(run, 500)
     assert run.outcome is None
     assert run.agents[0].state == "running"
+
+
+def test_the_wheels_of_a_robot_that_fails_brake_and_go_on_when_it_is_revived() -> None:
+    run = tank(
+        "Left.Forward(50); Right.Forward(50); WAIT(600);", SWIFT.replace('braking="1e6"', 'braking="400"'), twice=True
+    )
+    moving = steps(run, 50).agents[0]
+    run.harm("a", "fail")
+    still = steps(run, 100).agents[0]
+    assert still.x_mm - moving.x_mm == pytest.approx(200 * 200 / (2 * 400), abs=1e-6)
+    run.harm("a", "revive")
+    assert steps(run, 50).agents[0].x_mm - still.x_mm == pytest.approx(200, abs=0.1)

@@ -365,7 +365,15 @@ def advance(state: State, steps: int) -> int:
                 whole[DOWN],
             )
         if actuator_bank[WHEEL_DEVICE] < actuator_bank[WHEEL_DEVICE + 1]:
-            move_wheels(actuator_bank[WHEEL_DEVICE], actuator_bank[WHEEL_DEVICE + 1], dt, actuator, actuator_real, real)
+            move_wheels(
+                actuator_bank[WHEEL_DEVICE],
+                actuator_bank[WHEEL_DEVICE + 1],
+                dt,
+                actuator,
+                actuator_real,
+                real,
+                whole[DOWN],
+            )
         move_robots(
             dt,
             widest,

@@ -17,6 +17,7 @@ from kitrobot.sim.columns import (
     A_S,
     ACCELERATION,
     BRAKING,
+    FAILED,
     FREE,
     LENGTH,
     RADIUS,
@@ -86,11 +87,12 @@ def move_wheels(
     actuator: list[list[int]],
     actuator_real: list[list[float]],
     real: list[list[float]],
+    down: list[int],
 ) -> None:
     """Goes on for a step with the devices `first` … `last` - 1; those of one robot stand side by side.
 
-    S is the track, negative for a left wheel. The robot is told the mean speed of the step, which it has at once: its
-    wheels have done the accelerating.
+    S is the track, negative for a left wheel. The wheels of a robot that failed brake. The robot is told the mean speed
+    of the step, which it has at once: its wheels have done the accelerating.
     """
     robots = actuator[A_ROBOT]
     speeds = actuator_real[A_Q]
@@ -106,7 +108,7 @@ def move_wheels(
             real[SPEED][i] = 0.0
             real[TARGET][i] = 0.0
         v = speeds[k]
-        u = targets[k]
+        u = targets[k] if down[i] != FAILED else 0.0
         if v == 0.0 and u == 0.0:
             continue
         way = v * dt
