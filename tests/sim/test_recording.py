@@ -55,6 +55,7 @@ def test_a_trace_says_what_the_run_did(tmp_path: Path) -> None:
     run = transport(1, 2, 2)
     told = []
     recorder = Recorder(run)
+    told.append((recorder.record(), []))
     while run.outcome is None:
         run.step()
         told.append((recorder.record(), list(run.events)))
@@ -80,7 +81,7 @@ def test_a_run_that_is_broken_off_leaves_a_trace_that_says_so(tmp_path: Path) ->
     assert run.outcome is None
     with TraceReader(path) as reader:
         assert reader.outcome["outcome"] == "stopped"
-        assert reader.last_tick == 499
+        assert reader.last_tick == 500
 
 
 def test_a_command_that_says_again_what_a_device_does_is_recorded_once() -> None:

@@ -113,7 +113,21 @@ def test_what_happened_is_remembered_until_another_future_begins() -> None:
     timeline.go_to(1000)
     timeline.force("loader", "Presence", 0)
     assert timeline.latest == 1000
-    assert timeline.events == [event for event in all_of_it if event.tick < 1000]
+    assert timeline.events[:-1] == [event for event in all_of_it if event.tick < 1000]
+    said = timeline.events[-1]
+    assert (said.tick, said.kind, said.agent, said.cause) == (1000, "outside", "loader", "person")
+    assert said.text == "Presence was held at 0 by hand"
+    timeline.set_variable("carrier-2", "Dock", 3)
+    timeline.force("loader", "Presence", None)
+    assert [event.text for event in timeline.events[-3:]] == [
+        said.text,
+        "Dock was set to 3 by hand",
+        "Presence was let go",
+    ]
+    timeline.advance(10)
+    timeline.go_to(999)
+    timeline.force("loader", "Presence", 0)
+    assert [event.tick for event in timeline.events if event.kind == "outside"] == [999]
 
 
 def test_a_run_that_has_ended_can_be_gone_back_in() -> None:

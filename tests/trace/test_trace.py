@@ -13,6 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.trace import (
+    PERSON,
     Column,
     TickRecord,
     TraceAgent,
@@ -20,24 +21,31 @@ from kitrobot.trace import (
     TraceError,
     TraceEvent,
     TraceHeader,
+    TracePart,
     TraceReader,
     TraceWriter,
+    layout,
+    reading,
 )
-from kitrobot.trace import file as trace_file
-from kitrobot.trace.coding import decode
+from kitrobot.trace.coding import decode, decode_events
+from kitrobot.trace.header import header_to_json
 
 HEADER = TraceHeader(
-    "ab" * 32,
+    "<kitrobot/>",
     7,
-    "ring",
+    "<world/>",
     20,
-    (TraceAgent("carrier-1", "carrier", "carrier"), TraceAgent("loader", "loader", "loader")),
+    (TraceAgent("carrier-1", "carrier", "carrier", "carrier", 1), TraceAgent("loader", "loader", "loader")),
     (Column("carrier-1", "x_mm", 0.1), Column("carrier-1", "load"), Column("", "stock A")),
+    {"carrier": ("v1", None, "v2"), "loader": ()},
+    (TracePart("odd.robot.xml", "<robot name='é'/>"),),
+    12,
 )
 
 
 def made(tick: int) -> TickRecord:
-    events = [TraceEvent("load", 1, "a box for carrier-1 — è")] if tick % 7 == 0 else []
+    events = [TraceEvent(max(tick - 1, 0), "load", 1, "a box for carrier-1 — è")] if tick % 7 == 0 else []
+    events += [TraceEvent(tick, "outside", -1, "by hand", PERSON)] if tick % 11 == 0 else []
     commands = [TraceCommand(0, "Wheel", "Advance", (50, -3))] if tick % 5 == 0 else []
     threads = ((0, tick % 3), (1, 4)) if tick % 4 else ()
     return TickRecord(tick, [tick * 37 - 900, tick % 2, -(tick // 100)], [threads, ()], commands, events)
@@ -134,24 +142,131 @@ def test_a_flipped_bit_anywhere_is_noticed_or_harmless(tmp_path: Path) -> None:
                 records = list(reader)
         except TraceError:
             continue
-        # Only the length of a chunk that now reaches beyond the file looks like a cut.
-        assert records in ([], whole)
+        assert records == whole
+
+
+def crafted(path: Path, header: bytes, *chunks: bytes, raw: int | None = None) -> Path:
+    """A trace of that header's text, and of those chunks."""
+    packed = zlib.compress(header)
+    head = struct.pack("<HIII", 2, len(header) if raw is None else raw, len(packed), zlib.crc32(packed))
+    path.write_bytes(layout.MAGIC + head + packed + b"".join(chunks))
+    return path
+
+
+def chunk(ticks: tuple[int, int], records: int, body: bytes, events: bytes = b"", raw: int | None = None) -> bytes:
+    packed = zlib.compress(body), zlib.compress(events)
+    plain = bytes(len(body) if raw is None else raw), events
+    return layout.chunk_head(ticks, records, plain, packed) + packed[0] + packed[1]
+
+
+TEXT = layout.as_json(header_to_json(HEADER))
 
 
 def test_a_chunk_that_unpacks_to_more_than_it_says_is_refused(tmp_path: Path) -> None:
-    path = written(tmp_path / "a.krtrace", 1)
-    data = path.read_bytes()
-    packed = zlib.compress(b"\0" * 10_000_000)
-    head = struct.pack("<4sIIIIII", b"KRCH", 0, 0, 1, 100, len(packed), zlib.crc32(packed))
-    path.write_bytes(data[: data.index(b"KRCH")] + head + packed)
-    with TraceReader(path) as reader, pytest.raises(TraceError, match="another length"):
+    bomb = chunk((0, 0), 1, b"\0" * 50_000_000, raw=100)
+    with (
+        TraceReader(crafted(tmp_path / "a.krtrace", TEXT, bomb)) as reader,
+        pytest.raises(TraceError, match="another length"),
+    ):
         list(reader)
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [
+        chunk((0, 600), 501, b""),
+        chunk((0, 4), 6, b""),
+        chunk((5, 4), 1, b""),
+        chunk((0, 0), 0, b""),
+        chunk((0, 0), 1, b"")[:-30] + b"x" * 30,
+        b"KRCH" + b"\xff" * 40,
+        b"KRXX" + b"\0" * 60,
+        b"KREN" + b"\xff" * 60,
+        b"KREN" + struct.pack("<II", 2, zlib.crc32(b"[]")) + b"[]",
+        b"KREN" + struct.pack("<II", 60_000, zlib.crc32(b"[" * 60_000)) + b"[" * 60_000,
+    ],
+)
+def test_a_chunk_that_makes_no_sense_is_refused(tmp_path: Path, bad: bytes) -> None:
+    with pytest.raises(TraceError), TraceReader(crafted(tmp_path / "a.krtrace", TEXT, bad)) as reader:
+        list(reader)
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        b"",
+        b"\0\1\7\1\0\0",  # a number beyond the columns
+        b"\0\0\1\x09\0\0",  # nobody of that number
+        b"\0\0\0\1\2\0\0\0",  # a command of nobody
+        b"\0\0\0\0\0",  # more than its records
+        b"\1\0\0\0",  # not its first tick
+        b"\0\1\0" + b"\xff" * 200 + b"\0\0",  # a number without end
+        b"\0\xff\xff\xff\xff\x7f",  # a count beyond all reason
+    ],
+)
+def test_records_that_make_no_sense_are_refused(tmp_path: Path, body: bytes) -> None:
+    with (
+        TraceReader(crafted(tmp_path / "a.krtrace", TEXT, chunk((0, 0), 1, body))) as reader,
+        pytest.raises(TraceError),
+    ):
+        list(reader)
+
+
+@pytest.mark.parametrize(
+    "events", [b"\5\0\0\0\0\0", b"\0\1\0\0\0\0", b"\0\0\0\3\0\0", b"\0\0\5ab", b"\0\0\1\xff\0\0\0"]
+)
+def test_events_that_make_no_sense_are_refused(tmp_path: Path, events: bytes) -> None:
+    path = crafted(tmp_path / "a.krtrace", TEXT, chunk((0, 0), 1, b"\0\0\0\0", events))
+    with TraceReader(path) as reader, pytest.raises(TraceError):
+        assert reader.events
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("tick_ms", 0),
+        ("tick_ms", 10**9),
+        ("tick_ms", "20"),
+        ("seed", -1),
+        ("seed", 1.5),
+        ("agents", [["a", "p", "r", "robot", 1], ["a", "p", "r", "robot", 1]]),
+        ("agents", 3),
+        ("agents", [["a"]]),
+        ("columns", [["nobody", "x_mm", 1]]),
+        ("columns", [["", "x_mm", float("nan")]]),
+        ("columns", [["", "x_mm", float("inf")]]),
+        ("vertices", []),
+        ("vertices", {"p": "v1"}),
+        ("vertices", {"p": [1]}),
+        ("parts", [["a"]]),
+        ("mission", None),
+        ("total", True),
+    ],
+)
+def test_a_header_with_a_wrong_value_is_refused(tmp_path: Path, name: str, value: object) -> None:
+    text = json.dumps({**header_to_json(HEADER), name: value}).encode()
+    with pytest.raises(TraceError, match="header"):
+        TraceReader(crafted(tmp_path / "a.krtrace", text))
+
+
+@pytest.mark.parametrize("text", [b"", b"[]", b"3", b"[" * 100_000, b"\xff", b"1" * 9999, b'{"mission":"x"}'])
+def test_a_header_that_is_none_is_refused(tmp_path: Path, text: bytes) -> None:
+    with pytest.raises(TraceError, match="header"):
+        TraceReader(crafted(tmp_path / "a.krtrace", text))
+
+
+@pytest.mark.parametrize("raw", [5, 2**32 - 1])
+def test_a_header_that_unpacks_to_more_than_it_says_or_to_too_much_is_refused(tmp_path: Path, raw: int) -> None:
+    with pytest.raises(TraceError, match="header"):
+        TraceReader(crafted(tmp_path / "a.krtrace", b"\0" * 20_000_000, raw=raw))
 
 
 @given(st.binary(max_size=200))
 def test_random_bytes_in_a_chunk_never_escape_as_another_error(data: bytes) -> None:
     with contextlib.suppress(TraceError):
         assert len(list(decode(data, 0, 5, 3, 2))) == 5
+    with contextlib.suppress(TraceError):
+        assert all(0 <= tick <= 4 for tick, _ in decode_events(data, 0, 4, 2))
 
 
 def test_another_file_and_another_version_are_refused_by_name(tmp_path: Path) -> None:
@@ -159,15 +274,53 @@ def test_another_file_and_another_version_are_refused_by_name(tmp_path: Path) ->
     path.write_bytes(b"<kitrobot/>")
     with pytest.raises(TraceError, match="not a KitRobot trace"):
         TraceReader(path)
-    path.write_bytes(trace_file.MAGIC + struct.pack("<HII", 99, 0, 0))
-    with pytest.raises(TraceError, match="version 99"):
+    path.write_bytes(layout.MAGIC + struct.pack("<HII", 99, 0, 0))
+    with pytest.raises(TraceError, match="format 99"):
         TraceReader(path)
-    text = json.dumps({"mission": "x"}).encode()
-    path.write_bytes(trace_file.MAGIC + struct.pack("<HII", 1, len(text), zlib.crc32(text)) + text)
-    with pytest.raises(TraceError, match="header"):
+    path.write_bytes(layout.MAGIC + struct.pack("<HII", 1, 2, zlib.crc32(b"{}")) + b"{}")
+    with pytest.raises(TraceError, match="older KitRobot") as old:
         TraceReader(path)
+    assert "record the run once more" in old.value.help
     with pytest.raises(TraceError, match="cannot be read"):
         TraceReader(tmp_path / "none.krtrace")
+    with pytest.raises(TraceError, match="cannot be read"):
+        TraceReader(tmp_path)
+
+
+@pytest.mark.parametrize("tick", [0, 1, 499, 500, 999, 1202])
+def test_walking_on_and_back_from_any_tick(tmp_path: Path, tick: int) -> None:
+    with TraceReader(written(tmp_path / "a.krtrace", 1203)) as reader:
+        assert [reading.kept(record) for record in reader.walk(tick)] == [made(at) for at in range(tick, 1203)]
+        assert list(reader.walk_back(tick)) == [made(at) for at in range(tick - 1, -1, -1)]
+
+
+def test_all_events_are_known_without_unpacking_the_records(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = written(tmp_path / "a.krtrace", 1203)
+    monkeypatch.setattr(reading, "decode", None)
+    with TraceReader(path) as reader:
+        assert reader.events == [(tick, event) for tick in range(1203) for event in made(tick).events]
+
+
+def test_of_very_many_events_the_last_ones_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reading, "MOST_EVENTS", 10)
+    with TraceReader(written(tmp_path / "a.krtrace", 1203)) as reader:
+        assert reader.events == [(tick, event) for tick in range(1203) for event in made(tick).events][-10:]
+
+
+def test_a_team_of_many_fills_a_chunk_by_its_size(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(layout, "CHUNK_BYTES", 50)
+    with TraceReader(written(tmp_path / "a.krtrace", 100)) as reader:
+        assert list(reader) == [made(tick) for tick in range(100)]
+        assert len(reader._chunks) > 10
+
+
+def test_ticks_may_be_missing(tmp_path: Path) -> None:
+    with TraceWriter(tmp_path / "a.krtrace", HEADER) as writer:
+        for tick in (3, 4, 9):
+            writer.record(made(tick))
+    with TraceReader(tmp_path / "a.krtrace") as reader:
+        assert [reader.seek(tick).tick for tick in (0, 3, 5, 8, 9, 10)] == [3, 3, 4, 4, 9, 9]
+        assert reader.seek(8) == made(4)
 
 
 def test_a_place_that_cannot_be_written_is_refused(tmp_path: Path) -> None:

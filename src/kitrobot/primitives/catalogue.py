@@ -43,13 +43,14 @@ _FIRST_ELEMENT = re.compile(rb"(?:\s|(?><\?.*?\?>)|(?><!--.*?-->))*+<([A-Za-z]+)
 class Catalogue:
     """What programs can be made of. `groups` is in the order of the palette; `constructors` follows it.
 
-    `robot_files` says which file a robot is from, by its name.
+    `robot_files` and `constructor_files` say which file a robot or a constructor is from, by its name.
     """
 
     robots: dict[str, Robot] = field(default_factory=dict)
     groups: list[Group] = field(default_factory=list)
     problems: list[Diagnostic] = field(default_factory=list)
     robot_files: dict[str, Path] = field(default_factory=dict)
+    constructor_files: dict[str, Path] = field(default_factory=dict)
 
     @cached_property
     def constructors(self) -> dict[str, Constructor]:
@@ -87,7 +88,8 @@ class Catalogue:
                 problems.append(rules.OWN_VARIABLE(f"{robot.name} has a {variable.variable.name} already"))
             else:
                 robots[robot.name] = added
-        return Catalogue(robots, groups, problems, self.robot_files)
+        files = {name: path for name, path in self.constructor_files.items() if name not in own}
+        return Catalogue(robots, groups, problems, self.robot_files, files)
 
     def robot(self, name_or_path: str | Path) -> Robot:
         """The robot of that name, or of that `.robot.xml` file.
@@ -212,7 +214,8 @@ class _Loading:
             for name, group in self.groups.items()
             if members[name]
         ]
-        return Catalogue(self.robots, groups, self.problems, self.robot_files)
+        files = {name: Path(place.file) for name, (_, place) in self.constructors.items()}
+        return Catalogue(self.robots, groups, self.problems, self.robot_files, files)
 
 
 def _read(path: Path) -> tuple[bytes | None, Diagnostic | None]:

@@ -33,6 +33,7 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.server.studio import Studio
 from kitrobot.server.texts import text_routes
+from kitrobot.server.trace_routes import trace_routes
 from kitrobot.server.tutorials import tutorial_routes
 from kitrobot.workspace import ConflictError, FileError, MissionNameError, ReadOnlyError
 
@@ -66,6 +67,7 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
     app.include_router(parts_routes)
     app.include_router(image_routes)
     app.include_router(tutorial_routes)
+    app.include_router(trace_routes)
     app.add_exception_handler(KitRobotError, _failed)
     app.add_exception_handler(OSError, _disk_failed)
     app.add_exception_handler(RequestValidationError, _not_understood)

@@ -81,14 +81,14 @@ def mission(studio: StudioOf, path: Name) -> MissionFileShape:
     data, revision = studio.folder.read(path)
     if is_picture(path):
         data, name = carried_mission(data, path)
-        return _file(studio, studio.read(data, name, ""), "", "")
-    return _file(studio, studio.read(data, path, path), path, revision)
+        return mission_file(studio, studio.read(data, name, ""), "", "")
+    return mission_file(studio, studio.read(data, path, path), path, revision)
 
 
 @routes.get("/mission/new")
 def mission_new(studio: StudioOf) -> MissionFileShape:
     """A mission that nobody wrote yet: one program, start and stop, one robot."""
-    return _file(studio, studio.open(new_mission(), ""), "", "")
+    return mission_file(studio, studio.open(new_mission(), ""), "", "")
 
 
 @routes.post("/mission/read")
@@ -97,7 +97,7 @@ def mission_read(
 ) -> MissionFileShape:
     """A mission from the bytes of a file that is not in the folder: a `.krt`, or a picture that holds one."""
     data, name = carried_mission(data, name)
-    return _file(studio, studio.read(data, name, ""), "", "")
+    return mission_file(studio, studio.read(data, name, ""), "", "")
 
 
 @routes.put("/mission", responses=_CONFLICT)
@@ -126,7 +126,8 @@ def check(studio: StudioOf, wanted: CheckShape) -> Response:
         return report_answer(studio.open(mission_from_shape(wanted.mission), wanted.path).check())
 
 
-def _file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:
+def mission_file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:
+    """An opened mission as the page gets it."""
     studio.world_file(opened.mission.world_href, path)
     # What is wrong with the mission's own world is told by each check anew.
     problems = [item for item in opened.diagnostics if not (item.thing and opened.mission.own_world)]

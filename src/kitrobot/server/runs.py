@@ -24,6 +24,7 @@ from pydantic import BaseModel, ValidationError
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.pacing import SLOWEST, UNPACED, Pace
+from kitrobot.server.playing import Player
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     REQUEST,
@@ -35,6 +36,7 @@ from kitrobot.server.shapes import (
     LookRequest,
     PauseRequest,
     ProblemsMessage,
+    ReplayRequest,
     ResumeRequest,
     SeekRequest,
     SetRequest,
@@ -81,7 +83,8 @@ class Session:
         self._task: asyncio.Task[None] | None = None
         self._wake = asyncio.Event()
         self._pace: Pace | None = None
-        self._watch: Watch | None = None
+        self._watch: Watch | Player | None = None
+        self._name = ""
         self._early: list[Steering] = []
         """What was asked for while the mission was still being compiled."""
         self._steps = 0
@@ -104,6 +107,13 @@ class Session:
             if self._task is not None:
                 self._task.cancel()
                 await asyncio.gather(self._task, return_exceptions=True)
+            self._let_go()
+
+    def _let_go(self) -> None:
+        """The run of this socket is looked at no more, and cannot be saved any more."""
+        self._studio.watches.pop(self._name, None)
+        if self._watch is not None:
+            self._watch.close()
 
     async def _obey(self, text: str | bytes) -> None:
         try:
@@ -114,12 +124,12 @@ class Session:
             message = f"the request was not understood: {first['msg']}{f' ({where})' if where else ''}"
             await self._fail(message, "load the page again: it may be older than the studio")
             return
-        if isinstance(request, StartRequest):
+        if isinstance(request, StartRequest | ReplayRequest):
             await self._start(request)
         elif self._task is not None and not self._task.done():
             self._steer(request)
 
-    async def _start(self, request: StartRequest) -> None:
+    async def _start(self, request: StartRequest | ReplayRequest) -> None:
         if self._task is not None and not self._task.done():
             if self._counts:
                 await self._fail("a run is on already", "stop it first")
@@ -129,6 +139,7 @@ class Session:
         if self._studio.runs >= MOST_RUNS:
             await self._fail(f"this studio has {MOST_RUNS} runs already", "stop one of them, perhaps in another tab")
             return
+        self._let_go()
         self._pace, self._watch, self._early, self._steps, self._jobs = None, None, [], 0, []
         self._stopping, self._said = False, ("", -1)
         self._wake.clear()
@@ -143,7 +154,7 @@ class Session:
             self._bid(request, self._watch, self._pace)
         self._wake.set()
 
-    def _bid(self, request: Steering, watch: Watch, pace: Pace) -> None:
+    def _bid(self, request: Steering, watch: Watch | Player, pace: Pace) -> None:
         match request:
             case PauseRequest() | ResumeRequest():
                 pace.set_paused(isinstance(request, PauseRequest), watch.tick)
@@ -175,7 +186,7 @@ class Session:
     def _is_stopping(self) -> bool:
         return self._stopping
 
-    async def _whole_run(self, request: StartRequest) -> None:
+    async def _whole_run(self, request: StartRequest | ReplayRequest) -> None:
         self._count(True)
         try:
             watch = await asyncio.to_thread(self._prepare, request)
@@ -201,19 +212,22 @@ class Session:
         self._studio.runs += counts - self._counts
         self._counts = counts
 
-    def _prepare(self, request: StartRequest) -> Watch | ProblemsMessage:
+    def _prepare(self, request: StartRequest | ReplayRequest) -> Watch | Player | ProblemsMessage:
+        if isinstance(request, ReplayRequest):
+            return Player(self._studio.recordings.open(request.recording))
         opened = self._studio.open(mission_from_shape(request.mission), request.path)
         try:
             return Watch(opened, opened.simulation(request.seed))
         except ProblemsError as error:
             return ProblemsMessage(problems=problem_shapes(error.diagnostics))
 
-    async def _drive(self, watch: Watch, pace: Pace) -> None:
+    async def _drive(self, watch: Watch | Player, pace: Pace) -> None:
         """Goes round until the run is stopped. At its end it stands still, and can be taken back from there."""
-        self._watch, self._pace = watch, pace
+        self._watch, self._pace, self._name = watch, pace, f"run-{next(_numbers)}"
+        self._studio.watches[self._name] = watch
         for request in self._early:
             self._steer(request)
-        await self._tell(watch.started(f"run-{next(_numbers)}"))
+        await self._tell(watch.started(self._name))
         await self._news(watch)
         while True:
             began = self._clock()
@@ -246,7 +260,7 @@ class Session:
                     await self._state(watch, "paused")
             await self._rest(pace, watch, began)
 
-    async def _do_jobs(self, watch: Watch) -> bool:
+    async def _do_jobs(self, watch: Watch | Player) -> bool:
         """Does what was asked for meanwhile; says whether there was anything."""
         jobs, self._jobs = self._jobs, []
         for job in jobs:
@@ -258,7 +272,7 @@ class Session:
                 await self._fail(error.message, error.help)
         return bool(jobs)
 
-    async def _rest(self, pace: Pace, watch: Watch, began: float) -> None:
+    async def _rest(self, pace: Pace, watch: Watch | Player, began: float) -> None:
         """Until the next tick is due, but not before the next frame may be sent; a request ends it at once."""
         until_due = pace.wait_s(watch.tick)
         if self._steps or self._jobs or self._stopping or watch.outcome:
@@ -272,11 +286,11 @@ class Session:
         except TimeoutError:
             return
 
-    async def _news(self, watch: Watch) -> None:
+    async def _news(self, watch: Watch | Player) -> None:
         await self._socket.send_bytes(watch.frame())
         await self._socket.send_text(orjson.dumps(watch.news()).decode())
 
-    async def _state(self, watch: Watch, status: Any) -> None:
+    async def _state(self, watch: Watch | Player, status: Any) -> None:
         """Says what became of the run, when that is new."""
         said = (status, watch.tick if status != "running" else -1)
         if said == self._said:

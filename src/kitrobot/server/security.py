@@ -7,7 +7,8 @@ WebSocket:
 - `Origin`, when a browser sends one, must be the studio itself;
 - the token that `kitrobot` printed must come along: as `?token=`, as the header `X-KitRobot-Token`, or as the cookie
   that the first page load set. Only the page's own built files, which hold nothing of the user's, are served without;
-- a body larger than `LARGEST_BODY_BYTES` is refused, whether or not its length was announced.
+- a body larger than `LARGEST_BODY_BYTES` (for a recording `LARGEST_TRACE_BYTES`) is refused, whether or not its length
+  was announced.
 
 Every answer carries headers that keep the page to itself. An exception that nobody expected becomes one sentence.
 """
@@ -32,6 +33,9 @@ from kitrobot.translation import said
 
 LARGEST_BODY_BYTES = 16 * 1024 * 1024
 """A mission of 100 000 vertices is half of it."""
+LARGEST_TRACE_BYTES = 512 * 1024 * 1024
+"""Of a recording, which goes to the disk as it comes: a day of ten robots."""
+TRACE_PATH = "/api/trace"
 
 TOKEN_HEADER = "x-kitrobot-token"
 
@@ -61,8 +65,15 @@ class BodyTooLarge(Exception):
 class Guard:
     """The shell: refuses what should not come in, dresses what goes out."""
 
-    def __init__(self, app: ASGIApp, token: str, largest_body_bytes: int = LARGEST_BODY_BYTES) -> None:
+    def __init__(
+        self,
+        app: ASGIApp,
+        token: str,
+        largest_body_bytes: int = LARGEST_BODY_BYTES,
+        largest_trace_bytes: int = LARGEST_TRACE_BYTES,
+    ) -> None:
         self.app = app
+        self.largest_trace_bytes = largest_trace_bytes
         self.token = token
         self.largest_body_bytes = largest_body_bytes
 
@@ -103,42 +114,22 @@ class Guard:
         if not _is_public(scope) and not self._token_is_right(scope, headers):
             await _refuse(scope, dressed, 403, "the token of this request is missing or wrong", _ADDRESS)
             return
-        if self._announced_too_much(headers):
-            await self._refuse_body(scope, dressed)
+        most = self.largest_trace_bytes if scope["path"] == TRACE_PATH else self.largest_body_bytes
+        if _announced_too_much(headers, most):
+            await _refuse_body(scope, dressed, most)
             return
         if self._brings_the_token(scope):
             set_cookie = f"{_cookie_name(headers)}={self.token}; Path=/; HttpOnly; SameSite=Strict"
             scope.setdefault("state", {})["kitrobot_cookie"] = set_cookie
         try:
-            await self.app(scope, self._limited(receive), dressed)
+            await self.app(scope, _limited(receive, most), dressed)
         except BodyTooLarge:
             if not started:
-                await self._refuse_body(scope, dressed)
+                await _refuse_body(scope, dressed, most)
         except Exception as error:
             _log.error("%s: %s", type(error).__name__, error, exc_info=bool(os.environ.get("KITROBOT_DEBUG")))
             if not started:
                 await _refuse(scope, dressed, 500, "something went wrong inside KitRobot", _REPORT)
-
-    def _limited(self, receive: Receive) -> Receive:
-        taken = 0
-
-        async def limited() -> Message:
-            nonlocal taken
-            message = await receive()
-            taken += len(message.get("body", b""))
-            if taken > self.largest_body_bytes:
-                raise BodyTooLarge
-            return message
-
-        return limited
-
-    def _announced_too_much(self, headers: Headers) -> bool:
-        announced = headers.get("content-length", "0")
-        return announced.isdecimal() and int(announced[:20]) > self.largest_body_bytes
-
-    async def _refuse_body(self, scope: Scope, send: Send) -> None:
-        limit = self.largest_body_bytes // (1024 * 1024)
-        await _refuse(scope, send, 413, f"that is more than the {limit} MB that the studio takes", "")
 
     def _token_is_right(self, scope: Scope, headers: Headers) -> bool:
         right = False
@@ -229,3 +220,28 @@ async def _refuse(scope: Scope, send: Send, status: int, message: str, help: str
     }
     await send(head)
     await send({"type": "http.response.body", "body": b"" if scope["method"] == "HEAD" else body})
+
+
+def _limited(receive: Receive, most: int) -> Receive:
+    """The same, until more than so many bytes came."""
+    taken = 0
+
+    async def limited() -> Message:
+        nonlocal taken
+        message = await receive()
+        taken += len(message.get("body", b""))
+        if taken > most:
+            raise BodyTooLarge
+        return message
+
+    return limited
+
+
+def _announced_too_much(headers: Headers, most: int) -> bool:
+    announced = headers.get("content-length", "0")
+    return announced.isdecimal() and int(announced[:20]) > most
+
+
+async def _refuse_body(scope: Scope, send: Send, most: int) -> None:
+    limit = most // (1024 * 1024)
+    await _refuse(scope, send, 413, f"that is more than the {limit} MB that the studio takes", "")

@@ -16,7 +16,10 @@ from pathlib import Path
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.server.gallery import Gallery
+from kitrobot.server.playing import Player
+from kitrobot.server.recordings import Recordings
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
+from kitrobot.server.watching import Watch
 from kitrobot.workspace import (
     Journals,
     MissionFolder,
@@ -43,11 +46,19 @@ class Studio:
         self.journals = Journals(self.folder)
         self.first = self.folder.name_of(mission) if mission is not None else None
         self.runs = 0
+        self.watches: dict[str, Watch | Player] = {}
+        """The runs and recordings that are on, by their names."""
+        self.recordings = Recordings(self._recordings_are_in)
+        self.saving = threading.Lock()
+        """Held while a run is recorded once more: one at a time is quick enough."""
         self.gallery = Gallery()
         self.tutorials = Tutorials(self.folder)
         self._lock = threading.Lock()
         self._kept: dict[tuple[Path, ...], tuple[Stamp, Catalogue, CatalogueShape]] = {}
         self._worlds: dict[str, Path] = {}
+
+    def _recordings_are_in(self, folder: Path) -> None:
+        self.folder.recordings = folder
 
     def catalogue(self, path: str) -> tuple[Catalogue, CatalogueShape]:
         """The robots and constructors for a mission, and the same as it travels."""

@@ -1,29 +1,23 @@
 """A run as the page sees it: frames of poses, and messages of what changed since the last one.
 
-The simulator speaks of instructions, the page of vertices: each agent's threads are brought back to vertices through
-the debug map of its program. What is told is remembered, so that an agent that did not change is not told again.
-Events are collected over all the ticks between two messages.
+What the page is told comes from records as a trace holds them (telling). Events are collected over all the ticks
+between two messages.
 """
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Callable, Iterable
+from pathlib import Path
 from typing import Any
 
 from kitrobot.mission import Breakpoint
-from kitrobot.server.shapes import StartedAgentShape, StartedMessage, world_shape
-from kitrobot.sim import AgentView, Event, Simulation
+from kitrobot.server.shapes import StartedMessage
+from kitrobot.server.telling import MOST_EVENTS_TOLD, Teller
+from kitrobot.sim import Event, Recorder, Simulation, record_again
 from kitrobot.sim.breakpoints import Breakpoints, Hit
 from kitrobot.sim.timeline import Timeline
-from kitrobot.translation import said
-from kitrobot.workspace import OpenMission
-
-MOST_EVENTS_TOLD = 5000
-"""Events that are told at once when all of them are told again."""
-
-MOST_REPORTED = 100
-"""In a run of more agents than this, only those that are looked at are reported; all are in the frames."""
+from kitrobot.trace import TickRecord
+from kitrobot.workspace import OpenMission, once_more, parts_of
 
 _TICKS_BETWEEN_LOOKS = 8
 """Ticks run between two looks at the clock."""
@@ -42,11 +36,12 @@ class Watch:
         self._timeline = Timeline(simulation)
         self._compiled = opened.compiled
         self._debug = {name: compiled.debug for name, compiled in opened.compiled.items()}
-        self._told: dict[str, dict[str, Any]] = {}
+        self._opened = opened
+        self._recorder = Recorder(simulation)
+        self._teller = Teller(self._recorder.header)
         self._events: list[Event] = []
         self._early: list[Event] = []
         """What was done by hand and told at once, before the step that tells it."""
-        self._looked_at = self._first_ones()
         self._again = False
         self._breakpoints = Breakpoints(opened.mission.breakpoints, simulation.members, opened.compiled)
         self.hits: list[Hit] = []
@@ -163,14 +158,8 @@ class Watch:
             self._early = self._simulation.untold
 
     def look_at(self, agents: Iterable[str]) -> None:
-        """Of very many agents these are reported from now on; the first one of each program always is."""
-        self._looked_at = self._first_ones() | frozenset(agents)
-
-    def _first_ones(self) -> frozenset[str]:
-        first: dict[str, str] = {}
-        for agent in self._simulation.members:
-            first.setdefault(agent.program, agent.name)
-        return frozenset(first.values())
+        """As `Teller.look_at`."""
+        self._teller.look_at(agents)
 
     def stop(self) -> None:
         """Stops every motor; the run is not gone on with."""
@@ -189,69 +178,34 @@ class Watch:
 
     def started(self, run: str) -> StartedMessage:
         """The first message."""
-        simulation = self._simulation
-        agents = [
-            StartedAgentShape(
-                name=agent.name, program=agent.program, robot=agent.robot, number=agent.number, kind=agent.kind
-            )
-            for agent in simulation.agents
-        ]
-        return StartedMessage(
-            run=run,
-            tick_ms=simulation.tick_ms,
-            seed=simulation.seed,
-            world=world_shape(simulation.world),
-            agents=agents,
-            stock=simulation.stock,
-            total=simulation.total,
-        )
+        return self._teller.started(run, self._simulation.world, self._record(), recording=False)
 
     def frame(self) -> bytes:
-        """All poses: float32, little-endian: tick, how many, then x, y, heading, load, flags of each."""
-        poses = self._simulation.poses()
-        numbers = [number for pose in poses for number in pose]
-        return struct.pack(f"<{2 + len(numbers)}f", self._simulation.tick, len(poses), *numbers)
+        """All poses, as `Teller.frame` gives them."""
+        return self._teller.frame(self._record())
 
     def news(self) -> dict[str, Any]:
         """What changed since the last time, in the shape of a `TickMessage`."""
-        simulation = self._simulation
-        changed = {}
-        everybody = len(simulation.members) <= MOST_REPORTED
-        for member in simulation.members:
-            if not everybody and member.name not in self._looked_at:
-                continue
-            agent = simulation.view(member.index)
-            report = self._report(agent)
-            if self._told.get(agent.name) != report:
-                changed[agent.name] = self._told[agent.name] = report
-        again = self._again
+        again, self._again = self._again, False
         happened = [*self._timeline.events[-MOST_EVENTS_TOLD:], *self._early] if again else self._events
-        events = [
-            {"tick": event.tick, "kind": event.kind, "agent": event.agent, "text": said(event.text)}
-            for event in happened
-        ]
-        self._events, self._again = [], False
-        return {
-            "type": "tick",
-            "tick": simulation.tick,
-            "latest": self._timeline.latest,
-            "again": again,
-            "seconds": simulation.seconds,
-            "agents": changed,
-            "stock": simulation.stock,
-            "delivered": simulation.delivered,
-            "collisions": simulation.collisions,
-            "events": events,
-        }
+        self._events = []
+        record = self._record(happened)
+        return self._teller.news(record, self._timeline.latest, again, record.events)
 
-    def _report(self, agent: AgentView) -> dict[str, Any]:
-        debug = self._debug[agent.program]
-        stands = [(slot, debug.vertex(instruction)) for slot, instruction in agent.active]
-        return {
-            "active": [[slot, vertex] for slot, vertex in stands if vertex is not None],
-            "state": agent.state,
-            "values": agent.values,
-            "inputs": agent.inputs,
-            "fault": agent.fault,
-            "forced": self._simulation.forced(agent.name),
-        }
+    def _record(self, happened: Iterable[Event] = ()) -> TickRecord:
+        """The run as it stands, as a trace would hold it."""
+        return self._recorder.record(happened, self._teller.reported)
+
+    # -- keeping
+
+    def record_to(self, path: Path, stop: Callable[[], bool] = lambda: False) -> None:
+        """Records the whole past of this run. It may go on meanwhile, in another thread.
+
+        Raises:
+            TraceError: the trace cannot be written.
+        """
+        was, opened = self._simulation, self._opened
+        record_again(self._timeline, once_more(opened, was), path, parts_of(opened), stop)
+
+    def close(self) -> None:
+        """Nothing is held."""

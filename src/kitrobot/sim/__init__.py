@@ -1,6 +1,6 @@
 """The simulator: a mission in its world, fixed step, seeded, the same run every time."""
 
-from kitrobot.sim.recording import Recorder, simulate
+from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
 from kitrobot.sim.sayings import Event
 from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Outcome, Simulation
 from kitrobot.sim.staging import MAX_AGENTS, SimulationError
@@ -8,6 +8,7 @@ from kitrobot.sim.staging import MAX_AGENTS, SimulationError
 __all__ = [
     "ALARM",
     "ARM",
+    "DOING",
     "FAILED",
     "LAMP",
     "MAX_AGENTS",
@@ -18,5 +19,6 @@ __all__ = [
     "Recorder",
     "Simulation",
     "SimulationError",
+    "record_again",
     "simulate",
 ]

@@ -1,20 +1,23 @@
 """A run as a trace: which numbers are recorded, and driving a run to its end with a recorder.
 
-Recorded after each step: of each agent x and y (tenths of a mm), heading (thousandths of a rad), load, flags, fault,
-its inputs and variables, and where its threads stand; of the team the stock, what was delivered, and collisions.
-Nothing depends on a clock or on this machine, so the same run gives the same bytes.
+Recorded before the first step and after each: of each agent x and y (tenths of a mm), heading (thousandths of a rad),
+load, flags, what it is doing, which of its sensors are forced (a bit each, in the order of its robot), its fault,
+inputs and variables, and where its threads stand; of the team the stock, what was delivered, and collisions. Nothing
+depends on a clock or on this machine, so the same run gives the same bytes.
 """
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from pathlib import Path
+from typing import Any
 
 from kitrobot.mission import write_mission
 from kitrobot.sim.columns import DELIVERED, HEADING, LOAD, X, Y
+from kitrobot.sim.sayings import Event
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import numbers
+from kitrobot.sim.timeline import Timeline
 from kitrobot.trace import (
     TEAM,
     Column,
@@ -23,44 +26,74 @@ from kitrobot.trace import (
     TraceCommand,
     TraceEvent,
     TraceHeader,
+    TracePart,
     TraceWriter,
 )
+from kitrobot.world import normalised, write_world
 
 PROGRESS_STEPS = 250
 """How often `simulate` reports how far it is."""
+POSE = (("x_mm", 0.1), ("y_mm", 0.1), ("heading_rad", 0.001), ("load", 1.0), ("flags", 1.0))
+"""The first numbers of each agent, with their units."""
+DOING = ("idle", "waiting", "running", "failed", "stalled")
+"""What an agent does, in the order of the numbers that are recorded for it."""
+STOPPED = "stopped"
+"""The outcome of a run that was still on when its recording ended."""
 
 
 class Recorder:
-    """Turns a simulation into a trace's header and records."""
+    """Turns a simulation into a trace's header and records. `parts` are the XML files that its mission needs."""
 
-    def __init__(self, simulation: Simulation) -> None:
+    def __init__(self, simulation: Simulation, parts: Sequence[TracePart] = ()) -> None:
         self._simulation = simulation
         self._carriers = [agent.index for agent in simulation.members if agent.kind == "carrier"]
-        self.header = self._header()
+        self._widths: list[int] = []
+        """How many numbers each agent has."""
+        self.header = self._header(tuple(parts))
 
-    def _header(self) -> TraceHeader:
+    def _header(self, parts: tuple[TracePart, ...]) -> TraceHeader:
         simulation = self._simulation
         columns: list[Column] = []
         for agent in simulation.members:
             layout = agent.machine.layout
-            columns += [Column(agent.name, "x_mm", 0.1), Column(agent.name, "y_mm", 0.1)]
-            columns.append(Column(agent.name, "heading_rad", 0.001))
-            columns += [Column(agent.name, name) for name in ("load", "flags", "fault")]
+            before = len(columns)
+            columns += [Column(agent.name, name, scale) for name, scale in POSE]
+            columns += [Column(agent.name, name) for name in ("doing", "forced", "fault")]
             columns += [Column(agent.name, f"input {name}") for name in layout.sensors]
             columns += [Column(agent.name, f"done {name}") for name in layout.done]
             columns += [Column(agent.name, f"variable {name}") for name in layout.variables]
+            self._widths.append(len(columns) - before)
         columns += [Column(TEAM, f"stock {house.name}") for house in simulation.world.storehouses]
         columns += [Column(TEAM, f"delivered {simulation.members[index].name}") for index in self._carriers]
         columns.append(Column(TEAM, "collisions"))
-        agents = tuple(TraceAgent(agent.name, agent.program, agent.robot.name) for agent in simulation.members)
-        mission = hashlib.sha256(write_mission(simulation.mission)).hexdigest()
-        return TraceHeader(mission, simulation.seed, simulation.world.name, simulation.tick_ms, agents, tuple(columns))
+        return TraceHeader(
+            write_mission(simulation.mission).decode(),
+            simulation.seed,
+            write_world(simulation.world).decode(),
+            simulation.tick_ms,
+            tuple(
+                TraceAgent(agent.name, agent.program, agent.robot.name, agent.kind, agent.number)
+                for agent in simulation.members
+            ),
+            tuple(columns),
+            {
+                name: tuple(debug.vertex(number) for number in range(len(debug.origins)))
+                for name, debug in sorted(simulation.debug.items())
+            },
+            parts,
+            simulation.total,
+            simulation.fail_rate,
+        )
 
-    def record(self) -> TickRecord:
-        """What is true after the last step, and what happened in it."""
+    def record(self, happened: Iterable[Event] | None = None, whole: Collection[int] | None = None) -> TickRecord:
+        """What is true now, and what happened in the last step.
+
+        Args:
+            happened: what is told instead of the simulation's own events.
+            whole: the agents that are recorded whole; of others, where there are very many, only the pose. None: all.
+        """
         simulation, state = self._simulation, self._simulation.state
-        rows = [numbers(state.real[column]) for column in (X, Y, HEADING)]
-        xs, ys, headings = rows
+        xs, ys, headings = (numbers(state.real[column]) for column in (X, Y, HEADING))
         loads = numbers(state.whole[LOAD])
         recorded: list[int] = []
         commands: list[TraceCommand] = []
@@ -68,9 +101,14 @@ class Recorder:
             i = agent.index
             recorded.append(round(xs[i] * 10))
             recorded.append(round(ys[i] * 10))
-            recorded.append(round(headings[i] * 1000))
+            recorded.append(round(normalised(headings[i]) * 1000))
             recorded.append(loads[i])
             recorded.append(simulation.flags(i))
+            if whole is not None and i not in whole:
+                recorded += [0] * (self._widths[i] - len(POSE))
+                continue
+            recorded.append(DOING.index(agent.doing))
+            recorded.append(simulation.forced_bits(i))
             recorded += numbers(agent.machine.cells[: agent.machine.layout.cells])
             commands += [
                 TraceCommand(i, command.actuator, command.procedure, tuple(command.arguments))
@@ -79,15 +117,30 @@ class Recorder:
         recorded += numbers(state.stock)
         recorded += [int(state.whole[DELIVERED][index]) for index in self._carriers]
         recorded.append(simulation.collisions)
-        active = [agent.active for agent in simulation.members]
-        events = [TraceEvent(event.kind, event.index, event.text) for event in simulation.events]
-        return TickRecord(simulation.tick - 1, recorded, active, commands, events)
+        active = [agent.active if whole is None or agent.index in whole else () for agent in simulation.members]
+        events = [
+            TraceEvent(event.tick, event.kind, event.index, event.text, event.cause)
+            for event in (simulation.events if happened is None else happened)
+        ]
+        return TickRecord(simulation.tick, recorded, active, commands, events)
+
+
+def outcome_of(simulation: Simulation) -> dict[str, Any]:
+    """How a run ended, as a trace says it last."""
+    return {
+        "outcome": simulation.outcome or STOPPED,
+        "sentence": simulation.sentence,
+        "ticks": simulation.tick,
+        "delivered": simulation.delivered,
+        "collisions": simulation.collisions,
+    }
 
 
 def simulate(
     simulation: Simulation,
     trace: Path | None = None,
     progress: Callable[[Simulation], bool | None] | None = None,
+    parts: Sequence[TracePart] = (),
 ) -> Simulation:
     """Runs a simulation to its end, as fast as it goes.
 
@@ -95,39 +148,56 @@ def simulate(
         simulation: a run with a time limit, or one that surely ends.
         trace: where to record it, if anywhere.
         progress: called now and then; when it gives True the run is broken off, without an outcome.
+        parts: XML files that the mission needs, for the trace.
 
     Raises:
         TraceError: the trace cannot be written.
     """
     if trace is None:
-        _drive(simulation, None, None, progress)
+        while simulation.outcome is None:
+            simulation.advance(PROGRESS_STEPS - simulation.tick % PROGRESS_STEPS)
+            if _is_to_end(simulation, progress):
+                break
         return simulation
-    recorder = Recorder(simulation)
+    recorder = Recorder(simulation, parts)
     with TraceWriter(trace, recorder.header) as writer:
-        _drive(simulation, recorder, writer, progress)
-        writer.finish(
-            {
-                "outcome": simulation.outcome or "stopped",
-                "sentence": simulation.sentence,
-                "ticks": simulation.tick,
-                "delivered": simulation.delivered,
-                "collisions": simulation.collisions,
-            }
-        )
+        writer.record(recorder.record())
+        while simulation.outcome is None:
+            simulation.step()
+            writer.record(recorder.record())
+            if _is_to_end(simulation, progress):
+                break
+        writer.finish(outcome_of(simulation))
     return simulation
 
 
-def _drive(
+def _is_to_end(simulation: Simulation, progress: Callable[[Simulation], bool | None] | None) -> bool:
+    return progress is not None and simulation.tick % PROGRESS_STEPS == 0 and bool(progress(simulation))
+
+
+def record_again(
+    timeline: Timeline,
     simulation: Simulation,
-    recorder: Recorder | None,
-    writer: TraceWriter | None,
-    progress: Callable[[Simulation], bool | None] | None,
+    trace: Path,
+    parts: Sequence[TracePart] = (),
+    stop: Callable[[], bool] = lambda: False,
 ) -> None:
-    while simulation.outcome is None:
-        if recorder is None or writer is None:
-            simulation.advance(PROGRESS_STEPS - simulation.tick % PROGRESS_STEPS)
-        else:
-            simulation.step()
-            writer.record(recorder.record())
-        if progress is not None and simulation.tick % PROGRESS_STEPS == 0 and progress(simulation):
-            return
+    """Records the whole past of a run, by running it once more with all that was done to it.
+
+    Args:
+        timeline: the run; it is not touched, and may go on meanwhile.
+        simulation: the same mission, world and seed before its first step.
+        trace: where to record it.
+        parts: XML files that the mission needs.
+        stop: asked at each step; when it says so the recording ends there.
+
+    Raises:
+        TraceError: the trace cannot be written.
+    """
+    recorder = Recorder(simulation, parts)
+    with TraceWriter(trace, recorder.header) as writer:
+        for happened in timeline.done_again(simulation):
+            writer.record(recorder.record(happened))
+            if stop():
+                break
+        writer.finish(outcome_of(simulation))

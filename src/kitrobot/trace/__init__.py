@@ -1,8 +1,13 @@
 """What happened in a run, tick by tick: recorded, read, sought."""
 
-from kitrobot.trace.file import TraceReader, TraceWriter
+from kitrobot.trace.layout import ENDING
 from kitrobot.trace.model import (
+    CHANCE,
+    MISSION,
+    PERSON,
+    PROGRAM,
     TEAM,
+    WORLD,
     Column,
     Threads,
     TickRecord,
@@ -11,10 +16,19 @@ from kitrobot.trace.model import (
     TraceError,
     TraceEvent,
     TraceHeader,
+    TracePart,
 )
+from kitrobot.trace.reading import TraceReader
+from kitrobot.trace.writing import TraceWriter
 
 __all__ = [
+    "CHANCE",
+    "ENDING",
+    "MISSION",
+    "PERSON",
+    "PROGRAM",
     "TEAM",
+    "WORLD",
     "Column",
     "Threads",
     "TickRecord",
@@ -23,6 +37,7 @@ __all__ = [
     "TraceError",
     "TraceEvent",
     "TraceHeader",
+    "TracePart",
     "TraceReader",
     "TraceWriter",
 ]

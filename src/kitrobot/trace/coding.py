@@ -4,9 +4,12 @@ A chunk is a run of records that can be read without any other. Whole numbers ar
 the high bit says more follow); signed ones are folded first (0, -1, 1, -2, … → 0, 1, 2, 3, …). A record is
 
     ticks since the record before · n · n × (columns skipped, change)
-    · m · m × (agent, threads, (slot, instruction) each) · commands · events
+    · m · m × (agent, threads, (slot, instruction) each) · commands
 
-where the first record of a chunk is a change from all zeros and no threads. Texts are a length and UTF-8.
+where the first record of a chunk is a change from all zeros and no threads. Texts are a length and UTF-8. Events stand
+apart, so that all events of a long run are found without unpacking its records; an event is
+
+    (record's tick - chunk's first) · (record's tick - event's) · kind · agent + 1 · text · cause
 """
 
 from __future__ import annotations
@@ -16,7 +19,10 @@ from collections.abc import Iterator
 from kitrobot.trace.model import Threads, TickRecord, TraceCommand, TraceError, TraceEvent
 
 MAX_ITEMS = 1_000_000
-"""Threads, arguments, commands or events in one record at most; a larger count can only be damage."""
+"""Threads, arguments, commands or changes in one record at most, and the largest number of a thread or instruction:
+more can only be damage."""
+MOST_BITS = 1024
+"""Of a number: as many as a robot may have sensors, whose forcing is one bit each."""
 
 
 def _put(out: bytearray, number: int) -> None:
@@ -31,7 +37,7 @@ def _put_signed(out: bytearray, number: int) -> None:
 
 
 def _put_text(out: bytearray, text: str) -> None:
-    data = text.encode()
+    data = text.encode(errors="replace")
     _put(out, len(data))
     out += data
 
@@ -46,6 +52,7 @@ class Encoder:
 
     def _restart(self) -> None:
         self._out = bytearray()
+        self._events = bytearray()
         self._numbers = [0] * self._columns
         self._active: list[Threads] = [()] * self._agents
         self._tick = 0
@@ -56,6 +63,11 @@ class Encoder:
     def last_tick(self) -> int:
         """The tick of the newest record."""
         return self._tick
+
+    @property
+    def size(self) -> int:
+        """Bytes of this chunk so far, before they are packed."""
+        return len(self._out) + len(self._events)
 
     def add(self, record: TickRecord) -> None:
         """Packs one record behind the others of this chunk."""
@@ -80,11 +92,13 @@ class Encoder:
             _put(out, len(command.arguments))
             for argument in command.arguments:
                 _put_signed(out, argument)
-        _put(out, len(record.events))
         for event in record.events:
-            _put_text(out, event.kind)
-            _put(out, event.agent + 1)
-            _put_text(out, event.text)
+            _put(self._events, record.tick - self.first_tick)
+            _put(self._events, record.tick - event.tick)
+            _put_text(self._events, event.kind)
+            _put(self._events, event.agent + 1)
+            _put_text(self._events, event.text)
+            _put_text(self._events, event.cause)
         self._tick = record.tick
         self.records += 1
 
@@ -119,15 +133,15 @@ class Encoder:
                 _put(out, instruction)
         self._active = list(active)
 
-    def take(self) -> bytes:
-        """The bytes of this chunk; the next record starts a new one."""
-        data = bytes(self._out)
+    def take(self) -> tuple[bytes, bytes]:
+        """The bytes of this chunk's records and of its events; the next record starts a new one."""
+        data = bytes(self._out), bytes(self._events)
         self._restart()
         return data
 
 
 class _Bytes:
-    """Reads what `_put` wrote; damage is a ValueError or an IndexError, which `decode` turns into a sentence."""
+    """Reads what `_put` wrote; damage is a ValueError or an IndexError, which callers turn into a sentence."""
 
     def __init__(self, data: bytes) -> None:
         self.data = data
@@ -139,7 +153,7 @@ class _Bytes:
         at += 1
         value, shift = byte & 127, 7
         while byte > 127:
-            if shift > 70:
+            if shift > MOST_BITS:
                 raise ValueError("a number without end")
             byte = data[at]
             at += 1
@@ -167,7 +181,10 @@ class _Bytes:
 
 
 def decode(data: bytes, first_tick: int, records: int, columns: int, agents: int) -> Iterator[TickRecord]:
-    """The records of one chunk, in order.
+    """The records of one chunk, in order, without their events.
+
+    The lists `numbers` and `active` are the same ones each time, changed in place: a record holds until the next one is
+    asked for.
 
     Raises:
         TraceError: the bytes are not a chunk of this shape.
@@ -177,8 +194,11 @@ def decode(data: bytes, first_tick: int, records: int, columns: int, agents: int
     active: list[Threads] = [()] * agents
     tick = first_tick
     try:
-        for _ in range(records):
-            tick += source.number()
+        for made in range(records):
+            later = source.number()
+            if (later == 0) != (made == 0):
+                raise ValueError("a tick that stands still")
+            tick += later
             index = 0
             for _ in range(source.count()):
                 index += source.number()
@@ -186,19 +206,45 @@ def decode(data: bytes, first_tick: int, records: int, columns: int, agents: int
                 index += 1
             for _ in range(source.count()):
                 agent = source.number()
-                active[agent] = tuple((source.number(), source.number()) for _ in range(source.count()))
+                active[agent] = tuple((source.count(), source.count()) for _ in range(source.count()))
             commands = [
                 TraceCommand(
-                    source.number(), source.text(), source.text(), tuple(source.signed() for _ in range(source.count()))
+                    _one_of(source.number(), agents),
+                    source.text(),
+                    source.text(),
+                    tuple(source.signed() for _ in range(source.count())),
                 )
                 for _ in range(source.count())
             ]
-            events = [
-                TraceEvent(kind, agent - 1, text)
-                for kind, agent, text in (
-                    (source.text(), source.number(), source.text()) for _ in range(source.count())
-                )
-            ]
-            yield TickRecord(tick, list(numbers), list(active), commands, events)
+            yield TickRecord(tick, numbers, active, commands)
+        if source.at != len(data):
+            raise ValueError("more than its records")
     except (IndexError, ValueError) as error:
         raise TraceError(f"the trace is damaged after tick {tick}: its records do not make sense") from error
+
+
+def decode_events(data: bytes, first_tick: int, last_tick: int, agents: int) -> Iterator[tuple[int, TraceEvent]]:
+    """(tick of its record, event) of one chunk, in order.
+
+    Raises:
+        TraceError: the bytes are not the events of such a chunk.
+    """
+    source = _Bytes(data)
+    before = 0
+    try:
+        while source.at < len(data):
+            later, ago = source.number(), source.number()
+            tick = first_tick + later
+            if not before <= later <= last_tick - first_tick or ago > tick:
+                raise ValueError("at no time of this chunk")
+            before = later
+            kind, agent, text, cause = source.text(), source.number(), source.text(), source.text()
+            yield tick, TraceEvent(tick - ago, kind, _one_of(agent, agents + 1) - 1, text, cause)
+    except (IndexError, ValueError) as error:
+        raise TraceError(f"the trace is damaged after tick {first_tick}: its events do not make sense") from error
+
+
+def _one_of(number: int, count: int) -> int:
+    if number >= count:
+        raise ValueError("nobody of that number")
+    return number

@@ -1,22 +1,26 @@
 """What happened, tick by tick: the values that every watcher of a run reads.
 
-A run is a `TraceHeader` (who takes part, what the numbers mean) and one `TickRecord` a tick. All numbers of a tick
-stand in one flat list of whole numbers, one for each `Column` of the header, so that a record is compared and stored
-fast; a column's `scale` turns a number back into its unit (0.1: tenths). Nothing here comes from a clock on the wall.
+A run is a `TraceHeader` (who takes part, in what, what the numbers mean) and one `TickRecord` for each number of
+finished steps, the first one (0) before any step was made. All numbers of a record stand in one flat list of whole
+numbers, one for each `Column` of the header, so that a record is compared and stored fast; a column's `scale` turns a
+number back into its unit (0.1: tenths). Nothing here comes from a clock on the wall.
 
-Left to others: bytes (coding, writer, reader), and who produced it.
+Left to others: the header as bytes (header), records as bytes (coding), files (writing, reading), who produced it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from kitrobot.diagnostics import KitRobotError
 
 TEAM = ""
 """The owner of a column that belongs to no single agent."""
+
+PROGRAM, WORLD, PERSON, MISSION, CHANCE = "program", "world", "person", "mission", "chance"
+"""What brings an event about: a program's command, a thing that stood in the way, somebody's hand during the run, the
+mission's schedule, or chance."""
 
 
 class TraceError(KitRobotError):
@@ -25,11 +29,13 @@ class TraceError(KitRobotError):
 
 @dataclass(frozen=True)
 class TraceAgent:
-    """Somebody who takes part."""
+    """Somebody who takes part; `kind` is what it is drawn as, `number` counts within a kind."""
 
     name: str
     program: str
     robot: str
+    kind: str = "robot"
+    number: int = 1
 
 
 @dataclass(frozen=True)
@@ -42,8 +48,29 @@ class Column:
 
 
 @dataclass(frozen=True)
+class TracePart:
+    """An XML file of a robot or of constructors that the mission needs and that does not come with KitRobot."""
+
+    file: str
+    text: str
+
+
+@dataclass(frozen=True)
 class TraceHeader:
-    """What holds for the whole run. `mission` is the SHA-256 of the canonical mission, in hex."""
+    """What holds for the whole run.
+
+    Attributes:
+        mission: the canonical `.krt`, as text.
+        seed: where chance began.
+        world: the file of the world, as text.
+        tick_ms: simulated time of a step.
+        agents: who takes part, in team order.
+        columns: the meaning of the numbers of each record.
+        vertices: for each program the vertex of each of its instructions, None where one comes from none.
+        parts: XML files that the mission needs besides.
+        total: all boxes there are.
+        fail_rate: the probability that an agent fails by chance within a minute.
+    """
 
     mission: str
     seed: int
@@ -51,36 +78,10 @@ class TraceHeader:
     tick_ms: int
     agents: tuple[TraceAgent, ...]
     columns: tuple[Column, ...]
-
-    def to_json(self) -> dict[str, Any]:
-        """As plain values, keys in a fixed order."""
-        return {
-            "mission": self.mission,
-            "seed": self.seed,
-            "world": self.world,
-            "tick_ms": self.tick_ms,
-            "agents": [[agent.name, agent.program, agent.robot] for agent in self.agents],
-            "columns": [[column.owner, column.name, column.scale] for column in self.columns],
-        }
-
-    @staticmethod
-    def from_json(data: Any) -> TraceHeader:
-        """The header from its plain values.
-
-        Raises:
-            TraceError: something is missing or of the wrong kind.
-        """
-        try:
-            return TraceHeader(
-                str(data["mission"]),
-                int(data["seed"]),
-                str(data["world"]),
-                int(data["tick_ms"]),
-                tuple(TraceAgent(str(name), str(program), str(robot)) for name, program, robot in data["agents"]),
-                tuple(Column(str(owner), str(name), float(scale)) for owner, name, scale in data["columns"]),
-            )
-        except (KeyError, TypeError, ValueError) as error:
-            raise TraceError("the header of this trace does not say what a trace's header says") from error
+    vertices: Mapping[str, tuple[str | None, ...]] = field(default_factory=dict)
+    parts: tuple[TracePart, ...] = ()
+    total: int = 0
+    fail_rate: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -95,11 +96,17 @@ class TraceCommand:
 
 @dataclass(frozen=True)
 class TraceEvent:
-    """What happened at one moment: load, unload, message, collision, end. `agent` is -1 for the whole team."""
+    """What happened: load, unload, message, collision, end, outside, …; `agent` is -1 for the whole team.
 
+    `tick` is the step in which it happened, or before which somebody did it from outside. `cause` is one of PROGRAM,
+    WORLD, PERSON, MISSION and CHANCE.
+    """
+
+    tick: int
     kind: str
     agent: int
     text: str
+    cause: str = PROGRAM
 
 
 Threads = tuple[tuple[int, int], ...]
@@ -108,7 +115,7 @@ Threads = tuple[tuple[int, int], ...]
 
 @dataclass
 class TickRecord:
-    """One tick: `numbers` by column, `active` by agent; `commands` and `events` only of this tick."""
+    """The run after `tick` steps: `numbers` by column, `active` by agent; `commands` and `events` only of this step."""
 
     tick: int
     numbers: list[int]

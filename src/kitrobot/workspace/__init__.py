@@ -48,7 +48,8 @@ if TYPE_CHECKING:
     )
     from kitrobot.workspace.problems import ProblemsError, with_help, written_out
     from kitrobot.workspace.robots import find_robot
-    from kitrobot.workspace.running import Run, Timing
+    from kitrobot.workspace.running import Run, Timing, once_more
+    from kitrobot.workspace.traces import OpenTrace, is_trace, open_trace, parts_of, unpack
     from kitrobot.workspace.tutorials import FoundTutorial, Tutorials, watched
     from kitrobot.workspace.variables import VariableError, WantedVariable, make_variable
     from kitrobot.workspace.worlds import FoundWorld, read_world_file, worlds_at_hand
@@ -85,9 +86,10 @@ _ROOMS = {
     ),
     "problems": ("ProblemsError", "with_help", "written_out"),
     "robots": ("find_robot",),
-    "running": ("Run", "Timing"),
+    "running": ("Run", "Timing", "once_more"),
     "variables": ("VariableError", "WantedVariable", "make_variable"),
     "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
+    "traces": ("OpenTrace", "is_trace", "open_trace", "parts_of", "unpack"),
     "tutorials": ("FoundTutorial", "Tutorials", "watched"),
 }
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
@@ -123,6 +125,7 @@ __all__ = [
     "News",
     "NoProgramError",
     "OpenMission",
+    "OpenTrace",
     "PartsFileError",
     "ProblemsError",
     "ProgramReport",
@@ -145,6 +148,7 @@ __all__ = [
     "find_robot",
     "first_example",
     "is_picture",
+    "is_trace",
     "lay_out",
     "lay_out_file",
     "load_executable",
@@ -153,7 +157,10 @@ __all__ = [
     "merge_files",
     "merge_missions",
     "new_mission",
+    "once_more",
     "open_mission",
+    "open_trace",
+    "parts_of",
     "read_carried",
     "read_inputs",
     "read_journal",
@@ -162,6 +169,7 @@ __all__ = [
     "revision_of",
     "state_folder",
     "text_differences",
+    "unpack",
     "watched",
     "with_help",
     "with_mission",

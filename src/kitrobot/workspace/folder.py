@@ -20,6 +20,7 @@ from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.trace import ENDING as TRACE_ENDING
 from kitrobot.workspace.carried import is_picture
 from kitrobot.workspace.examples import examples_folder
 from kitrobot.workspace.files import read_bytes
@@ -27,6 +28,8 @@ from kitrobot.workspace.files import read_bytes
 ENDING = ".krt"
 TUTORIAL_ENDING = ".tutorial.xml"
 EXAMPLE = "example:"
+RECORDING = "recording:"
+"""How the name of a mission that a recording brought along begins; the recording's number follows."""
 DEEPEST = 5
 MOST_LISTED = 500
 MOST_LOOKED_AT = 20_000
@@ -67,6 +70,8 @@ class MissionFolder:
     def __init__(self, root: Path, examples: Path | None = None) -> None:
         self.root = root.resolve()
         self.examples = (examples or examples_folder() or Path(os.devnull)).resolve()
+        self.recordings = Path(os.devnull).resolve()
+        """Where missions of opened recordings are unpacked, in a folder each."""
         self._saving = threading.Lock()
 
     def missions(self) -> list[MissionEntry]:
@@ -105,11 +110,14 @@ class MissionFolder:
         root, inner = self.root, name
         if name.startswith(EXAMPLE):
             root, inner = self.examples, name.removeprefix(EXAMPLE)
+        elif name.startswith(RECORDING):
+            root, inner = self.recordings, name.removeprefix(RECORDING)
         pure = PurePosixPath(inner)
         wrong = not inner or pure.is_absolute() or ".." in pure.parts or _ON_WINDOWS.search(inner) or len(inner) > 1000
         stem = pure.name[: -len(ending)] if pure.name.lower().endswith(ending) else ""
         if wrong or not stem.strip("."):
-            what = {ENDING: "a mission", TUTORIAL_ENDING: "a tutorial"}.get(ending, "a picture")
+            known = {ENDING: "a mission", TUTORIAL_ENDING: "a tutorial", TRACE_ENDING: "a recording"}
+            what = known.get(ending, "a picture")
             raise MissionNameError(
                 f"`{name[:80]}` is no name of {what}", f"give a name in this folder that ends with `{ending}`"
             )
@@ -129,12 +137,17 @@ class MissionFolder:
         return self.path_of(name).parent if name else self.root
 
     def own_folder_of(self, name: str) -> Path:
-        """The folder that files for a mission may be put into: its own; `root` for an example, which is read-only."""
-        return self.root if name.startswith(EXAMPLE) else self.folder_of(name)
+        """The folder that files for a mission may be put into: its own; `root` for what is read-only."""
+        return self.root if name.startswith((EXAMPLE, RECORDING)) else self.folder_of(name)
 
     def folders_of(self, name: str) -> tuple[Path, ...]:
-        """Where robots, constructors and worlds of a mission are looked for; a later folder wins."""
+        """Where robots, constructors and worlds of a mission are looked for; a later folder wins.
+
+        A recording's own come last: they are what was recorded.
+        """
         folder, own = self.folder_of(name), self.own_folder_of(name)
+        if name.startswith(RECORDING):
+            return own, folder
         return (folder,) if folder == own else (folder, own)
 
     def root_of(self, name: str) -> Path:
@@ -152,6 +165,10 @@ class MissionFolder:
         data = read_bytes(self.path_of(name, ending))
         return data, revision_of(data)
 
+    def traces(self) -> list[MissionEntry]:
+        """The recordings of the folder by path."""
+        return [_entry(path, self.root, "") for path in _found_below(self.root, self.examples, TRACE_ENDING)]
+
     def hold(self, name: str, revision: str) -> _Hold:
         """For saving: a context in which nobody else saves, entered only when the file still has that revision.
 
@@ -162,6 +179,8 @@ class MissionFolder:
         """
         if name.startswith(EXAMPLE):
             raise ReadOnlyError("an example cannot be changed", "save the mission under a name of your own")
+        if name.startswith(RECORDING):
+            raise ReadOnlyError("a recording cannot be changed", "save the mission under a name of your own")
         return _Hold(self, self.path_of(name), f"a mission `{name}`", name, revision)
 
     def hold_beside(self, name: str, file: str, revision: str) -> _Hold:

@@ -23,7 +23,7 @@ from pathlib import Path
 
 from kitrobot.workspace.file_lock import FileLock
 from kitrobot.workspace.files import FileError
-from kitrobot.workspace.folder import EXAMPLE, MissionFolder
+from kitrobot.workspace.folder import EXAMPLE, RECORDING, MissionFolder
 from kitrobot.workspace.journal import Journal, JournalError, append_records, read_journal, write_journal
 
 ENDING = ".journal"
@@ -239,7 +239,7 @@ class Journals:
 
     def _place(self, path: str) -> Path:
         """The folder for the journal of a mission; it is made."""
-        if not path.startswith(EXAMPLE):
+        if not path.startswith((EXAMPLE, RECORDING)):
             with contextlib.suppress(OSError):
                 self._own.mkdir(parents=True, exist_ok=True)
                 ignore = self._own.parent / ".gitignore"

@@ -13,6 +13,7 @@ from kitrobot.sim import Simulation, SimulationError, simulate
 from kitrobot.workspace.files import same_file
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.problems import ProblemsError
+from kitrobot.workspace.traces import parts_of
 
 Progress = Callable[[float], None]
 """Told the simulated seconds so far, now and then."""
@@ -80,6 +81,17 @@ def simulation(opened: OpenMission, seed: int, seconds: float | None = None, fai
     return stage(opened, seed, seconds, fail_rate)
 
 
+def once_more(opened: OpenMission, was: Simulation) -> Simulation:
+    """The run `was` of a mission before its first step, by itself.
+
+    Raises:
+        ProblemsError: the mission has errors.
+    """
+    made = simulation(opened, was.seed, was.seconds_limit, was.fail_rate)
+    assert made.identity == was.identity, "the same mission, seed and limits are the same run"
+    return made
+
+
 def stage(opened: OpenMission, seed: int, seconds: float | None = None, fail_rate: float = 0.0) -> Simulation:
     """As `simulation`, for a mission that was found free of errors otherwise.
 
@@ -107,7 +119,8 @@ def run(
         raise TracePlaceError(f"the trace would be written over `{trace}`", "give it a name of its own")
     made = simulation(opened, seed, seconds, fail_rate)
     began = time.perf_counter()
-    simulate(made, trace, None if progress is None else lambda now: progress(now.seconds))
+    parts = parts_of(opened) if trace is not None else ()
+    simulate(made, trace, None if progress is None else lambda now: progress(now.seconds), parts)
     real = time.perf_counter() - began
     assert made.outcome is not None, "a run with a time limit ends"
     timing = Timing(real, made.seconds / real if real > 0 else 0.0)

@@ -673,6 +673,24 @@ export interface ProgramReport {
   instructions: number;
 }
 
+/**
+ * A recording that was opened: its number, by which it is played, and the mission that it brought along. `cut`: its
+ * file ends before its run did.
+ */
+export interface Recording {
+  recording: string;
+  seed: number;
+  cut: boolean;
+  file: MissionFile;
+}
+
+/** A recording of the folder; `modified` is a moment in UTC (ISO 8601). */
+export interface RecordingEntry {
+  path: string;
+  name: string;
+  modified: string;
+}
+
 /** Play a recording that was opened; `recording` is its number. */
 export interface ReplayRequest {
   type: "replay";

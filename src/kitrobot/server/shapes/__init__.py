@@ -32,6 +32,7 @@ from kitrobot.server.shapes.journal import (
 )
 from kitrobot.server.shapes.mission import MissionShape, breakpoint_from_shape, mission_from_shape, mission_shape
 from kitrobot.server.shapes.problem import FailureShape, ProblemShape, problem_shapes
+from kitrobot.server.shapes.recording import RecordingEntryShape, RecordingShape
 from kitrobot.server.shapes.report import CheckShape, ProgramReportShape, ReportShape
 from kitrobot.server.shapes.run import (
     EVENT_KINDS,
@@ -103,6 +104,8 @@ __all__ = [
     "ProblemShape",
     "ProblemsMessage",
     "ProgramReportShape",
+    "RecordingEntryShape",
+    "RecordingShape",
     "ReplayRequest",
     "ReportShape",
     "ResumeRequest",

@@ -1,0 +1,27 @@
+"""Recordings on the wire."""
+
+from __future__ import annotations
+
+from pydantic import BaseModel
+
+from kitrobot.server.shapes.files import MissionFileShape
+
+
+class RecordingEntryShape(BaseModel):
+    """A recording of the folder; `modified` is a moment in UTC (ISO 8601)."""
+
+    path: str
+    name: str
+    modified: str
+
+
+class RecordingShape(BaseModel):
+    """A recording that was opened: its number, by which it is played, and the mission that it brought along.
+
+    `cut`: its file ends before its run did.
+    """
+
+    recording: str
+    seed: int
+    cut: bool
+    file: MissionFileShape

@@ -1,0 +1,124 @@
+"""Recordings: what a mission needs so that its run can be looked at anywhere, and a recording opened again.
+
+A `.krtrace` brings along its mission, its world and the XML files that do not come with KitRobot. `unpack` lays them
+side by side in a folder, where the mission opens like any other. A recording may come from anywhere: its mission and
+world are read as carefully as files of their own, and names of files are taken only as far as they stay in that folder.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+from kitrobot.mission import Mission, read_mission
+from kitrobot.primitives import SHIPPED
+from kitrobot.trace import ENDING, TraceError, TracePart, TraceReader
+from kitrobot.workspace.files import FileError, read_bytes, write_atomic
+from kitrobot.workspace.opening import OpenMission
+from kitrobot.world import EMPTY, World, read_world
+
+_DECLARATION = re.compile(r"\A\s*<\?xml[^>]*\?>\s*")
+_NAME = re.compile(r"[^\\/:*?\"<>|\x00-\x1f\x7f]{1,200}\.xml", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class OpenTrace:
+    """A recording that can be played: the file, what it holds, and the mission and world in it.
+
+    Whoever opened it closes `reader`; one reader is for one thread at a time.
+    """
+
+    reader: TraceReader
+    mission: Mission
+    world: World
+
+    @property
+    def stem(self) -> str:
+        """Its file's name without the ending."""
+        name = self.reader.path.name
+        return name[: -len(ENDING)] if name.lower().endswith(ENDING) else name
+
+
+def is_trace(name: str) -> bool:
+    """Whether a file's name says that it is a recording."""
+    return name.lower().endswith(ENDING)
+
+
+def open_trace(path: Path) -> OpenTrace:
+    """Opens a recording.
+
+    Raises:
+        TraceError: it cannot be read, is damaged, or its mission or world cannot be used.
+    """
+    reader = TraceReader(path)
+    try:
+        mission, problems = read_mission(reader.header.mission.encode(), path.name)
+        if mission is None:
+            raise TraceError(f"the mission in the trace {path.name} cannot be used", "", tuple(problems))
+        world, found = read_world(reader.header.world.encode(), path.name)
+        if world is None:
+            raise TraceError(f"the world in the trace {path.name} cannot be used", "", tuple(found))
+        # What is damaged is told now, not in the middle of playing.
+        assert reader.events is not None
+        if reader.last_tick < 0:
+            raise TraceError(f"the trace {path.name} holds no ticks", "it was cut before the first of them was written")
+    except BaseException:
+        reader.close()
+        raise
+    return OpenTrace(reader, mission, world)
+
+
+def parts_of(opened: OpenMission) -> tuple[TracePart, ...]:
+    """The XML files of robots and constructors that a mission uses and that do not come with KitRobot."""
+    catalogue, programs = opened.catalogue, opened.mission.programs
+    elements = {vertex.element for program in programs for vertex in program.vertices}
+    wanted = [catalogue.robot_files.get(program.robot) for program in programs]
+    wanted += [path for name, path in catalogue.constructor_files.items() if name in elements]
+    paths = {path.resolve() for path in wanted if path is not None}
+    parts = {}
+    for path in sorted(paths):
+        if SHIPPED.resolve() not in path.parents and path.name not in parts:
+            text = _text_of(path)
+            if text is not None:
+                parts[path.name] = TracePart(path.name, text)
+    return tuple(parts.values())
+
+
+def _text_of(path: Path) -> str | None:
+    """An XML file without its declaration: it is written in UTF-8 again. None for one that went away."""
+    try:
+        data = read_bytes(path)
+        text = data.decode("utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
+    except (FileError, UnicodeError):
+        return None
+    return _DECLARATION.sub("", text)
+
+
+def unpack(trace: OpenTrace, folder: Path) -> Path:
+    """Lays what a recording brings along into a folder of its own, and gives the mission's file there.
+
+    Raises:
+        FileError: it cannot be written.
+    """
+    header = trace.reader.header
+    stem = re.sub(r"[\\/:*?\"<>|\x00-\x1f\x7f]", "-", trace.stem).strip(". ")[:100] or "recording"
+    href = trace.mission.world_href or EMPTY
+    pieces = href.split("/")
+    if all(_NAME.fullmatch(f"{one}.xml") for one in pieces) and not {".", ".."} & set(pieces):
+        _write(folder / PurePosixPath(href), header.world)
+    for part in _sensible(header.parts):
+        _write(folder / part.file, part.text)
+    path = folder / f"{stem}.krt"
+    _write(path, header.mission)
+    return path
+
+
+def _sensible(parts: Iterable[TracePart]) -> Iterable[TracePart]:
+    return (part for part in parts if _NAME.fullmatch(part.file) and not part.file.startswith("."))
+
+
+def _write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomic(path, text.encode())
