@@ -196,6 +196,7 @@ def test_a_million_agents_are_refused_in_a_sentence() -> None:
     assert error.message == f"expected at most {MAX_AGENTS} agents in a run, found 1000000"
 
 
+@pytest.mark.slow
 def test_as_many_agents_as_allowed_begin_a_run() -> None:
     plain = avatar('<variable name="Count" type="integer"/>')
     mission = Mission(programs=[empty_program("p", "avatar")])

@@ -117,6 +117,40 @@ sys.stdout.buffer.write(run.snapshot())
 """
 
 
+LONG = """
+import sys
+from kitrobot.sim import compiling, hurry
+from tests.sim.teams import random_team
+hurry.WORTH = 500
+run = random_team(5, 10)
+run.advance(60)
+run.advance(1)
+assert compiling._asked is not None, "600 steps of a robot are work enough"
+compiling._asked.join()
+run.advance(60)
+assert not isinstance(run.state.clock, list), "the compiled step is there and not taken"
+sys.stdout.buffer.write(run.snapshot())
+"""
+
+
+def test_a_long_run_asks_for_the_compiled_step_and_takes_it_when_it_is_there() -> None:
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}"}
+    child = subprocess.run([sys.executable, "-c", LONG], env=environment, capture_output=True, check=False, timeout=200)
+    assert child.returncode == 0, child.stderr.decode()
+    here = random_team(5, 10)
+    here.stays_plain = True
+    for steps in (60, 1, 60):
+        here.advance(steps)
+    assert child.stdout == here.snapshot()
+
+
+@pytest.mark.slow
+def test_what_is_not_kept_yet_is_compiled_in_a_process_of_its_own(tmp_path: Path) -> None:
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}", "KITROBOT_CACHE": str(tmp_path)}
+    subprocess.run([sys.executable, "-c", LONG], env=environment, capture_output=True, check=True, timeout=280)
+    assert [path.name for path in tmp_path.glob(f"*/{compiling.READY}")] == [compiling.READY]
+
+
 @pytest.mark.parametrize("prelude", ["", "import sys; sys.modules['numba'] = None\n"])
 def test_without_numba_or_when_told_so_the_run_is_plain_and_the_same(prelude: str) -> None:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}"}
