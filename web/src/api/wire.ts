@@ -10,7 +10,7 @@ export type Road = World["roads"][number];
 export type Dock = World["docks"][number];
 export type Storehouse = World["storehouses"][number];
 
-export type AgentActivity = "running" | "waiting" | "idle" | "failed";
+export type AgentActivity = "running" | "waiting" | "idle" | "failed" | "stalled";
 export type RunOutcome = "done" | "failed" | "stuck" | "time" | "stopped";
 
 export interface StartedAgent {
@@ -39,7 +39,7 @@ export interface Hit {
   visit: number;
 }
 
-export type RunEventKind = "load" | "unload" | "message" | "collision" | "end";
+export type RunEventKind = "load" | "unload" | "message" | "collision" | "failure" | "revival" | "end" | "outside";
 
 export interface RunEvent {
   tick: number;
@@ -58,10 +58,13 @@ export type RunMessage =
       agents: StartedAgent[];
       stock: Record<string, number>;
       total: number;
+      /** Whether it is played from a recording. */
+      recording: boolean;
     }
   | {
       type: "state";
-      status: "running" | "paused" | RunOutcome;
+      /** `end` is where a recording ends whose run was still on. */
+      status: "running" | "paused" | "end" | RunOutcome;
       tick: number;
       seconds: number;
       sentence: string;
@@ -84,7 +87,11 @@ export type RunMessage =
   | { type: "problems"; problems: Problem[] }
   | { type: "error"; message: string; help: string; ended: boolean };
 
+/** What can befall a robot. */
+export type Harm = "fail" | "stall" | "mute" | "revive";
+
 export type RunRequest =
+  | { type: "replay"; recording: string; speed: number }
   | { type: "start"; mission: Mission; path: string; seed: number; speed: number }
   | { type: "pause" }
   | { type: "resume" }
@@ -93,6 +100,8 @@ export type RunRequest =
   | { type: "seek"; tick: number }
   | { type: "force"; agent: string; sensor: string; value: number | null }
   | { type: "set"; agent: string; variable: string; value: number }
+  | { type: "harm"; agent: string; kind: Harm }
+  | { type: "look"; agents: string[] }
   | { type: "breakpoints"; breakpoints: Breakpoint[] }
   | { type: "speed"; value: number };
 
@@ -110,6 +119,8 @@ export const FAILED = 2;
 export const COLLISION = 4;
 export const ARM_OUT = 8;
 export const MOVING = 16;
+export const STALLED = 32;
+export const MUTED = 64;
 
 export interface PoseFrame {
   tick: number;

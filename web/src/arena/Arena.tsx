@@ -1,5 +1,5 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
-import { type KeyboardEvent, type PointerEvent, useEffect, useMemo, useRef, useState } from "react";
+import { type KeyboardEvent, type MouseEvent, type PointerEvent, useEffect, useMemo, useRef, useState } from "react";
 
 import { useStudio } from "../model/studio";
 import { ARENA_KEYS, keyIn } from "../reach/key-table";
@@ -12,13 +12,19 @@ import { t } from "../words/words";
 import "./arena.css";
 import { EmptyArena } from "./EmptyArena";
 import { Painter } from "./painter";
-import { lookAt, type Scene, sceneBefore, sceneOf } from "./scene";
+import { Crowd } from "./Crowd";
+import { RobotMenu } from "./RobotMenu";
+import { choose, follow, openRobotMenu, useRobots } from "./robots";
+import { actorsOf, lookAt, type Scene, sceneBefore, sceneOf } from "./scene";
+import { StatesSaid } from "./StatesSaid";
 import { summary } from "./summary";
 
 const CLICK_PX = 4;
 /** One press of an arrow key. */
 const PAN_PX = 40;
 const SPOKEN_MS = 250;
+/** How long a finger rests on a robot to open its menu. */
+const REST_MS = 550;
 
 function useScene(): Scene | null {
   const run = useRun();
@@ -26,9 +32,14 @@ function useScene(): Scene | null {
   const catalogue = useStudio((studio) => studio.catalogue);
   const ownWorld = useStudio((studio) => studio.world);
   const before = useMemo(() => (ownWorld === null ? null : sceneBefore(mission, ownWorld)), [mission, ownWorld]);
+  const { world, agents } = run;
+  const actors = useMemo(
+    () => (world === null ? [] : actorsOf(agents, mission, catalogue, world)),
+    [world, agents, mission, catalogue],
+  );
   return useMemo(
-    () => (run.world !== null && run.agents.length > 0 ? sceneOf(run, mission, catalogue, run.world) : before),
-    [run, mission, catalogue, before],
+    () => (world !== null && actors.length > 0 ? sceneOf(run, actors, world) : before),
+    [run, world, actors, before],
   );
 }
 
@@ -104,12 +115,6 @@ function Heading({ scene, painter }: { scene: Scene | null; painter: Painter | n
   );
 }
 
-/** Opens the program of a robot and watches that robot. */
-function choose({ name, program }: { name: string; program: string }): void {
-  useStudio.getState().setActiveProgram(program);
-  useRun.getState().selectAgent(name, program);
-}
-
 export function Arena() {
   const scene = useScene();
   const selected = useSelected(scene);
@@ -119,6 +124,8 @@ export function Arena() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const [painter, setPainter] = useState<Painter | null>(null);
   const grip = useRef<{ x: number; y: number; moved: boolean } | null>(null);
+  const resting = useRef<ReturnType<typeof setTimeout>>(undefined);
+  const { program, followed } = useRobots();
 
   useEffect(() => {
     const [box, drawn] = [frame.current, canvas.current];
@@ -150,25 +157,59 @@ export function Arena() {
     if (scene !== null) painter?.setScene(scene, selected);
   }, [painter, scene, selected]);
   useEffect(() => {
+    painter?.setView(program, followed);
+  }, [painter, program, followed]);
+  useEffect(() => {
     painter?.themeChanged();
   }, [painter, theme]);
 
+  const menuAt = (x: number, y: number) => {
+    const place = canvas.current?.getBoundingClientRect();
+    if (place === undefined) return;
+    const found = painter?.actorAt(x - place.left, y - place.top);
+    if (found === null || found === undefined) return;
+    choose(found.actor);
+    openRobotMenu(found.actor.name, x, y);
+  };
+  /** The menu of the robot that wears the ring, beside it. */
+  const menuOfSelected = () => {
+    const place = canvas.current?.getBoundingClientRect();
+    const at = painter?.placeOf(selected);
+    if (place === undefined || at === null || at === undefined) return;
+    const inside = (value: number, most: number) => Math.min(Math.max(value, 0), most);
+    openRobotMenu(selected, place.left + inside(at[0], place.width), place.top + inside(at[1], place.height));
+  };
   const onPointerDown = (event: PointerEvent<HTMLCanvasElement>) => {
     if (event.button !== 0) return;
     event.currentTarget.setPointerCapture(event.pointerId);
-    grip.current = { x: event.clientX, y: event.clientY, moved: false };
+    const { clientX: x, clientY: y } = event;
+    grip.current = { x, y, moved: false };
+    if (event.pointerType === "mouse") return;
+    resting.current = setTimeout(() => {
+      grip.current = null;
+      menuAt(x, y);
+    }, REST_MS);
+  };
+  const onContextMenu = (event: MouseEvent) => {
+    event.preventDefault();
+    // A key opens it where the keyboard's robot is; a finger that rests has its own timer.
+    if (event.button === 2) menuAt(event.clientX, event.clientY);
   };
   const onPointerMove = (event: PointerEvent) => {
     const held = grip.current;
     if (held === null) return;
     const [dx, dy] = [event.clientX - held.x, event.clientY - held.y];
     if (!held.moved && Math.hypot(dx, dy) < CLICK_PX) return;
+    clearTimeout(resting.current);
+    // Who takes the world into the hand follows nobody any more.
+    if (useRobots.getState().followed !== "") useRobots.setState({ followed: "" });
     painter?.pan(dx, dy);
     grip.current = { x: event.clientX, y: event.clientY, moved: true };
   };
   const onPointerUp = (event: PointerEvent<HTMLCanvasElement>) => {
     const held = grip.current;
     grip.current = null;
+    clearTimeout(resting.current);
     if (held === null || held.moved) return;
     const place = event.currentTarget.getBoundingClientRect();
     const found = painter?.actorAt(event.clientX - place.left, event.clientY - place.top);
@@ -196,6 +237,8 @@ export function Arena() {
       fit: () => painter?.showAll(),
       next: () => next(1),
       previous: () => next(-1),
+      menu: menuOfSelected,
+      follow: () => follow(selected),
     };
     acts[id]();
   };
@@ -203,6 +246,7 @@ export function Arena() {
   return (
     <div className="arena" data-testid="arena">
       <Heading scene={scene} painter={painter} />
+      <Crowd scene={scene} />
       <div className="arena-frame" ref={frame}>
         <canvas
           ref={canvas}
@@ -212,10 +256,12 @@ export function Arena() {
           aria-label={t("arena.label")}
           aria-describedby="arena-summary"
           onKeyDown={onKeyDown}
+          onContextMenu={onContextMenu}
           onPointerDown={onPointerDown}
           onPointerMove={onPointerMove}
           onPointerUp={onPointerUp}
           onPointerCancel={() => {
+            clearTimeout(resting.current);
             grip.current = null;
           }}
         />
@@ -224,6 +270,8 @@ export function Arena() {
       <p className="only-spoken" id="arena-summary" data-testid="arena-summary">
         {spoken}
       </p>
+      <StatesSaid scene={scene} />
+      <RobotMenu onClosed={() => canvas.current?.focus()} />
     </div>
   );
 }

@@ -3,6 +3,8 @@ import { t } from "../words/words";
 import { ARM_OUT, LAMP } from "../api/wire";
 import { grouped } from "../words/numbers";
 import { toScreen } from "./camera";
+import { drawCrowd, isCrowd } from "./draw-crowd";
+import { drawFailed, drawMuted, drawStalled } from "./draw-signs";
 import { type Brush, drawBox, write } from "./draw-world";
 import { boundsOf } from "./geometry";
 import type { Scene, Seen } from "./scene";
@@ -106,22 +108,6 @@ function drawArm(brush: Brush, { pose }: Seen): void {
   pen.fill();
 }
 
-function drawCross({ pen, colours, unit: u }: Brush): void {
-  pen.lineCap = "round";
-  pen.beginPath();
-  pen.moveTo(-20 * u, -20 * u);
-  pen.lineTo(20 * u, 20 * u);
-  pen.moveTo(20 * u, -20 * u);
-  pen.lineTo(-20 * u, 20 * u);
-  pen.strokeStyle = colours.panel;
-  pen.lineWidth = 8 * u;
-  pen.stroke();
-  pen.strokeStyle = colours.ink;
-  pen.lineWidth = 4 * u;
-  pen.stroke();
-  pen.lineCap = "butt";
-}
-
 /** What the collision sensor feels: waves before the bumper. */
 function drawBump({ pen, colours, unit: u }: Brush): void {
   pen.lineCap = "round";
@@ -149,7 +135,9 @@ function drawSeen(brush: Brush, one: Seen, selected: boolean): void {
   pen.restore();
   pen.save();
   pen.translate(x, y);
-  if (one.failed) drawCross(brush);
+  if (one.failed) drawFailed(brush);
+  else if (one.stalled) drawStalled(brush);
+  if (one.muted) drawMuted(brush);
   if (selected) {
     pen.beginPath();
     pen.arc(0, 0, (one.actor.role === "arm" ? 17 : 34) * unit, 0, Math.PI * 2);
@@ -245,12 +233,18 @@ function drawPlace(brush: Brush, scene: Scene, one: Seen): void {
   write(brush, words, Math.max(toScreen(camera, 0, 0)[0], 8), room.height - 8, 12, 500, colours.muted);
 }
 
-export function drawActors(brush: Brush, scene: Scene, seen: readonly Seen[], selected: string): void {
+/** Everybody. `program`: robots of another one step back; "" for none. */
+export function drawActors(brush: Brush, scene: Scene, seen: readonly Seen[], selected: string, program: string): void {
   drawScore(brush, scene);
+  const crowd = isCrowd(seen, brush.unit);
+  if (crowd) drawCrowd(brush, seen, program);
   const order = { keeper: 0, robot: 1, arm: 2 };
-  for (const one of [...seen].sort((a, b) => order[a.actor.role] - order[b.actor.role])) {
+  const closely = crowd ? seen.filter((one) => one.actor.name === selected) : [...seen];
+  for (const one of closely.sort((a, b) => order[a.actor.role] - order[b.actor.role])) {
+    brush.pen.globalAlpha = program === "" || one.actor.program === program ? 1 : 0.3;
     drawSeen(brush, one, one.actor.name === selected);
   }
+  brush.pen.globalAlpha = 1;
   const watched = seen.find((one) => one.actor.name === selected);
   if (watched === undefined) return;
   drawTag(brush, scene, seen, watched);

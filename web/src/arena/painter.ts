@@ -4,6 +4,7 @@
  * It keeps the camera: fitted to the panel until the person zooms or pans, then left alone. Robots are on the move between
  * two frames, so painting goes on until they stand where the last frame says.
  */
+import type { World } from "../api/types";
 import { posesAt } from "../run/poses";
 import { type Camera, fit, type Room, toScreen, zoomAt } from "./camera";
 import { readColours, type Colours } from "./colours";
@@ -12,6 +13,8 @@ import { drawWorld, unitOf } from "./draw-world";
 import { lookAt, type Scene, type Seen } from "./scene";
 
 const WALL_MARGIN = 26;
+/** How close the camera goes to follow somebody: times the scale that shows the whole world. */
+const FOLLOW = 2;
 const ORIGIN: Camera = { scale: 1, x: 0, y: 0 };
 
 export class Painter {
@@ -21,20 +24,53 @@ export class Painter {
   private moved = false;
   private scene: Scene | null = null;
   private selected = "";
+  private program = "";
+  private followed = "";
   private colours: Colours | null = null;
   private request = 0;
   private readonly smooth: () => boolean;
 
-  constructor(canvas: HTMLCanvasElement, smooth: () => boolean) {
+  private readonly seenFrom: (camera: Camera) => void;
+  private readonly margin: number | null;
+  private told: Camera | null = null;
+
+  /** `seenFrom` is told where the eye is, whenever that changes; `margin` is the room around the world in px. */
+  constructor(
+    canvas: HTMLCanvasElement,
+    smooth: () => boolean,
+    seenFrom: (camera: Camera) => void = () => undefined,
+    margin: number | null = null,
+  ) {
     this.canvas = canvas;
     this.smooth = smooth;
+    this.seenFrom = seenFrom;
+    this.margin = margin;
+  }
+
+  /** Where the eye is. */
+  get view(): Camera {
+    return this.camera;
   }
 
   setScene(scene: Scene, selected: string): void {
-    const other = this.scene?.world !== scene.world;
+    const [before, now] = [this.scene?.world, scene.world];
+    const size = ({ name, width_mm, height_mm }: World) => [name, width_mm, height_mm].join(" ");
+    // An edit of the world leaves the eye where it is.
+    const other = before === undefined || size(before) !== size(now);
     this.scene = scene;
     this.selected = selected;
     if (other) this.showAll();
+    this.paintSoon();
+  }
+
+  /** Robots of this program stand out, "" for all alike; the followed one stays in the middle, "" for nobody. */
+  setView(program: string, followed: string): void {
+    this.program = program;
+    if (followed !== "" && followed !== this.followed) {
+      const whole = this.whole().scale;
+      if (this.camera.scale < FOLLOW * whole) this.zoom((FOLLOW * whole) / this.camera.scale);
+    }
+    this.followed = followed;
     this.paintSoon();
   }
 
@@ -54,7 +90,9 @@ export class Painter {
 
   private whole(): Camera {
     const world = this.scene?.world;
-    return world === undefined ? ORIGIN : fit(world, this.room, world.walls.length > 0 ? WALL_MARGIN : 0);
+    return world === undefined
+      ? ORIGIN
+      : fit(world, this.room, this.margin ?? (world.walls.length > 0 ? WALL_MARGIN : 0));
   }
 
   showAll(): void {
@@ -89,6 +127,22 @@ export class Painter {
     return best?.seen ?? null;
   }
 
+  /** Where an actor is on the canvas; null when there is no such one. */
+  placeOf(name: string): [x: number, y: number] | null {
+    const one = this.seen(performance.now()).seen.find(({ actor }) => actor.name === name);
+    return one === undefined ? null : toScreen(this.camera, one.pose.x_mm, one.pose.y_mm);
+  }
+
+  /** Moves the camera with the one who is followed. */
+  private keepUp(seen: readonly Seen[]): void {
+    const one = this.followed === "" ? undefined : seen.find(({ actor }) => actor.name === this.followed);
+    if (one === undefined) return;
+    const { scale } = this.camera;
+    const { width, height } = this.room;
+    this.camera = { scale, x: width / 2 - one.pose.x_mm * scale, y: height / 2 + one.pose.y_mm * scale };
+    this.moved = true;
+  }
+
   private seen(now: number): { seen: Seen[]; still: boolean } {
     if (this.scene === null) return { seen: [], still: true };
     const shown = this.scene.running ? posesAt(now, this.smooth()) : null;
@@ -107,13 +161,18 @@ export class Painter {
     const pen = this.canvas.getContext("2d");
     if (pen === null || this.scene === null || this.room.width === 0) return;
     const { seen, still } = this.seen(performance.now());
+    this.keepUp(seen);
     const ratio = window.devicePixelRatio || 1;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.colours ??= readColours();
     const { camera, room, colours } = this;
+    if (camera !== this.told) {
+      this.told = camera;
+      this.seenFrom(camera);
+    }
     const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
-    drawActors(brush, this.scene, seen, this.selected);
+    drawActors(brush, this.scene, seen, this.selected, this.program);
     if (!still) this.paintSoon();
   }
 

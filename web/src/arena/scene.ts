@@ -5,10 +5,10 @@
  * they are drawn and nothing else.
  */
 import type { Catalogue, Goal, Mission, World } from "../api/types";
-import { COLLISION, FAILED, type Pose } from "../api/wire";
+import { COLLISION, FAILED, MUTED, type Pose, STALLED } from "../api/wire";
 import { text } from "../model/texts";
 import type { RunAgent, RunState } from "../run/run";
-import { nearestOn, signAt } from "./geometry";
+import { nearestOn } from "./geometry";
 
 export type Role = "robot" | "arm" | "keeper";
 
@@ -56,13 +56,28 @@ function numberOf(name: string, index: number): number {
   return digits === undefined ? index + 1 : Number(digits);
 }
 
-/** Where an agent starts; null where the world has no such place. */
-function startPose(world: World, mission: Mission, name: string): Pose | null {
-  const wanted = mission.agents.find((agent) => agent.name === name)?.start ?? "";
-  const start = world.starts.find((one) => one.name === (wanted === "" ? name : wanted));
-  if (start === undefined) return null;
-  const { x_mm, y_mm, heading_rad } = start;
-  return { x_mm, y_mm, heading_rad, load: 0, flags: 0 };
+interface Place {
+  start: Pose;
+  role: Role;
+}
+
+/** The places of one mission in one world, worked out once: there may be thousands of robots, and thirty frames a second. */
+const known = new WeakMap<World, { mission: Mission; places: Map<string, Place> }>();
+
+/** Where each agent starts, by its name; without those whose start the world does not have. */
+function placesOf(world: World, mission: Mission): Map<string, Place> {
+  const before = known.get(world);
+  if (before?.mission.agents === mission.agents) return before.places;
+  const starts = new Map(world.starts.map((start) => [start.name, start]));
+  const places = new Map<string, Place>();
+  for (const agent of mission.agents) {
+    const start = starts.get(agent.start === "" ? agent.name : agent.start);
+    if (start === undefined) continue;
+    const { x_mm, y_mm, heading_rad } = start;
+    places.set(agent.name, { start: { x_mm, y_mm, heading_rad, load: 0, flags: 0 }, role: roleAt(world, x_mm, y_mm) });
+  }
+  known.set(world, { mission, places });
+  return places;
 }
 
 /** How much has to be delivered; "all" is everything that lies elsewhere. */
@@ -94,14 +109,14 @@ export function sensesOf(agent: RunAgent, catalogue: Catalogue): string[] {
 }
 
 export function sceneBefore(mission: Mission, world: World): Scene {
+  const places = placesOf(world, mission);
   return {
     world,
     actors: mission.agents.flatMap((agent, index) => {
-      const start = startPose(world, mission, agent.name);
-      if (start === null) return [];
-      const role = roleAt(world, start.x_mm, start.y_mm);
+      const place = places.get(agent.name);
+      if (place === undefined) return [];
       const number = numberOf(agent.name, index);
-      return [{ name: agent.name, program: agent.program, number, role, start, senses: [], failed: false }];
+      return [{ name: agent.name, program: agent.program, number, ...place, senses: [], failed: false }];
     }),
     stock: Object.fromEntries(world.storehouses.map((house) => [house.name, house.stock])),
     delivered: 0,
@@ -111,21 +126,25 @@ export function sceneBefore(mission: Mission, world: World): Scene {
   };
 }
 
-export function sceneOf(run: RunState, mission: Mission, catalogue: Catalogue, world: World): Scene {
+type Standing = Pick<RunState, "stock" | "delivered" | "total" | "collisions">;
+
+const LOST: Place = { start: NOWHERE, role: "robot" };
+
+/** Those who take part in a run. */
+export function actorsOf(agents: readonly RunAgent[], mission: Mission, catalogue: Catalogue, world: World): Actor[] {
+  const places = placesOf(world, mission);
+  return agents.map((agent) => {
+    const { name, program, number } = agent;
+    const failed = agent.state === "failed";
+    return { name, program, number, ...(places.get(name) ?? LOST), senses: sensesOf(agent, catalogue), failed };
+  });
+}
+
+/** A run as it stands. */
+export function sceneOf(run: Standing, actors: Actor[], world: World): Scene {
   return {
     world,
-    actors: run.agents.map((agent) => {
-      const pose = startPose(world, mission, agent.name) ?? NOWHERE;
-      return {
-        name: agent.name,
-        program: agent.program,
-        number: agent.number,
-        role: roleAt(world, pose.x_mm, pose.y_mm),
-        start: pose,
-        senses: sensesOf(agent, catalogue),
-        failed: agent.state === "failed",
-      };
-    }),
+    actors,
     stock: run.stock,
     delivered: Object.values(run.delivered).reduce((sum, count) => sum + count, 0),
     total: run.total,
@@ -137,8 +156,9 @@ export function sceneOf(run: RunState, mission: Mission, catalogue: Catalogue, w
 export interface Seen {
   actor: Actor;
   pose: Pose;
-  sign: number | null;
   failed: boolean;
+  stalled: boolean;
+  muted: boolean;
   collided: boolean;
 }
 
@@ -149,8 +169,9 @@ export function lookAt(scene: Scene, poses: readonly Pose[] | null): Seen[] {
     return {
       actor,
       pose,
-      sign: actor.role === "robot" ? signAt(scene.world, pose.x_mm, pose.y_mm) : null,
       failed: actor.failed || (pose.flags & FAILED) !== 0,
+      stalled: (pose.flags & STALLED) !== 0,
+      muted: (pose.flags & MUTED) !== 0,
       collided: (pose.flags & COLLISION) !== 0,
     };
   });

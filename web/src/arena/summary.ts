@@ -1,6 +1,19 @@
 /** The arena in words, for those who cannot see it. */
 import { t } from "../words/words";
+import { signAt } from "./geometry";
 import type { Scene, Seen } from "./scene";
+
+/** So many robots are told one by one; more are counted, and only those that something befell are named. */
+const MOST_TOLD = 20;
+
+/** What befell a robot, in words. */
+export function states({ failed, stalled, muted }: Pick<Seen, "failed" | "stalled" | "muted">): string[] {
+  return [
+    ...(failed ? [t("arena.failed")] : []),
+    ...(stalled && !failed ? [t("arena.stalled")] : []),
+    ...(muted ? [t("arena.muted")] : []),
+  ];
+}
 
 export function summary(scene: Scene, seen: readonly Seen[]): string {
   const parts: string[] = [];
@@ -8,14 +21,20 @@ export function summary(scene: Scene, seen: readonly Seen[]): string {
   const stock = Object.entries(scene.stock).map(([name, count]) => `${name} ${String(count)}`);
   if (stock.length > 0) parts.push(t("arena.stock", { stock: stock.join(", ") }));
   if (scene.collisions > 0) parts.push(t("arena.collisions", { count: scene.collisions }));
-  for (const { actor, pose, sign, failed } of seen) {
-    if (actor.role !== "robot") continue;
+  const robots = seen.filter(({ actor, failed, stalled, muted }) => {
+    return actor.role === "robot" || failed || stalled || muted;
+  });
+  const many = robots.length > MOST_TOLD;
+  if (many) parts.push(`${t("arena.crowd", { count: robots.length })}.`);
+  const told = many ? robots.filter((one) => states(one).length > 0).slice(0, MOST_TOLD) : robots;
+  for (const one of told) {
+    const { actor, pose } = one;
+    const sign = actor.role === "robot" ? signAt(scene.world, pose.x_mm, pose.y_mm) : null;
     const where =
       sign === null
         ? t("arena.robot", { name: actor.name, x: Math.round(pose.x_mm), y: Math.round(pose.y_mm) })
         : t("arena.robot-section", { name: actor.name, sign });
-    const extras = [...(pose.load > 0 ? [t("arena.loaded")] : []), ...(failed ? [t("arena.failed")] : [])];
-    parts.push(`${[where, ...extras].join(", ")}.`);
+    parts.push(`${[where, ...(pose.load > 0 ? [t("arena.loaded")] : []), ...states(one)].join(", ")}.`);
   }
   return parts.join(" ");
 }

@@ -93,8 +93,10 @@ export const ARENA_KEYS = {
   zoomIn: { chords: ["+", "="], says: "help.keys-zoom" },
   zoomOut: { chords: ["-"], says: "help.keys-zoom" },
   fit: { chords: ["0"], says: "arena.fit" },
-  next: { chords: ["Enter"], says: "help.keys-robot" },
-  previous: { chords: ["Shift+Enter"], says: "help.keys-robot" },
+  next: { chords: ["N"], says: "help.keys-robot" },
+  previous: { chords: ["Shift+N"], says: "help.keys-robot" },
+  menu: { chords: ["Enter", "Shift+F10", "ContextMenu"], says: "help.keys-robot-menu" },
+  follow: { chords: ["F"], says: "harm.follow" },
 } as const satisfies Rows;
 
 /** Keys that the browser or a pattern of the web brings: they need no handler here, but people want to know them. */

@@ -11,10 +11,11 @@ import { create } from "zustand";
 import type { Mission, Problem, World } from "../api/types";
 import type { Breakpoint } from "../model/types";
 import { type Failure, openRunSocket, type RunSocket } from "../api/socket";
-import type { AgentReport, Hit, RunEvent, RunMessage, StartedAgent } from "../api/wire";
+import type { AgentReport, Harm, Hit, RunEvent, RunMessage, RunRequest, StartedAgent } from "../api/wire";
 import { clearFrames, pushFrame } from "./poses";
 
-export type RunStatus = "idle" | "connecting" | "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped";
+export type RunStatus =
+  "idle" | "connecting" | "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped" | "end";
 
 export interface RunAgent extends StartedAgent, AgentReport {}
 
@@ -45,7 +46,13 @@ export interface RunState {
   error: Failure | null;
   /** Why a run could not start: problems of the mission as the server found them. */
   problems: Problem[];
+  /** The server's name for it; empty without a run. */
+  name: string;
+  /** Whether it is a recording: then nothing can be done to it. */
+  recording: boolean;
   start: (what: { mission: Mission; path: string }) => void;
+  /** Plays a recording that was opened, of this mission. */
+  replay: (what: { mission: Mission; recording: string }) => void;
   pause: () => void;
   resume: () => void;
   stop: () => void;
@@ -56,6 +63,8 @@ export interface RunState {
   /** Puts a value in the place of what a sensor measures; null gives it back. */
   force: (agent: string, sensor: string, value: number | null) => void;
   setVariable: (agent: string, variable: string, value: number) => void;
+  /** Lets a robot fail, stall or lose its radio, or makes it well again. */
+  harm: (agent: string, kind: Harm) => void;
   /** These are the breakpoints of the run from now on. */
   pauseAt: (breakpoints: Breakpoint[]) => void;
   setSpeed: (speed: number) => void;
@@ -86,6 +95,8 @@ const NOTHING = {
   error: null,
   problems: [] as Problem[],
   mission: null as Mission | null,
+  name: "",
+  recording: false,
 };
 
 let socket: RunSocket | null = null;
@@ -121,6 +132,8 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
       return {
         ...NOTHING,
         mission: state.mission,
+        name: String(message.run),
+        recording: message.recording,
         status: "running",
         tickMs: message.tick_ms,
         seed: message.seed,
@@ -177,7 +190,7 @@ export function canGoBack(status: RunStatus): boolean {
 
 /** Whether it stands at its end. */
 export function isEnded(status: RunStatus): boolean {
-  return status === "done" || status === "failed" || status === "stuck" || status === "time";
+  return status === "done" || status === "failed" || status === "stuck" || status === "time" || status === "end";
 }
 
 /** While the handle of the timeline is dragged, only the newest place is asked for, and one at a time. */
@@ -196,11 +209,46 @@ function sought(): void {
   sendSeek();
 }
 
+/** Of more agents than this the server reports only those that are looked at. */
+const MANY = 100;
+const MOST_LOOKED_AT = 200;
+
+function sendLook({ agents, selectedAgent }: Pick<RunState, "agents" | "selectedAgent">): void {
+  if (agents.length <= MANY) return;
+  socket?.send({ type: "look", agents: Object.values(selectedAgent).slice(0, MOST_LOOKED_AT) });
+}
+
 function hangUp(): void {
   wanted = null;
   seeking = false;
   socket?.close();
   socket = null;
+}
+
+/** Begins a run, or plays a recording, in the place of what was on. */
+function connect(mission: Mission, request: RunRequest): void {
+  hangUp();
+  clearFrames();
+  useRun.setState({ ...NOTHING, status: "connecting", mission });
+  socket = openRunSocket({
+    onOpen: (opened) => opened.send(request),
+    onMessage: (message) => {
+      useRun.setState((state) => applyMessage(state, message));
+      if (message.type === "started") sendLook(useRun.getState());
+      if (seeking && message.type === "tick") sought();
+      if (
+        message.type === "problems" ||
+        (message.type === "error" && (message.ended || !canGoBack(useRun.getState().status)))
+      )
+        hangUp();
+    },
+    onFrame: (frame) => pushFrame(frame, performance.now()),
+    onLost: (failure) => {
+      socket = null;
+      const { status } = useRun.getState();
+      if (isLive(status)) useRun.setState({ status: status === "connecting" ? "idle" : "stopped", error: failure });
+    },
+  });
 }
 
 export const useRun = create<RunState>((set, get) => ({
@@ -210,25 +258,10 @@ export const useRun = create<RunState>((set, get) => ({
   selectedAgent: {},
 
   start: ({ mission, path }) => {
-    hangUp();
-    clearFrames();
-    set({ ...NOTHING, status: "connecting", mission });
     const { seed, speed } = get();
-    socket = openRunSocket({
-      onOpen: (opened) => opened.send({ type: "start", mission, path, seed, speed }),
-      onMessage: (message) => {
-        set((state) => applyMessage(state, message));
-        if (seeking && message.type === "tick") sought();
-        if (message.type === "problems" || (message.type === "error" && (message.ended || !canGoBack(get().status))))
-          hangUp();
-      },
-      onFrame: (frame) => pushFrame(frame, performance.now()),
-      onLost: (failure) => {
-        socket = null;
-        if (isLive(get().status)) set({ status: get().status === "connecting" ? "idle" : "stopped", error: failure });
-      },
-    });
+    connect(mission, { type: "start", mission, path, seed, speed });
   },
+  replay: ({ mission, recording }) => connect(mission, { type: "replay", recording, speed: get().speed }),
   pause: () => {
     if (get().status === "running") socket?.send({ type: "pause" });
   },
@@ -262,15 +295,20 @@ export const useRun = create<RunState>((set, get) => ({
   setVariable: (agent, variable, value) => {
     socket?.send({ type: "set", agent, variable, value });
   },
+  harm: (agent, kind) => {
+    socket?.send({ type: "harm", agent, kind });
+  },
   setSpeed: (speed) => {
     set({ speed });
     if (isLive(get().status)) socket?.send({ type: "speed", value: speed });
   },
-  selectAgent: (name, program) =>
+  selectAgent: (name, program) => {
     set((state) => {
       const tab = program ?? state.agents.find((one) => one.name === name)?.program;
       return tab === undefined ? {} : { selectedAgent: { ...state.selectedAgent, [tab]: name } };
-    }),
+    });
+    sendLook(get());
+  },
   reset: () => {
     hangUp();
     clearFrames();

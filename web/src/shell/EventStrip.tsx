@@ -1,5 +1,6 @@
 /**
- * The timeline: what has happened so far, ▲ load ▼ unload ○ message ✕ collision ■ end, and a handle to go back to any moment
+ * The timeline: what has happened so far, ▲ load ▼ unload ○ message ✕ collision ⊗ failure ⊕ revival ■ end, what
+ * is to go wrong on schedule (dashed), and a handle to go back to any moment
  * and on again.
  *
  * A slider like any other for keys and screen readers. The axis is one minute long and doubles when the run outgrows it.
@@ -7,6 +8,8 @@
 import { type KeyboardEvent, type PointerEvent, useLayoutEffect, useMemo, useRef, useState } from "react";
 
 import type { RunEvent, RunEventKind } from "../api/wire";
+import { useStudio } from "../model/studio";
+import type { ScheduledFailure } from "../model/types";
 import { canGoBack, useRun } from "../run/run";
 import { t } from "../words/words";
 import { axisTime, clock, grouped } from "../words/numbers";
@@ -14,6 +17,7 @@ import { axisTime, clock, grouped } from "../words/numbers";
 const FIRST_S = 60;
 const LANE = 11;
 const GAP_PX = 9;
+const NOTHING_PLANNED: readonly ScheduledFailure[] = [];
 /** Where the axis begins, from the left of the strip. */
 const EDGE = 18;
 
@@ -27,7 +31,16 @@ export function axisFor(seconds: number): { length: number; step: number } {
   return { length, step: length / 6 };
 }
 
-const GRAVITY: Record<RunEventKind, number> = { end: 0, collision: 1, load: 2, unload: 2, message: 3 };
+const GRAVITY: Record<RunEventKind, number> = {
+  end: 0,
+  failure: 1,
+  revival: 1,
+  collision: 2,
+  load: 3,
+  unload: 3,
+  message: 4,
+  outside: 1,
+};
 
 /** Those that can be told apart at `gap` px: where they crowd, the weightier stay. In the order of time. */
 export function thinned(events: readonly RunEvent[], pxOf: (event: RunEvent) => number, gap: number): RunEvent[] {
@@ -50,12 +63,33 @@ function Mark({ kind, x, title }: { kind: RunEventKind; x: number; title: string
     unload: <path d="M-4-3.5L0 3.5 4-3.5z" fill="currentColor" />,
     message: <circle r="3" fill="none" stroke="currentColor" strokeWidth="1.8" />,
     collision: <path d="M-3-3l6 6M3-3l-6 6" stroke="currentColor" strokeWidth="1.8" />,
+    failure: <path d="M-2.4-2.4l4.8 4.8M2.4-2.4l-4.8 4.8" stroke="currentColor" strokeWidth="1.6" />,
+    revival: <path d="M0-3.2v6.4M-3.2 0h6.4" stroke="currentColor" strokeWidth="1.6" />,
     end: <rect x="-3.5" y="-3.5" width="7" height="7" fill="currentColor" />,
+    outside: <path d="M0-4.5L4.5 0 0 4.5-4.5 0z" fill="none" stroke="currentColor" strokeWidth="1.6" />,
   }[kind];
   return (
     <g transform={`translate(${x.toFixed(1)} ${String(LANE)})`} data-kind={kind}>
       <title>{title}</title>
+      {kind === "failure" || kind === "revival" ? (
+        <circle r="5" fill="none" stroke="currentColor" strokeWidth="1.5" />
+      ) : null}
       {shape}
+    </g>
+  );
+}
+
+/** What is to befall robots on schedule and has not yet. */
+function Planned({ x, title, kind }: { x: number; title: string; kind: string }) {
+  return (
+    <g transform={`translate(${x.toFixed(1)} ${String(LANE)})`} data-kind="planned" data-testid={`planned-${kind}`}>
+      <title>{title}</title>
+      <circle r="5" fill="none" stroke="currentColor" strokeWidth="1.5" strokeDasharray="2.6 2.6" />
+      <path
+        d={kind === "revive" ? "M0-2.6v5.2M-2.6 0h5.2" : "M-2-2l4 4M2-2l-4 4"}
+        stroke="currentColor"
+        strokeWidth="1.4"
+      />
     </g>
   );
 }
@@ -96,6 +130,9 @@ export function EventStrip() {
     const place = (event: RunEvent) => (((event.tick * tickMs) / 1000) * room) / length;
     return thinned(events, place, GAP_PX).map((event) => ({ event, x: place(event) }));
   }, [events, tickMs, room, length]);
+  const schedule = useStudio((studio) => studio.mission.failures);
+  const done = (latest * tickMs) / 1000;
+  const planned = (schedule ?? NOTHING_PLANNED).filter(({ at_s }) => at_s <= length && (latest === 0 || at_s >= done));
   const now = (seconds * room) / length;
   const known = (((latest * tickMs) / 1000) * room) / length;
   const past = canGoBack(status);
@@ -153,6 +190,14 @@ export function EventStrip() {
             </g>
           ))}
           <g className="strip-events">
+            {planned.map(({ agent, at_s, kind }, index) => (
+              <Planned
+                key={index}
+                kind={kind}
+                x={(at_s * room) / length}
+                title={t("strip.planned", { time: clock(at_s), agent, kind: t(`team.${kind}`) })}
+              />
+            ))}
             {shown.map(({ event, x }, index) => (
               <Mark
                 key={index}
@@ -179,6 +224,7 @@ export function EventStrip() {
         </g>
       </svg>
       <span className="only-spoken">
+        {t("strip.failures", { count: counts("failure") })}{" "}
         {t("strip.counts", { load: counts("load"), unload: counts("unload"), collision: counts("collision") })}
       </span>
     </div>

@@ -1,4 +1,4 @@
-/** The state of an agent as a shape, so that it never rests on a hue: ● running ◐ waiting ○ idle ✕ failed. */
+/** The state of an agent as a shape, so that it never rests on a hue: ● running ◐ waiting ○ idle ✕ failed ‖ stalled. */
 import type { AgentActivity } from "../api/wire";
 
 export function StateShape({ state, size = 8, label }: { state: AgentActivity; size?: number; label?: string }) {
@@ -7,6 +7,8 @@ export function StateShape({ state, size = 8, label }: { state: AgentActivity; s
     <svg className="state-shape" width={size} height={size} viewBox="0 0 10 10" data-state={state} {...spoken}>
       {state === "failed" ? (
         <path d="M1.5 1.5l7 7M8.5 1.5l-7 7" stroke="currentColor" strokeWidth="2.2" strokeLinecap="round" />
+      ) : state === "stalled" ? (
+        <path d="M3 1.5v7M7 1.5v7" stroke="currentColor" strokeWidth="2.2" strokeLinecap="round" />
       ) : (
         <>
           <circle

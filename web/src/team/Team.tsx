@@ -8,12 +8,13 @@ import { useEffect, useRef } from "react";
 import { t } from "../words/words";
 import { About } from "./About";
 import { Agents } from "./Agents";
+import { Failures } from "./Failures";
 import { Goals } from "./Goals";
 import "./team.css";
 import { useTeam } from "./view";
 import { Worlds } from "./Worlds";
 
-const FIRST = { agent: "agent-start", goal: "goal-house", world: "" } as const;
+const FIRST = { agent: "agent-start", goal: "goal-house", failure: "failure-agent", world: "" } as const;
 
 export default function Team() {
   const wanted = useTeam((team) => team.wanted);
@@ -31,6 +32,7 @@ export default function Team() {
       <div className="team-body">
         <Agents />
         <Goals />
+        <Failures />
         <Worlds />
         <About />
       </div>

@@ -1,7 +1,7 @@
 /**
- * Whether the team is shown in the place of a program, and what in it is asked for.
+ * Whether the team or the world is shown in the place of a program, and what of the team is asked for.
  *
- * Undo and redo show what they change: the team for the team, the program for a program.
+ * Undo and redo show what they change: the team for the team, the world for the world, the program for a program.
  */
 import { create } from "zustand";
 
@@ -9,30 +9,48 @@ import { useStudio } from "../model/studio";
 import type { Mission, Problem } from "../model/types";
 
 export interface Wanted {
-  what: "agent" | "goal" | "world";
+  what: "agent" | "goal" | "failure" | "world";
   at: number;
 }
 
-export const useTeam = create<{ open: boolean; wanted: Wanted | null }>(() => ({ open: false, wanted: null }));
+/** `open`: the team is shown; `world`: the world is. Never both. */
+export const useTeam = create<{ open: boolean; world: boolean; wanted: Wanted | null }>(() => ({
+  open: false,
+  world: false,
+  wanted: null,
+}));
 
 export function openTeam(wanted: Wanted | null = null): void {
-  useTeam.setState({ open: true, wanted });
+  useTeam.setState({ open: true, world: false, wanted });
 }
 
+/** Shows the world in the place of a program. */
+export function showWorld(): void {
+  useTeam.setState({ open: false, world: true, wanted: null });
+}
+
+/** Back to the program, from the team and from the world. */
 export function closeTeam(): void {
-  if (useTeam.getState().open) useTeam.setState({ open: false, wanted: null });
+  const { open, world } = useTeam.getState();
+  if (open || world) useTeam.setState({ open: false, world: false, wanted: null });
 }
 
-const OF_TEAM = ["agents", "goals", "world", "label", "help"] as const satisfies (keyof Mission)[];
+const OF_TEAM = ["agents", "goals", "failures", "world", "label", "help"] as const satisfies (keyof Mission)[];
 /** Codes of what is wrong with the team and its world. */
 const CODES =
-  /^(?:mission|run)-(?:same-name|no-start|no-storehouse|no-world|no-program|too-many-agents|no-agent|start|device|goal)$/;
+  /^(?:mission|run)-(?:same-name|no-start|no-storehouse|no-world|no-program|too-many-agents|no-agent|start|device|goal|failure)$/;
 
 /** What of the team a problem is about; null when it is about something else. */
 export function teamPlace(problem: Problem, mission: Mission): Wanted | null {
   if (problem.program !== "" || !CODES.test(problem.code)) return null;
   if (problem.code === "mission-no-world") return { what: "world", at: 0 };
   const names = (name: string) => problem.message.includes(`\`${name}\``);
+  if (problem.code === "mission-failure") {
+    return {
+      what: "failure",
+      at: Math.max(mission.failures?.findIndex((failure) => names(failure.agent)) ?? 0, 0),
+    };
+  }
   if (problem.code === "mission-no-storehouse" || problem.code.endsWith("-goal")) {
     return {
       what: "goal",
@@ -58,7 +76,8 @@ export function keepTeamView(): () => void {
     const { kind } = state.change;
     if (state.change === before.change || (kind !== "undo" && kind !== "redo")) return;
     const [now, then] = [state.mission, before.mission];
-    if (OF_TEAM.some((part) => now[part] !== then[part]) && now.programs === then.programs) openTeam();
+    if (now.own_world !== then.own_world && now.programs === then.programs) showWorld();
+    else if (OF_TEAM.some((part) => now[part] !== then[part]) && now.programs === then.programs) openTeam();
     else if (now.programs !== then.programs) closeTeam();
   });
 }

@@ -3,7 +3,9 @@ import { JOURNAL_EN } from "./en-journal";
 import { OUT_EN } from "./en-out";
 import { OWN_EN } from "./en-own";
 import { REACH_EN } from "./en-reach";
+import { RECORDING_EN } from "./en-recording";
 import { DEBUG_EN } from "./en-debug";
+import { FAILURES_EN } from "./en-failures";
 import { TEAM_EN } from "./en-team";
 import { TUTORIAL_EN } from "./en-tutorial";
 
@@ -14,8 +16,10 @@ export const EN = {
   ...OUT_EN,
   ...OWN_EN,
   ...REACH_EN,
+  ...RECORDING_EN,
   ...TEAM_EN,
   ...DEBUG_EN,
+  ...FAILURES_EN,
   ...TUTORIAL_EN,
   "app.name": "KitRobot",
   "app.parts": "Parts",

@@ -4,7 +4,9 @@ import { JOURNAL_FR } from "./fr-journal";
 import { OUT_FR } from "./fr-out";
 import { OWN_FR } from "./fr-own";
 import { REACH_FR } from "./fr-reach";
+import { RECORDING_FR } from "./fr-recording";
 import { DEBUG_FR } from "./fr-debug";
+import { FAILURES_FR } from "./fr-failures";
 import { TEAM_FR } from "./fr-team";
 import { TUTORIAL_FR } from "./fr-tutorial";
 import type { Table } from "./words";
@@ -15,8 +17,10 @@ export const FR = {
   ...OUT_FR,
   ...OWN_FR,
   ...REACH_FR,
+  ...RECORDING_FR,
   ...TEAM_FR,
   ...DEBUG_FR,
+  ...FAILURES_FR,
   ...TUTORIAL_FR,
   "app.name": "KitRobot",
   "app.parts": "Pièces",

@@ -4,7 +4,9 @@ import { JOURNAL_UR } from "./ur-journal";
 import { OUT_UR } from "./ur-out";
 import { OWN_UR } from "./ur-own";
 import { REACH_UR } from "./ur-reach";
+import { RECORDING_UR } from "./ur-recording";
 import { DEBUG_UR } from "./ur-debug";
+import { FAILURES_UR } from "./ur-failures";
 import { TEAM_UR } from "./ur-team";
 import { TUTORIAL_UR } from "./ur-tutorial";
 import type { Table } from "./words";
@@ -15,8 +17,10 @@ export const UR = {
   ...OUT_UR,
   ...OWN_UR,
   ...REACH_UR,
+  ...RECORDING_UR,
   ...TEAM_UR,
   ...DEBUG_UR,
+  ...FAILURES_UR,
   ...TUTORIAL_UR,
   "app.name": "KitRobot",
   "app.parts": "پرزے",
