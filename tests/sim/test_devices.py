@@ -95,7 +95,7 @@ def test_the_range_to_a_disc_is_the_distance_to_its_edge() -> None:
     assert to_discs(math.pi, 1e6, discs) == 1e6
 
 
-@given(st.integers(0, 10**6), st.integers(2, 60), st.floats(-4, 4), st.floats(10, 3000))
+@given(st.integers(0, 10**6), st.integers(2, 120), st.floats(-4, 4), st.floats(10, 3000))
 def test_looking_in_the_cells_of_a_ray_is_looking_at_everything(
     seed: int, count: int, angle: float, reach: float
 ) -> None:
