@@ -5,6 +5,7 @@
  */
 import type * as server from "./generated";
 import type { Made, MissionEntry, Saved, Session } from "./client";
+import type { Recording, RecordingEntry } from "./traces";
 import type { Tutorial, TutorialFit } from "./tutorials";
 import type { Fragment, Mission, MissionFile, Report } from "./types";
 import type { RunMessage, RunRequest } from "./wire";
@@ -20,6 +21,8 @@ export type Received = [
   Fits<Saved, server.Saved>,
   Fits<Made, server.Image>,
   Fits<RunMessage, server.RunMessage>,
+  Fits<Recording, server.Recording>,
+  Fits<RecordingEntry, server.RecordingEntry>,
   Fits<Tutorial, server.Tutorial>,
   Fits<TutorialFit, server.TutorialFit>,
 ];

@@ -95,7 +95,16 @@ async function refusal(response: Response): Promise<ApiError> {
 }
 
 /** One request; the answer is what the caller says it is. */
-export async function ask<T>(address: string, { method = "GET", json, bytes, signal }: Asked = {}): Promise<T> {
+export async function ask<T>(address: string, asked: Asked = {}): Promise<T> {
+  return (await (await answer(address, asked)).json()) as T;
+}
+
+/** One request, whose answer is bytes. */
+export async function askBytes(address: string): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await (await answer(address, {})).arrayBuffer());
+}
+
+async function answer(address: string, { method = "GET", json, bytes, signal }: Asked): Promise<Response> {
   const headers: Record<string, string> = { "X-KitRobot-Token": token(), "Accept-Language": languageInUse() };
   if (json !== undefined) headers["Content-Type"] = "application/json";
   if (bytes !== undefined) headers["Content-Type"] = "application/octet-stream";
@@ -112,7 +121,7 @@ export async function ask<T>(address: string, { method = "GET", json, bytes, sig
     throw new ApiError(t("error.offline"), t("error.offline-help"));
   }
   if (!response.ok) throw await refusal(response);
-  return (await response.json()) as T;
+  return response;
 }
 
 export const api = {

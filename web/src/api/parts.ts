@@ -1,6 +1,6 @@
 /** The server's doors about parts: the files beside a mission, and variables that a person wants. */
 import { ask } from "./client";
-import type { Catalogue, OwnVariable, World, WorldEntry } from "./types";
+import type { Catalogue, OwnVariable, OwnWorld, Problem, World, WorldEntry } from "./types";
 
 /** What the files around a mission hold, and the name of their state. */
 export interface PartsNow {
@@ -34,6 +34,11 @@ export const partsApi = {
   catalogue: (path: string) => ask<PartsNow>(`catalogue?${at(path)}`),
   world: (path: string, href: string) =>
     ask<{ world: World | null }>(`world?${at(path)}&href=${encodeURIComponent(href)}`),
+  /** What a world's file is made of; null when it is not there or has mistakes. */
+  plan: (path: string, href: string) =>
+    ask<{ world: OwnWorld | null; problems: Problem[] }>(`world/plan?${at(path)}&href=${encodeURIComponent(href)}`),
+  worldText: async (world: OwnWorld) =>
+    (await ask<{ text: string }>("world/text", { method: "POST", json: world })).text,
   worlds: (path: string) => ask<WorldEntry[]>(`worlds?${at(path)}`),
   /** `over`: the revision of the file that may be replaced; else a file with something else in it is a refusal, 409. */
   add: (path: string, file: string, bytes: ArrayBuffer, over = "") =>

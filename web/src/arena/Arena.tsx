@@ -1,7 +1,9 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
 import { type KeyboardEvent, type MouseEvent, type PointerEvent, useEffect, useMemo, useRef, useState } from "react";
 
+import { startOf } from "../model/commands/changeAgents";
 import { useStudio } from "../model/studio";
+import { GRID_MM } from "../model/world/things";
 import { ARENA_KEYS, keyIn } from "../reach/key-table";
 import { posesAt, watchFrames } from "../run/poses";
 import { useRun } from "../run/run";
@@ -11,6 +13,7 @@ import { decimal } from "../words/numbers";
 import { t } from "../words/words";
 import "./arena.css";
 import { EmptyArena } from "./EmptyArena";
+import { toWorld } from "./camera";
 import { Painter } from "./painter";
 import { Crowd } from "./Crowd";
 import { RobotMenu } from "./RobotMenu";
@@ -20,6 +23,7 @@ import { StatesSaid } from "./StatesSaid";
 import { summary } from "./summary";
 
 const CLICK_PX = 4;
+const NOWHERE = { scale: 1, x: 0, y: 0 };
 /** One press of an arrow key. */
 const PAN_PX = 40;
 const SPOKEN_MS = 250;
@@ -123,7 +127,7 @@ export function Arena() {
   const frame = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const [painter, setPainter] = useState<Painter | null>(null);
-  const grip = useRef<{ x: number; y: number; moved: boolean } | null>(null);
+  const grip = useRef<{ x: number; y: number; moved: boolean; actor: string } | null>(null);
   const resting = useRef<ReturnType<typeof setTimeout>>(undefined);
   const { program, followed } = useRobots();
 
@@ -183,7 +187,10 @@ export function Arena() {
     if (event.button !== 0) return;
     event.currentTarget.setPointerCapture(event.pointerId);
     const { clientX: x, clientY: y } = event;
-    grip.current = { x, y, moved: false };
+    const place = event.currentTarget.getBoundingClientRect();
+    // Before a run a robot can be taken to another place; during one it is where it is.
+    const found = scene?.running === false ? painter?.actorAt(x - place.left, y - place.top) : null;
+    grip.current = { x, y, moved: false, actor: found?.actor.name ?? "" };
     if (event.pointerType === "mouse") return;
     resting.current = setTimeout(() => {
       grip.current = null;
@@ -201,15 +208,35 @@ export function Arena() {
     const [dx, dy] = [event.clientX - held.x, event.clientY - held.y];
     if (!held.moved && Math.hypot(dx, dy) < CLICK_PX) return;
     clearTimeout(resting.current);
+    if (held.actor !== "") {
+      const place = canvas.current?.getBoundingClientRect();
+      painter?.carry(held.actor, event.clientX - (place?.left ?? 0), event.clientY - (place?.top ?? 0));
+      grip.current = { ...held, moved: true };
+      return;
+    }
     // Who takes the world into the hand follows nobody any more.
     if (useRobots.getState().followed !== "") useRobots.setState({ followed: "" });
     painter?.pan(dx, dy);
-    grip.current = { x: event.clientX, y: event.clientY, moved: true };
+    grip.current = { ...held, x: event.clientX, y: event.clientY, moved: true };
+  };
+  const drop = (actor: string, event: PointerEvent<HTMLCanvasElement>) => {
+    const place = event.currentTarget.getBoundingClientRect();
+    const [x, y] = toWorld(painter?.view ?? NOWHERE, event.clientX - place.left, event.clientY - place.top);
+    const grid = event.altKey ? 1 : GRID_MM;
+    const agent = useStudio.getState().mission.agents.find((one) => one.name === actor);
+    if (agent === undefined) return;
+    void import("../world/act")
+      .then(({ moveStart }) => moveStart(startOf(agent), Math.round(x / grid) * grid, Math.round(y / grid) * grid))
+      .finally(() => painter?.putDown());
   };
   const onPointerUp = (event: PointerEvent<HTMLCanvasElement>) => {
     const held = grip.current;
     grip.current = null;
     clearTimeout(resting.current);
+    if (held !== null && held.moved && held.actor !== "") {
+      drop(held.actor, event);
+      return;
+    }
     if (held === null || held.moved) return;
     const place = event.currentTarget.getBoundingClientRect();
     const found = painter?.actorAt(event.clientX - place.left, event.clientY - place.top);
@@ -261,6 +288,7 @@ export function Arena() {
           onPointerMove={onPointerMove}
           onPointerUp={onPointerUp}
           onPointerCancel={() => {
+            painter?.putDown();
             clearTimeout(resting.current);
             grip.current = null;
           }}

@@ -6,7 +6,7 @@
  */
 import type { World } from "../api/types";
 import { posesAt } from "../run/poses";
-import { type Camera, fit, type Room, toScreen, zoomAt } from "./camera";
+import { type Camera, fit, type Room, toScreen, toWorld, zoomAt } from "./camera";
 import { readColours, type Colours } from "./colours";
 import { drawActors } from "./draw-robots";
 import { drawWorld, unitOf } from "./draw-world";
@@ -33,6 +33,7 @@ export class Painter {
   private readonly seenFrom: (camera: Camera) => void;
   private readonly margin: number | null;
   private told: Camera | null = null;
+  private carried: { name: string; x_mm: number; y_mm: number } | null = null;
 
   /** `seenFrom` is told where the eye is, whenever that changes; `margin` is the room around the world in px. */
   constructor(
@@ -45,6 +46,18 @@ export class Painter {
     this.smooth = smooth;
     this.seenFrom = seenFrom;
     this.margin = margin;
+  }
+
+  /** Shows a robot at a point of the canvas, until it is put down. */
+  carry(name: string, x: number, y: number): void {
+    const [x_mm, y_mm] = toWorld(this.camera, x, y);
+    this.carried = { name, x_mm, y_mm };
+    this.paintSoon();
+  }
+
+  putDown(): void {
+    this.carried = null;
+    this.paintSoon();
   }
 
   /** Where the eye is. */
@@ -146,7 +159,13 @@ export class Painter {
   private seen(now: number): { seen: Seen[]; still: boolean } {
     if (this.scene === null) return { seen: [], still: true };
     const shown = this.scene.running ? posesAt(now, this.smooth()) : null;
-    return { seen: lookAt(this.scene, shown?.poses ?? null), still: shown?.still ?? true };
+    const { carried } = this;
+    const seen = lookAt(this.scene, shown?.poses ?? null).map((one) =>
+      one.actor.name === carried?.name
+        ? { ...one, pose: { ...one.pose, x_mm: carried.x_mm, y_mm: carried.y_mm } }
+        : one,
+    );
+    return { seen, still: shown?.still ?? true };
   }
 
   paintSoon(): void {

@@ -9,6 +9,7 @@ import { create } from "zustand";
 
 import type { Command } from "./command";
 import type { Change, History, Step } from "./history";
+import { OWN_WORLD } from "./commands/changeWorld";
 import { catalogueOf } from "./own";
 import type { Catalogue, Mission, MissionFile, Program, Report, World } from "./types";
 
@@ -152,7 +153,7 @@ export const useStudio = create<StudioState>((set, get) => {
         files: catalogue,
         catalogue: catalogueOf(catalogue, mission),
         world,
-        worldOf: read.world,
+        worldOf: read.own_world == null ? read.world : OWN_WORLD,
         activeProgram: mission.programs[0]?.name ?? "",
         selection: [],
         report: null,

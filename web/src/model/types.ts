@@ -176,6 +176,60 @@ export interface Mission {
   /** How it is tried out. */
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
+  /** The world that it brings along (model/world); it counts in the place of `world`. */
+  own_world?: OwnWorld | null;
+}
+
+export type FloorColour = "red" | "green" | "blue";
+
+export interface Corner {
+  x: number;
+  y: number;
+  radius: number;
+}
+
+/** A world by what it is made of, so that it can be changed: parts of it may not fit together. Headings in degrees. */
+export interface OwnWorld {
+  name: string;
+  width_mm: number;
+  height_mm: number;
+  walls: { x1: number; y1: number; x2: number; y2: number }[];
+  floors: { colour: FloorColour; points: Corner[] }[];
+  lines: { colour: FloorColour; width_mm: number; closed: boolean; points: Corner[] }[];
+  roads: {
+    name: string;
+    width_mm: number;
+    closed: boolean;
+    points: Corner[];
+    /** `to_mm` is null where a section ends with its road. */
+    sections: { sign: number; from_mm: number; to_mm: number | null }[];
+  }[];
+  storehouses: World["storehouses"];
+  docks: {
+    name: string;
+    road: string;
+    at_mm: number;
+    reach_mm: number;
+    storehouse: string;
+    kind: "load" | "unload";
+    side: "left" | "right";
+  }[];
+  starts: {
+    name: string;
+    /** Which of the other fields count. */
+    at: "pose" | "road" | "dock" | "storehouse";
+    road: string;
+    at_mm: number;
+    dock: string;
+    storehouse: string;
+    x_mm: number;
+    y_mm: number;
+    heading_deg: number;
+  }[];
+  /** XML that nobody knows, kept word for word. */
+  unknown: string[];
+  label: Texts;
+  help: Texts;
 }
 
 /** The one right answer to a problem: `text` for its place, and what that is in a graph. */
@@ -198,6 +252,8 @@ export interface Problem {
   program: string;
   vertices: string[];
   arcs: [string, string, string, string][];
+  /** A thing of the world: its kind and its number from 0, "road:0". */
+  thing?: string;
   fix?: Fix | null;
 }
 

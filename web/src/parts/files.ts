@@ -9,8 +9,9 @@ import { create } from "zustand";
 
 import { partsApi } from "../api/parts";
 import type { News } from "../api/watch";
-import { sameWorld } from "../model/commands/changeWorld";
+import { OWN_WORLD, sameWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
+import { drawnWorld } from "../model/world/drawn";
 import type { World } from "../model/types";
 
 /** Counts up whenever the files were read anew, for who shows more of them than the document holds. */
@@ -63,7 +64,12 @@ export async function readParts(): Promise<void> {
 
 /** Brings the world that the mission takes place in. */
 function followWorld(): void {
-  const { file, mission, worldOf, loadWorld } = useStudio.getState();
+  const { file, mission, world, worldOf, loadWorld } = useStudio.getState();
+  if (mission.own_world != null) {
+    const own = drawnWorld(mission.own_world);
+    if (own !== world) loadWorld(OWN_WORLD, own);
+    return;
+  }
   const href = mission.world;
   if (sameWorld(href, worldOf)) return;
   const known = worlds.get(keyOf(file.path, href));
@@ -75,7 +81,8 @@ function followWorld(): void {
     ({ world }) => {
       worlds.set(keyOf(file.path, href), world);
       const now = useStudio.getState();
-      if (now.file.path === file.path && now.mission.world === href) loadWorld(href, world);
+      if (now.file.path !== file.path || now.mission.own_world != null) return;
+      if (now.mission.world === href) loadWorld(href, world);
     },
     () => undefined,
   );
@@ -89,6 +96,8 @@ export function foreseeWorld(href: string, world: World | null): void {
 /** Lets the world follow the mission; the returned function ends that. */
 export function keepWorld(): () => void {
   return useStudio.subscribe((state, before) => {
-    if (state.mission.world !== before.mission.world && state.change.kind !== "open") followWorld();
+    const [now, then] = [state.mission, before.mission];
+    const other = now.world !== then.world || now.own_world !== then.own_world;
+    if (other && state.change.kind !== "open") followWorld();
   });
 }

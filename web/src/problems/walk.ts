@@ -11,7 +11,9 @@ import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
 import { reveal } from "../shell/actions";
 import { useDocument } from "../shell/document";
+import { thingNamed } from "../model/world/things";
 import { openTeam, teamPlace } from "../team/view";
+import { openWorld } from "../world/state";
 import { applyFix, canFix } from "./fixes";
 
 const RANK = { error: 0, warning: 1, hint: 2 } as const;
@@ -43,6 +45,8 @@ export function problemsNow(): Problem[] {
 /** Shows where a problem is: the tab of its program, its vertices selected. */
 export function goTo(problem: Problem): void {
   const { mission } = useStudio.getState();
+  const thing = thingNamed(mission.own_world, problem.thing);
+  if (thing !== null) openWorld([thing]);
   const place = teamPlace(problem, mission);
   if (place !== null) openTeam(place);
   const program = mission.programs.find((one) => one.name === problem.program);

@@ -45,6 +45,7 @@ export const PAGE_KEYS = {
   rename: { chords: ["F2"], says: "help.keys-rename" },
   addProgram: { chords: ["Alt+N"], says: "tabs.add", typing: true },
   team: { chords: ["Alt+T"], says: "team.open", typing: true },
+  world: { chords: ["Alt+W"], says: "world.open", typing: true },
   variable: { chords: ["Alt+V"], says: "variable.new", typing: true },
   outline: { chords: ["F4"], says: "help.keys-outline", typing: true },
   part: { chords: ["F1"], says: "help.keys-part", typing: true },
@@ -97,6 +98,23 @@ export const ARENA_KEYS = {
   previous: { chords: ["Shift+N"], says: "help.keys-robot" },
   menu: { chords: ["Enter", "Shift+F10", "ContextMenu"], says: "help.keys-robot-menu" },
   follow: { chords: ["F"], says: "harm.follow" },
+} as const satisfies Rows;
+
+/** Keys of the world while it is changed and its place has the focus. */
+export const WORLD_KEYS = {
+  left: { chords: ["←", "Shift+←"], says: "world.key-move" },
+  right: { chords: ["→", "Shift+→"], says: "world.key-move" },
+  up: { chords: ["↑", "Shift+↑"], says: "world.key-move" },
+  down: { chords: ["↓", "Shift+↓"], says: "world.key-move" },
+  next: { chords: ["N"], says: "world.key-walk" },
+  previous: { chords: ["Shift+N"], says: "world.key-walk" },
+  remove: { chords: ["Delete", "Backspace"], says: "help.keys-delete" },
+  duplicate: { chords: ["Ctrl+D"], says: "help.keys-duplicate" },
+  all: { chords: ["Ctrl+A"], says: "help.keys-all" },
+  stop: { chords: ["Escape"], says: "help.keys-nothing" },
+  zoomIn: { chords: ["+", "="], says: "help.keys-zoom" },
+  zoomOut: { chords: ["-"], says: "help.keys-zoom" },
+  fit: { chords: ["0"], says: "arena.fit" },
 } as const satisfies Rows;
 
 /** Keys that the browser or a pattern of the web brings: they need no handler here, but people want to know them. */

@@ -20,6 +20,7 @@ import { takeFiles } from "../parts/take";
 import { ProblemList, ProblemsButton } from "../problems/Problems";
 import { TeamPanel } from "../team/TeamTab";
 import { keepTeamView, useTeam } from "../team/view";
+import { WorldPanel } from "../world/WorldTab";
 import { TutorialCards } from "../tutorial/Cards";
 import { useTutorial } from "../tutorial/state";
 import { Tutorials } from "../tutorial/Tutorials";
@@ -39,6 +40,7 @@ import { later } from "./later";
 import { useLayout } from "./layout";
 import { MenuBar } from "./MenuBar";
 import { useMenus } from "./menus";
+import { RecordingBar } from "./RecordingBar";
 import { showRunProblems } from "./run-problems";
 import { Separator } from "./Separator";
 import { Tabs } from "./Tabs";
@@ -153,7 +155,7 @@ export function App() {
   const ready = useDocument((document) => document.ready);
   const overlay = useDocument((document) => document.overlay);
   const room = useNarrow((narrow) => narrow.room);
-  const team = useTeam((state) => state.open);
+  const team = useTeam((state) => state.open || state.world);
   const side = !(folded.inspector && folded.code && folded.arena);
 
   return (
@@ -179,6 +181,7 @@ export function App() {
         <TeamStop />
       </header>
       <Banner />
+      <RecordingBar />
       <div className="middle">
         {folded.palette ? null : (
           <nav className="parts-frame" aria-label={t("app.parts")}>
@@ -202,6 +205,7 @@ export function App() {
               {ready ? <Canvas emptyExtras={<EmptyExtras />} /> : null}
             </div>
             {ready ? <TeamPanel /> : null}
+            {ready ? <WorldPanel /> : null}
           </div>
           <ProblemList />
           <WatchPanel />

@@ -2,7 +2,7 @@
  * The sheet of shortcuts: every row of the table of keys, and for what has no key of its own the way through the menus.
  * Nothing is listed here by hand.
  */
-import { ARENA_KEYS, GRAPH_KEYS, type KeyRow, PAGE_KEYS, WEB_KEYS } from "../reach/key-table";
+import { ARENA_KEYS, GRAPH_KEYS, type KeyRow, PAGE_KEYS, WEB_KEYS, WORLD_KEYS } from "../reach/key-table";
 import { type Key, t } from "../words/words";
 import { isItem, type MenuPart } from "./menu-model";
 import { useMenus } from "./menus";
@@ -12,6 +12,7 @@ const TABLES: readonly [Key, Record<string, KeyRow>][] = [
   ["help.general", PAGE_KEYS],
   ["app.canvas", GRAPH_KEYS],
   ["view.arena", ARENA_KEYS],
+  ["world.tab", WORLD_KEYS],
   ["help.keys-lists", WEB_KEYS],
 ];
 

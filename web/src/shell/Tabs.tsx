@@ -6,13 +6,16 @@
  */
 import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
+import { useShallow } from "zustand/react/shallow";
+
 import type { AgentActivity } from "../api/wire";
 import { renameProgram } from "../model/commands/changePrograms";
 import { programInView, useStudio } from "../model/studio";
 import { isLive, type RunState, useActiveVertices, useRun, watchedAgent } from "../run/run";
 import { Icon } from "../theme";
-import { closeTeam, openTeam, useTeam } from "../team/view";
+import { closeTeam, openTeam, showWorld, useTeam } from "../team/view";
 import { TeamTab } from "../team/TeamTab";
+import { WorldTab } from "../world/WorldTab";
 import { mirrored } from "../words/language";
 import { t } from "../words/words";
 import { removeProgramNamed, reveal } from "./actions";
@@ -69,12 +72,12 @@ function NameField({ name }: { name: string }) {
 /** What the watched agent does; when the run is over nobody does anything, but a failure stays to be seen. */
 function stateShown(run: RunState, program: string): AgentActivity {
   const state = watchedAgent(run, program)?.state ?? "idle";
-  return isLive(run.status) || state === "failed" ? state : "idle";
+  return isLive(run.status) || state === "failed" || state === "stalled" ? state : "idle";
 }
 
 function Tab({ name, onKey }: { name: string; onKey: (event: KeyboardEvent) => void }) {
-  const team = useTeam((state) => state.open);
-  const active = useStudio((studio) => studio.activeProgram === name) && !team;
+  const covered = useTeam((state) => state.open || state.world);
+  const active = useStudio((studio) => studio.activeProgram === name) && !covered;
   const count = useStudio((studio) => studio.mission.agents.filter((agent) => agent.program === name).length);
   const errors = useStudio((studio) =>
     studio.report?.problems.some((one) => one.program === name && one.severity === "error"),
@@ -111,9 +114,11 @@ function Tab({ name, onKey }: { name: string; onKey: (event: KeyboardEvent) => v
 }
 
 function Watched({ program }: { program: string }) {
-  const agents = useRun((run) => run.agents);
   const chosen = useRun((run) => watchedAgent(run, program)?.name ?? "");
-  const names = agents.filter((agent) => agent.program === program).map((agent) => agent.name);
+  // The names stay while what the agents do changes: there may be thousands.
+  const names = useRun(
+    useShallow((run) => run.agents.filter((agent) => agent.program === program).map((agent) => agent.name)),
+  );
   if (names.length < 2) return null;
   return (
     <select
@@ -164,22 +169,24 @@ export function Tabs() {
   const activeProgram = useStudio((studio) => studio.activeProgram);
   const renaming = useRenaming((state) => state.program);
   const team = useTeam((state) => state.open);
+  const world = useTeam((state) => state.world);
   const list = useRef<HTMLDivElement>(null);
   useEffect(() => {
     list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: "nearest", inline: "nearest" });
-  }, [activeProgram, team]);
+  }, [activeProgram, team, world]);
 
   const onKey = (event: KeyboardEvent) => {
-    // The team's tab is the last one.
-    const at = team ? programs.length : programs.findIndex((program) => program.name === activeProgram);
+    // The team's tab and the world's are the last ones.
+    const last = programs.length + 1;
+    const at = world ? last : team ? last - 1 : programs.findIndex((program) => program.name === activeProgram);
     const on = mirrored() ? -1 : 1;
     const steps: Record<string, number> = {
       ArrowLeft: at - on,
       ArrowRight: at + on,
       Home: 0,
-      End: programs.length,
+      End: last,
     };
-    if (event.key === "Delete" && !team) {
+    if (event.key === "Delete" && !team && !world) {
       event.preventDefault();
       event.stopPropagation();
       removeProgramNamed(activeProgram);
@@ -190,11 +197,12 @@ export function Tabs() {
     const wanted = steps[event.key];
     if (wanted === undefined) return;
     event.preventDefault();
-    const tabs = programs.length + 1;
-    const next = programs[(wanted + tabs) % tabs];
+    const place = (wanted + last + 1) % (last + 1);
+    const next = programs[place];
     if (next === undefined) {
-      openTeam();
-      list.current?.querySelector<HTMLElement>("[data-team]")?.focus();
+      if (place === last) showWorld();
+      else openTeam();
+      list.current?.querySelector<HTMLElement>(place === last ? "[data-world]" : "[data-team]")?.focus();
       return;
     }
     closeTeam();
@@ -210,6 +218,7 @@ export function Tabs() {
             <Tab key={name} name={name} onKey={onKey} />
           ))}
           <TeamTab onKey={onKey} />
+          <WorldTab onKey={onKey} />
         </div>
         {programs.some(({ name }) => name === renaming) ? <NameField key={renaming} name={renaming ?? ""} /> : null}
       </div>

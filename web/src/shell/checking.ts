@@ -90,7 +90,8 @@ export function keepChecking(): () => void {
   again();
   const offMission = useStudio.subscribe((state, before) => {
     // Robots, constructors or the world are other ones: what was said of the mission may be wrong now.
-    const others = state.files !== before.files || state.world !== before.world;
+    const place = state.world !== before.world && state.mission.own_world == null;
+    const others = state.files !== before.files || place;
     if (others) forgetReport();
     if (others || state.mission !== before.mission) again();
   });

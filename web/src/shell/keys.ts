@@ -9,6 +9,7 @@ import { fixProblem, walkProblems } from "../problems/walk";
 import { newVariable } from "../parts/variables";
 import { openTeam } from "../team/view";
 import { useRun } from "../run/run";
+import { openWorld } from "../world/state";
 import { openFind } from "../editor/view";
 import { type KeyRow, keyIn, PAGE_KEYS } from "../reach/key-table";
 import { closeHelp, explain, toggleOutline, useReach } from "../reach/state";
@@ -54,6 +55,7 @@ const ACTIONS: Record<keyof typeof PAGE_KEYS, () => void> = {
   rename: () => useRenaming.setState({ program: useStudio.getState().activeProgram }),
   addProgram: () => document.querySelector<HTMLElement>(".add-program button")?.click(),
   team: () => openTeam(),
+  world: () => openWorld(),
   variable: () => newVariable(),
   outline: toggleOutline,
   part: explain,

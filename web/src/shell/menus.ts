@@ -14,6 +14,7 @@ import { explain, toggleOutline, useReach } from "../reach/state";
 import { chooseParts } from "../parts/take";
 import { newVariable } from "../parts/variables";
 import { openTeam } from "../team/view";
+import { openWorld } from "../world/state";
 import { canGoBack, isLive, useRun } from "../run/run";
 import { type ThemeChoice, useTheme } from "../theme";
 import { text } from "../model/texts";
@@ -25,7 +26,7 @@ import { type Key, type Language, languageInUse, LANGUAGES, t } from "../words/w
 import { changeSpeed, goToProgram, moveActiveProgram, pause, removeProgramNamed, run, stepVertex } from "./actions";
 import { printSheet } from "../out/print";
 import { robotEntries } from "./AddProgram";
-import { downloadMission, downloadProgram, newMission, save, show } from "./document";
+import { downloadMission, downloadProgram, newMission, save, saveTheRun, show } from "./document";
 import { editEntries, viewEntries } from "./graph-menu";
 import { type Panel, useLayout } from "./layout";
 import type { MenuEntry, MenuPart } from "./menu-model";
@@ -172,6 +173,7 @@ function programMenu(robots: MenuEntry[], own: MenuEntry[], program: string, sev
     ...own,
     line("program-2"),
     { kind: "item", id: "program-team", label: t("team.open"), keys: keyFor.page("team"), run: () => openTeam() },
+    { kind: "item", id: "program-world", label: t("world.open"), keys: keyFor.page("world"), run: () => openWorld() },
     {
       kind: "item",
       id: "program-variable",
@@ -216,7 +218,7 @@ function neighbours(several: boolean): MenuEntry[] {
 }
 
 function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
-  const { stop, step, setSpeed, tick } = useRun.getState();
+  const { stop, step, setSpeed, tick, name } = useRun.getState();
   const goesBack = tick > 0 && canGoBack(useRun.getState().status);
   const paused = status === "paused";
   return [
@@ -269,6 +271,7 @@ function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
       run: () => stepVertex(true),
     },
     { kind: "item", id: "run-stop", label: t("run.stop"), keys: keyFor.page("stop"), disabled: !live, run: stop },
+    { kind: "item", id: "run-save", label: t("recording.save"), disabled: name === "", run: () => void saveTheRun() },
     { kind: "heading", id: "run-speed", label: t("run.speed") },
     { kind: "item", id: "run-slower", label: t("run.slower"), keys: keyFor.page("slower"), run: () => changeSpeed(-1) },
     { kind: "item", id: "run-faster", label: t("run.faster"), keys: keyFor.page("faster"), run: () => changeSpeed(1) },

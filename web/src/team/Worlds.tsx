@@ -12,6 +12,7 @@ import { complain } from "../shell/document";
 import { Icon } from "../theme";
 import { decimal } from "../words/numbers";
 import { t } from "../words/words";
+import { openWorld } from "../world/state";
 
 function useWorlds(): WorldEntry[] {
   const path = useStudio((studio) => studio.file.path);
@@ -79,11 +80,18 @@ function Card({ entry, chosen }: { entry: WorldEntry; chosen: boolean }) {
 
 export function Worlds() {
   const chosen = useStudio((studio) => studio.mission.world);
+  const own = useStudio((studio) => studio.mission.own_world ?? null);
   const worlds = useWorlds();
-  const missing = worlds.length > 0 && !worlds.some((one) => sameWorld(one.href, chosen));
+  const missing = own === null && worlds.length > 0 && !worlds.some((one) => sameWorld(one.href, chosen));
   return (
     <section className="team-part" aria-labelledby="team-world">
       <h2 id="team-world">{t("team.world")}</h2>
+      <p className="team-note">
+        {own === null ? null : `${t("world.mine")} `}
+        <button type="button" className="button" data-testid="team-open-world" onClick={() => openWorld()}>
+          <Icon name="pencil" size={16} /> {t("world.edit")}
+        </button>
+      </p>
       {missing ? (
         <p className="team-note team-hint" role="status">
           <Icon name="triangle-alert" size={16} /> {t("team.world-missing", { name: chosen })}
@@ -91,7 +99,7 @@ export function Worlds() {
       ) : null}
       <div className="team-worlds" role="radiogroup" aria-labelledby="team-world">
         {worlds.map((entry) => (
-          <Card key={entry.href} entry={entry} chosen={sameWorld(entry.href, chosen)} />
+          <Card key={entry.href} entry={entry} chosen={own === null && sameWorld(entry.href, chosen)} />
         ))}
       </div>
     </section>

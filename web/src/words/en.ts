@@ -8,6 +8,7 @@ import { DEBUG_EN } from "./en-debug";
 import { FAILURES_EN } from "./en-failures";
 import { TEAM_EN } from "./en-team";
 import { TUTORIAL_EN } from "./en-tutorial";
+import { WORLD_EN } from "./en-world";
 
 /** English: the complete table, whose keys every other language has. */
 export const EN = {
@@ -18,6 +19,7 @@ export const EN = {
   ...REACH_EN,
   ...RECORDING_EN,
   ...TEAM_EN,
+  ...WORLD_EN,
   ...DEBUG_EN,
   ...FAILURES_EN,
   ...TUTORIAL_EN,

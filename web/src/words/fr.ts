@@ -9,6 +9,7 @@ import { DEBUG_FR } from "./fr-debug";
 import { FAILURES_FR } from "./fr-failures";
 import { TEAM_FR } from "./fr-team";
 import { TUTORIAL_FR } from "./fr-tutorial";
+import { WORLD_FR } from "./fr-world";
 import type { Table } from "./words";
 
 export const FR = {
@@ -19,6 +20,7 @@ export const FR = {
   ...REACH_FR,
   ...RECORDING_FR,
   ...TEAM_FR,
+  ...WORLD_FR,
   ...DEBUG_FR,
   ...FAILURES_FR,
   ...TUTORIAL_FR,

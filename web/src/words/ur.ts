@@ -9,6 +9,7 @@ import { DEBUG_UR } from "./ur-debug";
 import { FAILURES_UR } from "./ur-failures";
 import { TEAM_UR } from "./ur-team";
 import { TUTORIAL_UR } from "./ur-tutorial";
+import { WORLD_UR } from "./ur-world";
 import type { Table } from "./words";
 
 export const UR = {
@@ -19,6 +20,7 @@ export const UR = {
   ...REACH_UR,
   ...RECORDING_UR,
   ...TEAM_UR,
+  ...WORLD_UR,
   ...DEBUG_UR,
   ...FAILURES_UR,
   ...TUTORIAL_UR,

@@ -123,13 +123,13 @@ class OwnStartShape(BaseModel):
 
     name: Words
     at: Literal["pose", "road", "dock", "storehouse"]
-    road: Words = ""
-    at_mm: Length = 0
-    dock: Words = ""
-    storehouse: Words = ""
-    x_mm: Millimetres = 0
-    y_mm: Millimetres = 0
-    heading_deg: Annotated[float, Field(ge=-360, le=360, allow_inf_nan=False)] = 0
+    road: Words
+    at_mm: Length
+    dock: Words
+    storehouse: Words
+    x_mm: Millimetres
+    y_mm: Millimetres
+    heading_deg: Annotated[float, Field(ge=-360, le=360, allow_inf_nan=False)]
 
 
 class OwnWorldShape(BaseModel):
@@ -145,9 +145,9 @@ class OwnWorldShape(BaseModel):
     storehouses: Annotated[list[OwnStorehouseShape], Field(max_length=MOST_THINGS)]
     docks: Annotated[list[OwnDockShape], Field(max_length=MOST_THINGS)]
     starts: Annotated[list[OwnStartShape], Field(max_length=MOST_THINGS)]
-    unknown: list[Words] = []
-    label: dict[Words, Words] = {}
-    help: dict[Words, Words] = {}
+    unknown: list[Words]
+    label: dict[Words, Words]
+    help: dict[Words, Words]
 
 
 def own_world_shape(world: World) -> OwnWorldShape:
@@ -274,15 +274,18 @@ def _road(shape: OwnRoadShape) -> Road:
 
 
 def _start_shape(start: Start) -> OwnStartShape:
-    if start.pose is not None:
-        x_mm, y_mm = _mm(start.pose.x_mm), _mm(start.pose.y_mm)
-        heading = _mm(math.degrees(start.pose.heading_rad))
-        return OwnStartShape(name=start.name, at="pose", x_mm=x_mm, y_mm=y_mm, heading_deg=heading)
-    if start.dock:
-        return OwnStartShape(name=start.name, at="dock", dock=start.dock)
-    if start.storehouse:
-        return OwnStartShape(name=start.name, at="storehouse", storehouse=start.storehouse)
-    return OwnStartShape(name=start.name, at="road", road=start.road, at_mm=_mm(start.at_mm))
+    pose = start.pose or Pose(0.0, 0.0, 0.0)
+    return OwnStartShape(
+        name=start.name,
+        at="pose" if start.pose else "dock" if start.dock else "storehouse" if start.storehouse else "road",
+        road=start.road,
+        at_mm=_mm(start.at_mm),
+        dock=start.dock,
+        storehouse=start.storehouse,
+        x_mm=_mm(pose.x_mm),
+        y_mm=_mm(pose.y_mm),
+        heading_deg=_mm(math.degrees(pose.heading_rad)),
+    )
 
 
 def _start(shape: OwnStartShape) -> Start:
