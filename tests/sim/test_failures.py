@@ -287,7 +287,7 @@ def test_goals_that_hold_are_done_whoever_failed() -> None:
     )
     steps(run, 100)
     assert run.outcome == "done"
-    assert run.sentence.endswith("although a failed after 0.5 s (on schedule).")
+    assert run.sentence.startswith("Done after 1.0 s, although a failed after 0.5 s (on schedule): B holds")
 
 
 def test_who_waits_for_a_failed_one_is_stuck_and_the_sentence_names_it() -> None:
@@ -300,7 +300,7 @@ def test_who_waits_for_a_failed_one_is_stuck_and_the_sentence_names_it() -> None
     run.harm("b", "fail")
     run.advance(5000)
     assert run.outcome == "stuck"
-    assert "a wait for something that will not come. b failed after 0.2 s (by hand)." in run.sentence
+    assert "a wait for something that will not come; b failed after 0.2 s (by hand)." in run.sentence
 
 
 def test_a_run_that_ended_goes_on_when_somebody_is_revived() -> None:

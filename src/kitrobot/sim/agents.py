@@ -89,7 +89,9 @@ class Agent:
         state, i = self.state, self.index
         seconds = state.whole[SINCE][i] * state.fixed_real[0]
         cause = CAUSES[state.whole[CAUSE][i]]
-        return f"{self.name} {'failed' if self.down == FAILED else 'stalled'} after {seconds:.1f} s ({cause})"
+        if self.down == FAILED:
+            return f"{self.name} failed after {seconds:.1f} s ({cause})"
+        return f"{self.name} stalled after {seconds:.1f} s ({cause})"
 
     @property
     def active(self) -> Threads:

@@ -52,20 +52,20 @@ class Goals:
 
 def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """Every program that could has ended and every goal holds."""
-    lost = _casualties(agents)
-    although = f", although {lost}" if lost else ""
-    return f"Done after {seconds:.1f} s: {goals.say() or 'every program has ended'}{although}."
+    what, lost = goals.say() or "every program has ended", _casualties(agents)
+    return f"Done after {seconds:.1f} s, although {lost}: {what}." if lost else f"Done after {seconds:.1f} s: {what}."
 
 
 def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
     """Every program that could has ended, and some goal does not hold or somebody failed."""
-    lost = _casualties(agents)
+    lost, rest = _casualties(agents), goals.say()
     if not lost:
-        return f"Every program has ended, but {goals.say()}."
-    rest = f" {goals.say()}." if goals.say() else ""
+        return f"Every program has ended, but {rest}."
     if any(agent.ended for agent in agents):
-        return f"Every other program has ended, but {lost}.{rest}"
-    return f"Nobody is left to go on: {lost}.{rest}"
+        if rest:
+            return f"Every other program has ended, but {lost}; {rest}."
+        return f"Every other program has ended, but {lost}."
+    return f"Nobody is left to go on: {lost}; {rest}." if rest else f"Nobody is left to go on: {lost}."
 
 
 def say_time(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
@@ -73,17 +73,23 @@ def say_time(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     running = sum(not agent.ended for agent in agents)
     rest = goals.say() or f"{running} of {len(agents)} programs had not ended"
     lost = _casualties(agents)
-    return f"The time of {seconds:g} s ran out: {rest}{f'; {lost}' if lost else ''}."
+    if lost:
+        return f"The time of {seconds:g} s ran out: {rest}; {lost}."
+    return f"The time of {seconds:g} s ran out: {rest}."
 
 
 def say_stuck(goals: Goals, agents: Sequence[Agent]) -> str:
     """Nothing can change any more."""
-    waiting = [agent.name for agent in agents if not agent.ended and agent.down == WELL]
-    lost = _casualties(agents)
-    rest = (f" {lost}." if lost else "") + (f" {goals.say()}." if goals.say() else "")
+    waiting = _listed([agent.name for agent in agents if not agent.ended and agent.down == WELL])
+    lost, goal = _casualties(agents), goals.say()
+    if not lost:
+        rest = f" {goal}." if goal else ""
+        return f"Nothing can change any more: {waiting} wait for something that will not come.{rest}"
     if not waiting:
-        return f"Nothing can change any more.{rest}"
-    return f"Nothing can change any more: {_listed(waiting)} wait for something that will not come.{rest}"
+        return f"Nothing can change any more: {lost}; {goal}." if goal else f"Nothing can change any more: {lost}."
+    if goal:
+        return f"Nothing can change any more: {waiting} wait for something that will not come; {lost}; {goal}."
+    return f"Nothing can change any more: {waiting} wait for something that will not come; {lost}."
 
 
 def _casualties(agents: Sequence[Agent]) -> str:

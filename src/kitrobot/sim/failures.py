@@ -10,15 +10,14 @@ from dataclasses import dataclass, field
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import columns as c
 from kitrobot.sim.chance import keys
-from kitrobot.sim.harming import BY_HAND, PLAN_ROWS, REVIVE, harm
+from kitrobot.sim.harming import BY_HAND, FAIL, MUTE, PLAN_ROWS, REVIVE, STALL, harm
 from kitrobot.sim.state import State
 
 KINDS = tuple(FailureKind)
 """The kinds in the order of their numbers in `harming`."""
 
-HARMS = ("fails", "stalls", "loses its radio", "is well again")
 CAUSES = ("by hand", "on schedule", "by chance")
-"""What befalls a robot and how that comes about, in the order of their numbers in `harming`."""
+"""How it comes about, in the order of their numbers in `harming`."""
 
 MINUTE_MS = 60_000
 TURN_MS = 1000
@@ -78,6 +77,16 @@ def fates(failures: Sequence[Failure], names: Sequence[str], step_ms: int, fail_
         drawn = [keys(seed, name, "failure") for name in names]
         made.keys = [[one for one, _ in drawn], [other for _, other in drawn]]
     return made
+
+
+def said_of(kind: int, cause: int) -> str:
+    """What befalls a robot and how that comes about, in words."""
+    why = CAUSES[cause]
+    if kind == FAIL:
+        return f"fails ({why})"
+    if kind == STALL:
+        return f"stalls ({why})"
+    return f"loses its radio ({why})" if kind == MUTE else f"is well again ({why})"
 
 
 def room_to_tell(state: State, most: int) -> bool:

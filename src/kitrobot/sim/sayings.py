@@ -9,7 +9,7 @@ from typing import Literal
 from kitrobot.primitives import RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.agents import Agent
-from kitrobot.sim.failures import CAUSES, HARMS
+from kitrobot.sim.failures import said_of
 from kitrobot.sim.harming import REVIVE
 from kitrobot.sim.state import State, numbers
 from kitrobot.world import World
@@ -86,7 +86,7 @@ class Sayings:
         if kind == c.LOST:
             return "message", f"a command did not reach {self._actuators[what]}"
         if kind == c.HARMED:
-            return "revival" if what == REVIVE else "failure", f"{HARMS[what]} ({CAUSES[much]})"
+            return "revival" if what == REVIVE else "failure", said_of(what, much)
         assert kind == c.WRITTEN, f"nobody says {kind}"
         variable = self._variables[what]
         boolean = variable.minimum == 0 and variable.type.value == "boolean"
