@@ -9,12 +9,12 @@ so that the text does not show them, stay between the same neighbours.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
-from kitrobot.compiler.graph_to_lll import graph_to_lll
+from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.identity import Same, same_nodes
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.graph import RETURN, START, Note, Program, Vertex
@@ -51,31 +51,72 @@ class Branch:
     port: str | None = None
 
 
-class Old:
-    """The graph before the edit; without one, everything is new."""
+class Before:
+    """A graph as it was before an edit, with its translation to LLL; nothing of either may change any more."""
 
-    def __init__(self, program: Program | None, new: Seq, robot: Robot, catalogue: Catalogue) -> None:
-        self.program = program if program is not None else Program("", robot.name)
-        self.tree, self.wiring = Seq(), Wiring(Program("", robot.name), robot, catalogue)
-        self.same: Same = {}
-        self.stretches: dict[str, list[Any]] = {}
-        if program is not None:
-            translation = graph_to_lll(program, catalogue)
-            self.tree, self.wiring = translation.program, translation.wiring
-            self.same = same_nodes(self.tree, new)
-            self.stretches = translation.stretches
-        self.roots: dict[str, list[Any]] = {}
-        self.root_of: dict[int, str] = {}
-        self._find_roots()
-        self.hole_at = dict(self._holes())
+    def __init__(self, translation: Translation) -> None:
+        self.program = translation.wiring.program
+        self.translation = translation
+
+    @cached_property
+    def root_of(self) -> dict[int, str]:
+        """`id` of a node → the vertex that it is the outermost node of, or one of several."""
+        return {id(node): name for name, found in self.roots.items() for node in found}
+
+    @cached_property
+    def roots(self) -> dict[str, list[Any]]:
+        """The outermost nodes of each vertex: a template's inner nodes name the vertex too."""
+        found: dict[str, list[Any]] = {}
+        waiting: list[tuple[Node, str | None]] = [(self.translation.program, None)]
+        while waiting:
+            node, owner = waiting.pop()
+            if node.vertex is not None and node.vertex != owner and not isinstance(node, Number):
+                found.setdefault(node.vertex, []).append(node)
+            owner = node.vertex or owner
+            waiting += [(child, owner) for child in reversed(children(node))]
+        return found
+
+    @cached_property
+    def hole_at(self) -> dict[str, int]:
         """Vertices whose template has a hole for instructions between its own, and where."""
-
-    def _holes(self) -> Iterator[tuple[str, int]]:
-        for name in self.stretches:
-            constructor = self.wiring.constructor(self.wiring.vertices[name])
+        wiring, found = self.translation.wiring, {}
+        for name in self.translation.stretches:
+            constructor = wiring.constructor(wiring.vertices[name])
             template = constructor.template if constructor is not None else None
             if isinstance(template, Seq) and template.hole is not None:
-                yield name, template.hole_at
+                found[name] = template.hole_at
+        return found
+
+    @cached_property
+    def highest_number(self) -> int:
+        """The highest n of the ids v<n> in use, by vertices or by arcs."""
+        ids = [vertex.id for vertex in self.program.vertices]
+        ids += [name for arc in self.program.arcs for name in (arc.source, arc.target)]
+        return max((int(found[1]) for found in map(_NUMBERED.fullmatch, ids) if found), default=0)
+
+
+def nothing_before(robot: Robot, catalogue: Catalogue) -> Before:
+    """What there was before the first text: no graph."""
+    program = Program("", robot.name)
+    return Before(Translation(Seq(), Wiring(program, robot, catalogue)))
+
+
+class Old:
+    """The graph before the edit, and which of its nodes those of the new text are."""
+
+    def __init__(self, before: Before, same: Same) -> None:
+        self.same = same
+        self.program = before.program
+        self.tree, self.wiring = before.translation.program, before.translation.wiring
+        self.stretches = before.translation.stretches
+        self.roots, self.root_of = before.roots, before.root_of
+        self.hole_at = before.hole_at
+        self.highest_number = before.highest_number
+
+    @staticmethod
+    def beside(before: Before, new: Seq) -> Old:
+        """The graph beside a whole new text."""
+        return Old(before, same_nodes(before.translation.program, new))
 
     def rows(self, items: list[Any]) -> dict[int, list[Row]]:
         """The rows of a body by the place where they begin, the longest first.
@@ -104,17 +145,6 @@ class Old:
             rows.sort(key=lambda row: -row.end)
         return found
 
-    def _find_roots(self) -> None:
-        """The outermost nodes of each vertex: a template's inner nodes name the vertex too."""
-        waiting: list[tuple[Node, str | None]] = [(self.tree, None)]
-        while waiting:
-            node, owner = waiting.pop()
-            if node.vertex is not None and node.vertex != owner and not isinstance(node, Number):
-                self.roots.setdefault(node.vertex, []).append(node)
-                self.root_of[id(node)] = node.vertex
-            owner = node.vertex or owner
-            waiting += [(child, owner) for child in reversed(children(node))]
-
     def origin(self, node: Node) -> Origin | None:
         """What a node of the new text was; None when it is new, or was an inner part of a vertex."""
         before = self.same.get(id(node))
@@ -132,12 +162,6 @@ class Old:
         while name in self.wiring.vertices:
             name += "-"
         return Vertex(name, element)
-
-    def highest_number(self) -> int:
-        """The highest n of the ids v<n> in use, by vertices or by arcs."""
-        ids = [vertex.id for vertex in self.program.vertices]
-        ids += [name for arc in self.program.arcs for name in (arc.source, arc.target)]
-        return max((int(found[1]) for found in map(_NUMBERED.fullmatch, ids) if found), default=0)
 
     def branches(self, origin: Origin, slot: str, before: list[Seq], after: list[Seq]) -> list[Branch]:
         """The bodies of a repeated slot, with those that held nothing in their places."""
@@ -216,3 +240,8 @@ def _reach(before: list[Node | None], held: set[int], place: int, step: int) -> 
 def note(text: list[str], at: str = "") -> list[Note]:
     """The note of some comment lines, or none."""
     return [Note("\n".join(text), at)] if text else []
+
+
+def lines_of(notes: list[Note]) -> list[str]:
+    """Notes as the comment lines that they become."""
+    return [line.rstrip() for one in notes for line in one.text.split("\n")]

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
-from kitrobot.compiler.keeping import Branch, Old, Origin, Row, note
+from kitrobot.compiler.keeping import Before, Branch, Old, Origin, Row, lines_of, note, nothing_before
 from kitrobot.compiler.unfilling import Bound, unfill, unfill_all, unfill_row
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
@@ -37,22 +37,22 @@ def lll_to_graph(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, keep: 
     lacks the robot that `keep` is for.
     """
     if keep is not None:
-        return redraw(seq, robot, catalogue, name, keep)[0]
-    return _Drawing(Program(name, robot.name), robot, catalogue, Old(None, seq, robot, catalogue)).whole(seq)
+        return redraw(seq, robot, catalogue, name, Before(graph_to_lll(keep, catalogue)))[0]
+    old = Old(nothing_before(robot, catalogue), {})
+    return Drawing(Program(name, robot.name), robot, catalogue, old).whole(seq)
 
 
-def redraw(
-    seq: Seq, robot: Robot, catalogue: Catalogue, name: str, keep: Program
-) -> tuple[Program, Translation | None]:
-    """`lll_to_graph` with a graph to keep: the graph, and its translation back, as far as it was made on the way."""
-    old = Old(keep, seq, robot, catalogue)
-    if old.tree == seq:
-        for node, before in zip(nodes(seq), nodes(old.tree), strict=True):
-            node.vertex = before.vertex
-        return replace(keep, name=name, robot=robot.name), None
-    drawn, translation = Program(name, robot.name), None
+def redraw(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, before: Before) -> tuple[Program, Translation]:
+    """`lll_to_graph` with a graph to keep: the graph, and its translation back."""
+    tree = before.translation.program
+    if tree == seq:
+        for node, was in zip(nodes(seq), nodes(tree), strict=True):
+            node.vertex = was.vertex
+        return replace(before.program, name=name, robot=robot.name), before.translation
+    old = Old.beside(before, seq)
+    drawn, translation = Program(name, robot.name), before.translation
     for notes_anew in (False, True):
-        drawn = _Drawing(Program(name, robot.name), robot, catalogue, old, notes_anew=notes_anew).whole(seq)
+        drawn = Drawing(Program(name, robot.name), robot, catalogue, old, notes_anew=notes_anew).whole(seq)
         old.leave(drawn, loose_only=notes_anew)
         translation = graph_to_lll(drawn, catalogue)
         if translation.program == seq:
@@ -79,7 +79,9 @@ class _Choice:
     hole: str = ""
 
 
-class _Drawing:
+class Drawing:
+    """A program being drawn from its text: `whole`, or by `chain` a stretch of it."""
+
     def __init__(
         self, program: Program, robot: Robot, catalogue: Catalogue, old: Old, *, notes_anew: bool = False
     ) -> None:
@@ -88,7 +90,7 @@ class _Drawing:
         self.catalogue = catalogue
         self.old = old
         self.notes_anew = notes_anew
-        self.number = old.highest_number()
+        self.number = old.highest_number
         self.used: set[str] = set()
         self.title: list[str] = []
         """Start's notes, which stand above the first instruction."""
@@ -96,14 +98,14 @@ class _Drawing:
     def whole(self, seq: Seq) -> Program:
         start, stop = self.old.end(START), self.old.end(STOP)
         self.used |= {start.id, stop.id}
-        self.title = _lines(start.notes)
+        self.title = lines_of(start.notes)
         top = seq.items[0].above if seq.items else seq.below
         if self.notes_anew or top[: len(self.title)] != self.title:
             start.notes, self.title = [], []
         self.program.vertices.append(start)
         last, port = self.chain(seq, start.id, NEXT, len(self.title))
         below = seq.below[0 if seq.items else len(self.title) :]
-        if _lines(stop.notes) != below:
+        if lines_of(stop.notes) != below:
             stop.notes = note(below)
         self.program.vertices.append(stop)
         self.arc(last, stop.id, port)
@@ -273,7 +275,7 @@ class _Drawing:
 
     def body(self, vertex: Vertex, port: str, seq: Seq, notes: list[Note], *, bare: bool = True) -> None:
         """A body, with the notes that stood at its end before. An empty branch keeps them unless `bare`."""
-        if _lines(notes) == seq.below or not (bare or seq.items):
+        if lines_of(notes) == seq.below or not (bare or seq.items):
             vertex.notes += [replace(one, at=f"in:{port}") for one in notes]
         else:
             vertex.notes += note(seq.below, f"in:{port}")
@@ -309,8 +311,3 @@ class _Drawing:
 
 def _at(notes: list[Note], port: str | None) -> list[Note]:
     return [one for one in notes if one.at == f"in:{port}"]
-
-
-def _lines(notes: list[Note]) -> list[str]:
-    """Notes as the comment lines that they become."""
-    return [line.rstrip() for one in notes for line in one.text.split("\n")]

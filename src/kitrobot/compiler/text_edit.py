@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.checker import check
-from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
-from kitrobot.compiler.keeping import Old
-from kitrobot.compiler.lll_to_graph import redraw
+from kitrobot.compiler.graph_to_lll import Translation
+from kitrobot.compiler.keeping import Before, Old
+from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.diagnostics import Diagnostic, Place, Source, in_reading_order
 from kitrobot.graph import Program
 from kitrobot.lll import Seq, nodes, parse
@@ -45,19 +45,24 @@ class Followed:
     translation: Translation | None = field(default=None, repr=False, compare=False)
 
 
-def follow_text(program: Program, text: str, catalogue: Catalogue) -> Followed:
-    """Draws a text anew beside the graph it came from; see `redraw`.
+def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followed:
+    """Draws a text anew beside the graph it came from; see `redraw_edited`.
 
-    Raises KitRobotError when the catalogue lacks the robot, or the constructors to draw with.
+    Args:
+        before: the translation of that graph, by the same catalogue; nothing in it may change any more.
+        text: what a person made of its LLL.
+        catalogue: robots and constructors.
+
+    Raises KitRobotError when the catalogue lacks the constructors to draw with.
     """
-    robot = catalogue.robot(program.robot)
+    program, robot = before.wiring.program, before.wiring.robot
     parsed = parse(text, f"{program.name}.lll")
     found = check(parsed.program, robot, parsed.source, program.name)
     diagnostics = [replace(item, program=program.name) for item in in_reading_order(parsed.diagnostics + found)]
-    if parsed.ok and not _news(found, program, robot, catalogue):
-        drawn, translation = redraw(parsed.program, robot, catalogue, program.name, program)
-        return Followed(drawn, list(_spans(parsed.program, parsed.source)), diagnostics, translation)
-    old = Old(program, parsed.program, robot, catalogue)
+    if parsed.ok and not _news(found, before, robot):
+        drawn, made = redraw_edited(parsed.program, robot, catalogue, Before(before))
+        return Followed(drawn, list(_spans(parsed.program, parsed.source)), diagnostics, made)
+    old = Old.beside(Before(before), parsed.program)
     return Followed(None, [], [_at_vertex(item, parsed.program, parsed.source, old) for item in diagnostics])
 
 
@@ -69,13 +74,12 @@ def _spans(tree: Seq, source: Source) -> Iterator[VertexPlace]:
             yield VertexPlace(node.vertex, node.start, node.end, source.position(node.start)[0])
 
 
-def _news(found: list[Diagnostic], program: Program, robot: Robot, catalogue: Catalogue) -> bool:
+def _news(found: list[Diagnostic], before: Translation, robot: Robot) -> bool:
     """Whether there are errors that the graph does not have already."""
     errors = _errors(found)
     if not errors:
         return False
-    before = graph_to_lll(program, catalogue).program
-    return bool(errors - _errors(check(before, robot, Source("", ""))))
+    return bool(errors - _errors(check(before.program, robot, Source("", ""))))
 
 
 def _errors(found: list[Diagnostic]) -> Counter[tuple[str, str]]:

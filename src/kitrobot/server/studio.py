@@ -22,6 +22,7 @@ from kitrobot.server.shapes import CatalogueShape, catalogue_shape
 from kitrobot.server.watching import Watch
 from kitrobot.workspace import (
     Journals,
+    KeptPrograms,
     MissionFolder,
     OpenMission,
     Tutorials,
@@ -53,6 +54,7 @@ class Studio:
         """Held while a run is recorded once more: one at a time is quick enough."""
         self.gallery = Gallery()
         self.tutorials = Tutorials(self.folder)
+        self.programs = KeptPrograms()
         self._lock = threading.Lock()
         self._kept: dict[tuple[Path, ...], tuple[Stamp, Catalogue, CatalogueShape]] = {}
         self._worlds: dict[str, Path] = {}
@@ -99,12 +101,15 @@ class Studio:
         catalogue, _ = self.catalogue(path)
         within = self.folder.root_of(path)
         self.world_file(mission.world_href, path)
-        return with_mission(mission, folder, name=path or "mission.krt", catalogue=catalogue, within=within, before=own)
+        name = path or "mission.krt"
+        return with_mission(
+            mission, folder, name=name, catalogue=catalogue, within=within, before=own, kept=self.programs
+        )
 
     def parts_of(self, mission: Mission, path: str) -> Catalogue:
         """The robots and constructors for a mission that the page sent: of the files, and those it brings along."""
         catalogue, _ = self.catalogue(path)
-        return catalogue.extended(mission.constructors, mission.variables)
+        return self.programs.catalogue(catalogue, mission.constructors, mission.variables)
 
     def read(self, data: bytes, name: str, path: str) -> OpenMission:
         """A mission's file, opened among the files of the folder that it is in."""

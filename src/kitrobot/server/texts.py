@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Request, Response
@@ -49,11 +48,12 @@ def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditSha
     if program is None:
         raise NoProgramError(f"the mission holds no program `{wanted.program}`", "load the page again")
     with collection_paused():
-        followed = follow_text(program, wanted.text, studio.parts_of(mission, wanted.path))
+        parts = studio.parts_of(mission, wanted.path)
+        followed = follow_text(studio.programs.of(program, parts).translation, wanted.text, parts)
         report = None
         if followed.program is not None:
             drawn = followed.program
             mission.programs = [drawn if one is program else one for one in mission.programs]
-            translations = {drawn.name: followed.translation} if followed.translation is not None else {}
-            report = replace(studio.open(mission, wanted.path), translations=translations).check()
+            studio.programs.of(drawn, parts, followed.translation)
+            report = studio.open(mission, wanted.path).check()
         return followed_answer(followed, report, MOST_PROBLEMS)

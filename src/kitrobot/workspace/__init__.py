@@ -31,14 +31,13 @@ if TYPE_CHECKING:
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
     from kitrobot.workspace.journal import Journal, JournalError, read_journal, write_journal
     from kitrobot.workspace.journals import Claimed, Journals, Left, News, state_folder
+    from kitrobot.workspace.kept import KeptPrograms
     from kitrobot.workspace.layout import Layout, lay_out, lay_out_file
     from kitrobot.workspace.merging import Merged, merge_files, merge_missions
     from kitrobot.workspace.opening import (
         NoProgramError,
         OpenMission,
-        ProgramReport,
         Report,
-        Span,
         new_mission,
         open_mission,
         read_carried,
@@ -47,6 +46,8 @@ if TYPE_CHECKING:
         world_file,
     )
     from kitrobot.workspace.problems import ProblemsError, with_help, written_out
+    from kitrobot.workspace.program_report import ProgramReport, Span
+    from kitrobot.workspace.replay import state_at, summary_of
     from kitrobot.workspace.robots import find_robot
     from kitrobot.workspace.running import Run, Timing, once_more
     from kitrobot.workspace.traces import OpenTrace, is_trace, open_trace, parts_of, unpack
@@ -69,14 +70,13 @@ _ROOMS = {
     "inputs": ("Change", "Inputs", "read_inputs"),
     "journal": ("Journal", "JournalError", "read_journal", "write_journal"),
     "journals": ("Claimed", "Journals", "Left", "News", "state_folder"),
+    "kept": ("KeptPrograms",),
     "layout": ("Layout", "lay_out", "lay_out_file"),
     "merging": ("Merged", "merge_files", "merge_missions"),
     "opening": (
         "NoProgramError",
         "OpenMission",
-        "ProgramReport",
         "Report",
-        "Span",
         "new_mission",
         "open_mission",
         "read_carried",
@@ -85,6 +85,8 @@ _ROOMS = {
         "world_file",
     ),
     "problems": ("ProblemsError", "with_help", "written_out"),
+    "program_report": ("ProgramReport", "Span"),
+    "replay": ("state_at", "summary_of"),
     "robots": ("find_robot",),
     "running": ("Run", "Timing", "once_more"),
     "variables": ("VariableError", "WantedVariable", "make_variable"),
@@ -116,6 +118,7 @@ __all__ = [
     "Journal",
     "JournalError",
     "Journals",
+    "KeptPrograms",
     "Layout",
     "Left",
     "Merged",
@@ -167,7 +170,9 @@ __all__ = [
     "read_mission_data",
     "read_world_file",
     "revision_of",
+    "state_at",
     "state_folder",
+    "summary_of",
     "text_differences",
     "unpack",
     "watched",

@@ -11,27 +11,27 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitrobot.compiler import Compiled, Translation, compile_program
+from kitrobot.compiler import Compiled, compile_program
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.graph import Program, empty_program
-from kitrobot.image import disassemble
-from kitrobot.lll import nodes
 from kitrobot.mission import Agent, Mission, Team, read_mission
 from kitrobot.primitives import Catalogue, load_catalogue
 from kitrobot.workspace.carried import CarriedError, carried_mission
 from kitrobot.workspace.files import FileError, read_bytes
 from kitrobot.workspace.places import Places
 from kitrobot.workspace.problems import ProblemsError
+from kitrobot.workspace.program_report import ProgramReport, program_report
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.team import team_problems
 from kitrobot.world import SHIPPED, World, check_plan, find_world, read_world
 
 if TYPE_CHECKING:
     from kitrobot.sim import Simulation
+    from kitrobot.workspace.kept import KeptPrograms
     from kitrobot.workspace.running import Progress, Run
 
 NO_WORLD = rule(
@@ -46,27 +46,6 @@ NEW_PROGRAM, NEW_ROBOT, NEW_AGENT = "program-1", "mini-robot", "robot-1"
 
 class NoProgramError(KitRobotError):
     """A mission has no such program, or several where one must be chosen."""
-
-
-@dataclass(frozen=True)
-class Span:
-    """The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1."""
-
-    vertex: str
-    start: int
-    end: int
-    line: int
-
-
-@dataclass(frozen=True)
-class ProgramReport:
-    """What a program becomes; `listing` is empty and `instructions` 0 when it has errors."""
-
-    name: str
-    lll: str
-    spans: tuple[Span, ...]
-    listing: str
-    instructions: int
 
 
 @dataclass(frozen=True)
@@ -97,8 +76,8 @@ class OpenMission:
     sources: tuple[Source, ...] = ()
     text: Source | None = None
     path: Path | None = None
-    translations: Mapping[str, Translation] = field(default_factory=dict, repr=False)
-    """Programs by name that were translated to LLL already."""
+    kept: KeptPrograms | None = field(default=None, repr=False, compare=False)
+    """Where programs that were compiled already are found, in the studio."""
 
     @cached_property
     def places(self) -> Places | None:
@@ -133,7 +112,9 @@ class OpenMission:
         """Each program compiled, by name, as far as its robot is at hand."""
         robots = self.catalogue.robots
         return {
-            program.name: compile_program(program, self.catalogue, self.translations.get(program.name))
+            program.name: compile_program(program, self.catalogue)
+            if self.kept is None
+            else self.kept.of(program, self.catalogue).compiled
             for program in self.mission.programs
             if program.robot in robots
         }
@@ -146,7 +127,9 @@ class OpenMission:
     def report(self) -> Report:
         """What `check` gives; worked out once."""
         found = list(self.diagnostics)
-        found += team_problems(self.mission, self.catalogue, self.world, self.places)
+        # Whoever names a part of the mission's own world that does not fit is not to blame for it.
+        place = self.mission.own_world or self.world
+        found += team_problems(self.mission, self.catalogue, place, self.places)
         for compiled in self.compiled.values():
             found += self.placed(compiled.diagnostics)
         if self.mission.team.agents and not any(item.is_error for item in found):
@@ -167,13 +150,10 @@ class OpenMission:
     def _program_reports(self) -> Iterable[ProgramReport]:
         for program in self.mission.programs:
             compiled = self.compiled.get(program.name)
-            if compiled is None:
-                yield ProgramReport(program.name, "", (), "", 0)
-                continue
-            image = compiled.image
-            listing = disassemble(image) if image is not None else ""
-            instructions = image.instructions if image is not None else 0
-            yield ProgramReport(program.name, compiled.source.text, tuple(_spans(compiled)), listing, instructions)
+            if self.kept is None or compiled is None:
+                yield program_report(program.name, compiled)
+            else:
+                yield self.kept.of(program, self.catalogue).report
 
     def simulation(self, seed: int = 1) -> Simulation:
         """The mission in its world, before its first tick.
@@ -278,9 +258,13 @@ def with_mission(
     catalogue: Catalogue | None = None,
     within: Path | None = None,
     before: Sequence[Path] = (),
+    kept: KeptPrograms | None = None,
 ) -> OpenMission:
-    """Opens a mission that is no file (yet), with what lies in `folder`; the rest as in `read_mission_data`."""
-    return _open(mission, name, folder, catalogue, None, within, before)
+    """Opens a mission that is no file (yet), with what lies in `folder`; the rest as in `read_mission_data`.
+
+    `kept`: what was worked out for it before.
+    """
+    return _open(mission, name, folder, catalogue, None, within, before, kept)
 
 
 def new_mission() -> Mission:
@@ -301,23 +285,25 @@ def _open(
     places: Places | None,
     within: Path | None = None,
     before: Sequence[Path] = (),
+    kept: KeptPrograms | None = None,
 ) -> OpenMission:
     common = catalogue if catalogue is not None else load_catalogue([folder])
-    known = common.extended(mission.constructors, mission.variables)
+    extended = common.extended if kept is None else partial(kept.catalogue, common)
+    known = extended(mission.constructors, mission.variables)
     own = tuple(known.problems[len(common.problems) :])
     if mission.own_world is not None:
         world, told = check_plan(mission.own_world)
         # What was read from a file has said with its lines what is wrong with its world.
-        return OpenMission(name, mission, known, world, own if places is not None else (*own, *told))
+        return OpenMission(name, mission, known, world, own if places is not None else (*own, *told), kept=kept)
     path = world_file(mission.world_href, [*before, folder], [*before, within] if within is not None else None)
     if path is None:
         place = (places.world or Place(name)) if places is not None else None
         found = NO_WORLD(f"there is no world `{mission.world_href}`", place, help=f"put its file into `{folder.name}`")
-        return OpenMission(name, mission, known, None, (*own, found))
+        return OpenMission(name, mission, known, None, (*own, found), kept=kept)
     data = read_bytes(path)
     world, diagnostics = read_world(data, path.name)
     source = Source(path.name, data.decode("utf-8-sig", errors="replace"))
-    return OpenMission(name, mission, known, world, (*own, *diagnostics), (source,))
+    return OpenMission(name, mission, known, world, (*own, *diagnostics), (source,), kept=kept)
 
 
 def world_file(href: str, folders: Sequence[Path], within: Sequence[Path] | None) -> Path | None:
@@ -330,12 +316,3 @@ def world_file(href: str, folders: Sequence[Path], within: Sequence[Path] | None
         return path
     real = path.resolve()
     return path if any(folder.resolve() in real.parents for folder in (*within, SHIPPED)) else None
-
-
-def _spans(compiled: Compiled) -> Iterable[Span]:
-    """The outermost stretches of each vertex, in reading order."""
-    ends: dict[str, int] = {}
-    for node in nodes(compiled.program):
-        if node.vertex is not None and node.start >= ends.get(node.vertex, 0) and node.end > node.start:
-            ends[node.vertex] = node.end
-            yield Span(node.vertex, node.start, node.end, compiled.source.position(node.start)[0])

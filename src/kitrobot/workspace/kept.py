@@ -1,0 +1,107 @@
+"""Programs that were compiled, kept for the next question about the same mission.
+
+Between two edits most of a mission stays as it was, and a typed text is compared with the very graph whose report was
+asked for a moment ago. A program is found again only when it is the same to the letter and everything it is compiled
+with is the same object: robots and constructors that were read anew are other ones. So nothing kept is ever out of
+date; it may only be gone, and is then made again. Safe to use from many threads; nothing that was kept may be changed.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import threading
+from collections import OrderedDict
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import orjson
+
+from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll
+from kitrobot.graph import Program
+from kitrobot.primitives import Catalogue, Constructor, OwnVariable
+from kitrobot.workspace.program_report import ProgramReport, program_report
+
+MOST_VERTICES = 20_000
+"""Of all programs that are kept together: some 50 MB."""
+MOST_CATALOGUES = 16
+
+
+class KeptProgram:
+    """A program, the catalogue it is for, and what became of it, each made when it is first asked for."""
+
+    def __init__(self, program: Program, catalogue: Catalogue, translation: Translation | None = None) -> None:
+        self.program = program
+        self.catalogue = catalogue
+        self._given = translation
+
+    @cached_property
+    def translation(self) -> Translation:
+        """The program as LLL. Raises KitRobotError when its robot is not at hand."""
+        return self._given if self._given is not None else graph_to_lll(self.program, self.catalogue)
+
+    @cached_property
+    def compiled(self) -> Compiled:
+        """The program compiled. Raises KitRobotError when its robot is not at hand."""
+        return compile_program(self.program, self.catalogue, self.translation)
+
+    @cached_property
+    def report(self) -> ProgramReport:
+        """What is shown of it. Raises KitRobotError when its robot is not at hand."""
+        return program_report(self.program.name, self.compiled)
+
+
+@dataclass(frozen=True)
+class _Extended:
+    common: Catalogue
+    constructors: tuple[Constructor, ...]
+    variables: tuple[OwnVariable, ...]
+    catalogue: Catalogue
+
+    def is_of(self, common: Catalogue, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]) -> bool:
+        return self.common is common and _same(self.constructors, constructors) and _same(self.variables, variables)
+
+
+class KeptPrograms:
+    """The newest programs, up to `most_vertices` in all."""
+
+    def __init__(self, most_vertices: int = MOST_VERTICES) -> None:
+        self._most_vertices = most_vertices
+        self._lock = threading.Lock()
+        self._programs: OrderedDict[tuple[bytes, int], KeptProgram] = OrderedDict()
+        self._vertices = 0
+        self._catalogues: list[_Extended] = []
+
+    def catalogue(
+        self, common: Catalogue, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]
+    ) -> Catalogue:
+        """`common.extended(…)`: the same object for the same parts."""
+        with self._lock:
+            for kept in self._catalogues:
+                if kept.is_of(common, constructors, variables):
+                    return kept.catalogue
+        made = common.extended(constructors, variables)
+        with self._lock:
+            del self._catalogues[: -MOST_CATALOGUES + 1]
+            self._catalogues.append(_Extended(common, tuple(constructors), tuple(variables), made))
+        return made
+
+    def of(self, program: Program, catalogue: Catalogue, translation: Translation | None = None) -> KeptProgram:
+        """A program as it is kept, or from now on is; `translation`: where it was made already."""
+        # The catalogue's id cannot come again while what is kept holds the catalogue.
+        key = (hashlib.sha256(orjson.dumps(program)).digest(), id(catalogue))
+        with self._lock:
+            kept = self._programs.get(key)
+            if kept is not None:
+                self._programs.move_to_end(key)
+                return kept
+            kept = self._programs[key] = KeptProgram(program, catalogue, translation)
+            self._vertices += len(program.vertices)
+            while self._vertices > self._most_vertices:
+                _, gone = self._programs.popitem(last=False)
+                self._vertices -= len(gone.program.vertices)
+        return kept
+
+
+def _same(kept: Sequence[object], given: Sequence[object]) -> bool:
+    return len(kept) == len(given) and all(one is other for one, other in zip(kept, given, strict=True))

@@ -1,0 +1,50 @@
+"""What a program becomes, as it is shown beside its graph: LLL with the place of each vertex, three-address code."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from kitrobot.compiler import Compiled
+from kitrobot.image import disassemble
+from kitrobot.lll import nodes
+
+
+@dataclass(frozen=True)
+class Span:
+    """The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1."""
+
+    vertex: str
+    start: int
+    end: int
+    line: int
+
+
+@dataclass(frozen=True)
+class ProgramReport:
+    """What a program becomes; `listing` is empty and `instructions` 0 when it has errors."""
+
+    name: str
+    lll: str
+    spans: tuple[Span, ...]
+    listing: str
+    instructions: int
+
+
+def program_report(name: str, compiled: Compiled | None) -> ProgramReport:
+    """The report of a program; `compiled` is None when its robot is not at hand."""
+    if compiled is None:
+        return ProgramReport(name, "", (), "", 0)
+    image = compiled.image
+    listing = disassemble(image) if image is not None else ""
+    instructions = image.instructions if image is not None else 0
+    return ProgramReport(name, compiled.source.text, tuple(_spans(compiled)), listing, instructions)
+
+
+def _spans(compiled: Compiled) -> Iterable[Span]:
+    """The outermost stretches of each vertex, in reading order."""
+    ends: dict[str, int] = {}
+    for node in nodes(compiled.program):
+        if node.vertex is not None and node.start >= ends.get(node.vertex, 0) and node.end > node.start:
+            ends[node.vertex] = node.end
+            yield Span(node.vertex, node.start, node.end, compiled.source.position(node.start)[0])
