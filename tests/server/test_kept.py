@@ -1,0 +1,178 @@
+"""What the studio keeps between two questions never shows in an answer: each is what a studio that just began says."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kitrobot.server import create_app
+from tests.server.conftest import HOST, TOKEN, TestClient
+
+ROBOT = """<robot name="rover" version="1">
+  <actuator name="Lamp"><procedure name="{word}"/></actuator>
+</robot>
+"""
+Mission = dict[str, Any]
+
+
+@pytest.fixture(autouse=True)
+def _folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
+    monkeypatch.setenv("KITROBOT_CONFIG", str(tmp_path / "config"))
+
+
+@pytest.fixture
+def mission(page: TestClient, transport: str) -> Mission:
+    found: Mission = page.get("/api/mission", params={"path": transport}).json()["mission"]
+    return found
+
+
+class Studio:
+    """A studio that goes on, beside one that begins anew for each question."""
+
+    def __init__(self, page: TestClient, folder: Path) -> None:
+        self.page = page
+        self.folder = folder
+
+    def _both(self, address: str, wanted: Mission) -> Mission:
+        fresh = TestClient(create_app(self.folder, None, TOKEN), base_url=HOST, headers={"X-KitRobot-Token": TOKEN})
+        answer, expected = self.page.post(address, json=wanted), fresh.post(address, json=wanted)
+        assert (answer.status_code, answer.json()) == (expected.status_code, expected.json())
+        found: Mission = answer.json()
+        return found
+
+    def check(self, mission: Mission) -> Mission:
+        return self._both("/api/check", {"mission": mission, "path": "transport.krt"})
+
+    def typed(self, mission: Mission, text: str) -> Mission:
+        name = mission["programs"][0]["name"]
+        wanted = {"mission": mission, "path": "transport.krt", "program": name, "text": text}
+        return self._both("/api/text", wanted)
+
+
+@pytest.fixture
+def studio(page: TestClient, folder: Path) -> Studio:
+    return Studio(page, folder)
+
+
+def _program(mission: Mission, at: int = 0) -> Mission:
+    found: Mission = mission["programs"][at]
+    return found
+
+
+def _numbered(mission: Mission) -> Mission:
+    found: Mission = next(one for one in _program(mission)["vertices"] if one["settings"])
+    return found
+
+
+def _set_number(mission: Mission) -> None:
+    settings = _numbered(mission)["settings"]
+    settings[next(iter(settings))] = "77"
+
+
+def _break_number(mission: Mission) -> None:
+    settings = _numbered(mission)["settings"]
+    settings[next(iter(settings))] = "much"
+
+
+def _cut_arc(mission: Mission) -> None:
+    _program(mission)["arcs"].pop()
+
+
+def _note(mission: Mission) -> None:
+    _program(mission)["vertices"][1]["notes"].append({"text": "so", "at": ""})
+
+
+def _other_program(mission: Mission) -> None:
+    _program(mission, 1)["vertices"].pop()
+
+
+def _other_robot(mission: Mission) -> None:
+    _program(mission)["robot"] = "mini-robot"
+
+
+def _rename(mission: Mission) -> None:
+    _program(mission)["name"] = "anew"
+
+
+CHANGES: list[Callable[[Mission], None]] = [
+    _set_number,
+    _break_number,
+    _cut_arc,
+    _note,
+    _other_program,
+    _other_robot,
+    _rename,
+]
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_each_edit_is_answered_anew_and_so_is_its_undo(
+    studio: Studio, mission: Mission, change: Callable[[Mission], None]
+) -> None:
+    first = studio.check(mission)
+    after = copy.deepcopy(mission)
+    change(after)
+    assert studio.check(after) != first
+    assert studio.check(mission) == first
+
+
+def test_a_text_is_followed_beside_the_graph_that_was_sent_with_it(studio: Studio, mission: Mission) -> None:
+    lll = studio.check(mission)["programs"][0]["lll"]
+    first = studio.typed(mission, lll + "WAIT(5);")
+    assert first["program"] is not None
+    after = copy.deepcopy(mission)
+    _note(after)
+    noted = studio.typed(after, studio.check(after)["programs"][0]["lll"] + "WAIT(5);")
+    assert noted["program"] != first["program"]
+    after["programs"][0] = noted["program"]
+    assert studio.check(after) == noted["report"]
+    assert studio.typed(mission, lll + "WAIT(5);") == first
+    assert studio.typed(mission, lll + "WAIT(5")["program"] is None
+
+
+def test_a_robot_whose_file_changes_is_read_by_the_next_check(studio: Studio, mission: Mission, folder: Path) -> None:
+    program = _program(mission)
+    program["robot"] = "rover"
+    program["vertices"] = [program["vertices"][0], program["vertices"][-1]]
+    ends = [vertex["id"] for vertex in program["vertices"]]
+    shine = {"id": "s", "element": "Lamp.Shine", "settings": {}, "notes": [], "unknown": ""}
+    program["vertices"].insert(1, shine)
+    program["arcs"] = [
+        {"source": ends[0], "target": "s", "out": "next", "at": "in"},
+        {"source": "s", "target": ends[1], "out": "next", "at": "in"},
+    ]
+    codes = []
+    for word in (None, "Shine", "Glow", "Shine"):
+        if word is not None:
+            (folder / "rover.robot.xml").write_text(ROBOT.format(word=word))
+        report = studio.check(mission)
+        codes.append([one["code"] for one in report["problems"] if "s" in one["vertices"]])
+    assert codes[1] == codes[3] == []
+    assert codes[2] == ["unknown-element"]
+    (folder / "rover.robot.xml").unlink()
+    assert studio.check(mission)["programs"][0]["lll"] == ""
+
+
+def test_parts_of_the_mission_s_own_that_change_change_what_they_are_in(
+    studio: Studio, page: TestClient, mission: Mission
+) -> None:
+    name = _program(mission)["name"]
+    flow = [one["id"] for one in _program(mission)["vertices"] if one["element"] in ("Forever", "While", "Repetition")]
+    wanted = {"mission": mission, "path": "transport.krt", "program": name, "vertices": flow[:1]}
+    made = page.post("/api/part", json={**wanted, "name": "Trip", "colour": "loop", "chosen": []}).json()["part"]
+    own = copy.deepcopy(mission)
+    own["programs"][0], own["constructors"] = made["program"], [made["constructor"]]
+    first = studio.check(own)
+    assert not [one for one in first["problems"] if one["code"] == "unknown-element"]
+    other = copy.deepcopy(own)
+    other["constructors"][0]["code"] = "WAIT(3);"
+    other["constructors"][0]["slots"] = []
+    assert studio.check(other)["programs"][0]["lll"] != first["programs"][0]["lll"]
+    other["constructors"] = []
+    assert [one for one in studio.check(other)["problems"] if one["code"] == "unknown-element"]
+    assert studio.check(own) == first
