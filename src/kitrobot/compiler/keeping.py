@@ -90,8 +90,9 @@ class Before:
     @cached_property
     def highest_number(self) -> int:
         """The highest n of the ids v<n> in use, by vertices or by arcs."""
-        ids = [vertex.id for vertex in self.program.vertices]
-        ids += [name for arc in self.program.arcs for name in (arc.source, arc.target)]
+        ids = {vertex.id for vertex in self.program.vertices}
+        for arc in self.program.arcs:
+            ids |= {arc.source, arc.target}
         return max((int(found[1]) for found in map(_NUMBERED.fullmatch, ids) if found), default=0)
 
 

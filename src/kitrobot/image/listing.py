@@ -6,6 +6,7 @@ One directive or instruction a line; `;` begins a comment. Jumps name the instru
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from kitrobot.image.instructions import BY_NAME, BY_NUMBER, Role
 from kitrobot.image.model import Image, ImageError, ParallelRecord, SlotRecord, StopRecord
@@ -23,6 +24,8 @@ _VALUES = {
     **dict.fromkeys(_ONCE, 1),
 }
 """How many values each directive takes."""
+_LINES = 16_384
+"""Instructions whose line is remembered: the listing of an edited program is nearly the one before."""
 
 
 def disassemble(image: Image) -> str:
@@ -54,12 +57,13 @@ def disassemble(image: Image) -> str:
     lines += [f".stop {stop.slot} {stop.command}  ; {number}: slot, command" for number, stop in enumerate(image.stops)]
     lines += [f".command {actuator}  ; {number}: actuator" for number, actuator in enumerate(image.commands)]
     lines.append(".code")
-    lines += [f"{_instruction(image, at):<24} ; {at}" for at in range(image.instructions)]
+    four = iter(image.code)
+    lines += [f"{_instruction(*one):<24} ; {at}" for at, one in enumerate(zip(four, four, four, four, strict=True))]
     return "\n".join(lines) + "\n"
 
 
-def _instruction(image: Image, at: int) -> str:
-    number, a, b, c = image.code[4 * at : 4 * at + 4]
+@lru_cache(_LINES)
+def _instruction(number: int, a: int, b: int, c: int) -> str:
     op = BY_NUMBER.get(number)
     if op is None:
         return f"    .bytes {number} {a} {b} {c}"

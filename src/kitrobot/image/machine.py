@@ -8,6 +8,7 @@ procedure which completes later, then variables.
 from __future__ import annotations
 
 from copy import copy
+from functools import lru_cache
 from typing import NamedTuple
 
 from kitrobot.image.model import Image, ImageError
@@ -15,6 +16,15 @@ from kitrobot.image.verification import verify
 from kitrobot.primitives import Robot, RobotObject
 from kitrobot_onboard.image import arrays, header
 from kitrobot_onboard.interpreter import tick
+
+_VERIFIED = 64
+"""Images that are known to be safe, so that a mission which is looked through after each edit is quick about it."""
+
+
+@lru_cache(_VERIFIED)
+def _verified(image: Image) -> None:
+    """Raises ImageError unless the image is safe to run; only that it is is remembered."""
+    verify(image)
 
 
 class Command(NamedTuple):
@@ -76,7 +86,7 @@ class Machine:
                 f"this image was made for another robot than `{robot.name}` as it is defined now",
                 "compile the program again for this robot",
             )
-        verify(image)
+        _verified(image)
         self.image = image
         self.robot = robot
         self.layout = Layout(robot)
