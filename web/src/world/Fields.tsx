@@ -211,9 +211,7 @@ function Closed({ world, thing, part }: PartProps<Part<"line"> | Part<"road">>) 
         onChange={(event) => {
           const closed = event.target.checked;
           const after =
-            thing.kind === "road"
-              ? withClosed(world, thing.at, closed)
-              : withPart(world, thing, { ...part, closed });
+            thing.kind === "road" ? withClosed(world, thing.at, closed) : withPart(world, thing, { ...part, closed });
           set(world, thing, after);
         }}
       />

@@ -119,10 +119,18 @@ export function Overlay({ world, camera, chosen, mission }: OverlayProps) {
     return thing === null ? [] : [thing];
   });
   const [first] = chosen;
+  const [left, top] = toScreen(camera, 0, world.height_mm);
   const grips = first === undefined || chosen.length > 1 ? [] : gripsOf(world, first);
   const anchor = first?.kind === "start" ? anchorOf(world, first) : null;
   return (
     <svg className="world-overlay" aria-hidden="true">
+      <rect
+        className="world-border"
+        x={left}
+        y={top}
+        width={world.width_mm * camera.scale}
+        height={world.height_mm * camera.scale}
+      />
       <DockNames world={world} camera={camera} />
       <Free world={world} camera={camera} mission={mission} />
       {chosen.map((thing) => (
