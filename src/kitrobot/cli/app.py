@@ -21,6 +21,7 @@ from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
 from kitrobot.cli.merge import merge_missions_of_files
+from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
 from kitrobot.cli.speaking import complain, tell, use_utf8
 from kitrobot.cli.studio import Studio, open_studio
@@ -40,6 +41,7 @@ app = typer.Typer(
 )
 app.command("studio")(open_studio)
 app.command("run")(run_mission)
+app.command("replay")(replay_trace)
 app.command("convert")(convert_file)
 app.command("exec")(execute_program)
 app.command("check")(check_files)
@@ -64,9 +66,9 @@ def _kitrobot(
 ) -> None:
     """Draw a program as a graph and run it on small robots, alone or as a team.
 
-    `kitrobot [FILE.krt | FOLDER]` opens the studio in the browser, with an example when nothing is named; its options
-    are those of `kitrobot studio`. With KITROBOT_DEBUG=1 in the environment an unexpected error shows where it
-    happened.
+    `kitrobot [FILE.krt | FILE.krtrace | FOLDER]` opens the studio in the browser, with an example when nothing is
+    named; its options are those of `kitrobot studio`. With KITROBOT_DEBUG=1 in the environment an unexpected error
+    shows where it happened.
     """
 
 

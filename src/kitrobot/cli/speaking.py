@@ -20,9 +20,14 @@ def use_utf8() -> None:
             reconfigure(encoding="utf-8", errors=errors, newline="\n")
 
 
+def clean(text: str) -> str:
+    """The same with U+FFFD for what would steer the terminal: a file's name may hold anything."""
+    return _STEERING.sub("\N{REPLACEMENT CHARACTER}", text)
+
+
 def tell(text: str) -> None:
-    """Talk, on standard error; what would steer the terminal (a file's name may hold anything) is shown as U+FFFD."""
-    print(_STEERING.sub("\N{REPLACEMENT CHARACTER}", text), file=sys.stderr)
+    """Talk, on standard error, cleaned."""
+    print(clean(text), file=sys.stderr)
 
 
 def give(text: str) -> None:

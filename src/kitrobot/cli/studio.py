@@ -10,7 +10,7 @@ import typer
 
 from kitrobot.diagnostics import KitRobotError
 
-COMMANDS = ("check", "convert", "exec", "format", "run", "studio")
+COMMANDS = ("check", "convert", "exec", "format", "replay", "run", "studio")
 
 
 class StudioError(KitRobotError):
@@ -38,8 +38,9 @@ def open_studio(
     target: Annotated[
         str | None,
         typer.Argument(
-            metavar="FILE.krt | FOLDER",
-            help="A mission, a picture that carries one (`.svg`, `.png`, `.pdf`), or a folder of missions.",
+            metavar="FILE.krt | FILE.krtrace | FOLDER",
+            help="A mission, a picture that carries one (`.svg`, `.png`, `.pdf`), a recorded run, or a folder of"
+            " missions.",
         ),
     ] = None,
     browser: Annotated[bool, typer.Option(help="Open the browser.")] = True,
@@ -61,8 +62,12 @@ def _existing(target: str) -> Path:
     path = Path(target)
     if path.is_dir() or (path.is_file() and path.suffix.lower() == ".krt"):
         return path
-    from kitrobot.workspace import is_picture, read_carried
+    from kitrobot.workspace import is_picture, is_trace, open_trace, read_carried
 
+    if path.is_file() and is_trace(path.name):
+        # As with pictures: one that cannot be played is told before a browser opens.
+        open_trace(path).reader.close()
+        return path
     if path.is_file() and is_picture(path.name):
         # A picture without a mission is told here, before a browser opens.
         read_carried(path)

@@ -67,7 +67,7 @@ class Player:
     @property
     def seconds(self) -> float:
         """Simulated time."""
-        return self.tick * self.tick_s
+        return self.tick * self._tick_ms / 1000
 
     @property
     def outcome(self) -> str | None:

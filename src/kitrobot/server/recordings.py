@@ -1,12 +1,12 @@
 """The recordings that a studio has open: their files, and a folder for each with what it brought along.
 
-They are numbered; `MissionFolder` finds the mission of recording 3 as `recording:3/NAME.krt`. A file that the page sent
-is kept in a temporary folder, which goes when the studio ends. Safe to use from many threads.
+Each has a name of its own, never used twice; `MissionFolder` finds the mission of one as `recording:NAME/FILE.krt`. A
+file that the page sent is kept in a temporary folder, which goes when the studio ends. Safe to use from many threads.
 """
 
 from __future__ import annotations
 
-import itertools
+import secrets
 import shutil
 import tempfile
 import threading
@@ -31,7 +31,6 @@ class Recordings:
         self._placed = placed
         self._made: tempfile.TemporaryDirectory[str] | None = None
         self._files: dict[str, Path] = {}
-        self._numbers = itertools.count(1)
         self._lock = threading.Lock()
 
     def folder(self) -> Path:
@@ -47,7 +46,7 @@ class Recordings:
         return Path(tempfile.mkdtemp(dir=self.folder(), prefix="file-")) / name
 
     def add(self, path: Path) -> tuple[str, Path, OpenTrace]:
-        """Opens a recording: its number, the file of its mission, and what it holds; close that when done.
+        """Opens a recording: its name, the file of its mission, and what it holds; close that when done.
 
         Raises:
             TraceError: it cannot be played.
@@ -55,32 +54,32 @@ class Recordings:
         """
         trace = open_trace(path)
         try:
-            number = str(next(self._numbers))
-            place = self.folder() / number
+            name = secrets.token_hex(6)
+            place = self.folder() / name
             place.mkdir()
             mission = unpack(trace, place)
         except BaseException:
             trace.reader.close()
             raise
         with self._lock:
-            self._files[number] = path
+            self._files[name] = path
             gone = list(self._files)[:-MOST_KEPT]
             left = [(one, self._files.pop(one)) for one in gone]
         for one, file in left:
             shutil.rmtree(self.folder() / one, ignore_errors=True)
             if self.folder() in file.parents:
                 shutil.rmtree(file.parent, ignore_errors=True)
-        return number, mission, trace
+        return name, mission, trace
 
-    def open(self, number: str) -> OpenTrace:
+    def open(self, name: str) -> OpenTrace:
         """A recording that was added, opened once more.
 
         Raises:
-            RecordingError: there is none of that number.
+            RecordingError: there is none of that name.
             TraceError: its file was changed meanwhile.
         """
         with self._lock:
-            path = self._files.get(number)
+            path = self._files.get(name)
         if path is None:
             raise RecordingError("this recording is not open any more", "open its file once more")
         return open_trace(path)

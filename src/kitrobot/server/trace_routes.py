@@ -84,12 +84,12 @@ def run_trace(studio: StudioOf, run: Name, after: BackgroundTasks) -> FileRespon
 
 def _opened(studio: Studio, file: Path) -> RecordingShape:
     """Opens a recording, with its mission from the folder that it was unpacked to."""
-    number, mission, trace = studio.recordings.add(file)
+    name, mission, trace = studio.recordings.add(file)
     with trace.reader as reader:
-        path = f"{RECORDING}{number}/{mission.name}"
+        path = f"{RECORDING}{name}/{mission.name}"
         data = read_bytes(mission)
         return RecordingShape(
-            recording=number,
+            recording=name,
             seed=reader.header.seed,
             cut=reader.cut,
             file=mission_file(studio, studio.read(data, path, path), path, revision_of(data)),

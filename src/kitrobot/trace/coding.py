@@ -21,8 +21,8 @@ from kitrobot.trace.model import Threads, TickRecord, TraceCommand, TraceError, 
 MAX_ITEMS = 1_000_000
 """Threads, arguments, commands or changes in one record at most, and the largest number of a thread or instruction:
 more can only be damage."""
-MOST_BITS = 1024
-"""Of a number: as many as a robot may have sensors, whose forcing is one bit each."""
+MOST_BITS = 640
+"""Of a number: more than any robot has sensors, whose forcing is one bit each, and little enough for a float."""
 
 
 def _put(out: bytearray, number: int) -> None:

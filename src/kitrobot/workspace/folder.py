@@ -29,7 +29,7 @@ ENDING = ".krt"
 TUTORIAL_ENDING = ".tutorial.xml"
 EXAMPLE = "example:"
 RECORDING = "recording:"
-"""How the name of a mission that a recording brought along begins; the recording's number follows."""
+"""How the name of a mission that a recording brought along begins; the recording's name follows."""
 DEEPEST = 5
 MOST_LISTED = 500
 MOST_LOOKED_AT = 20_000

@@ -128,7 +128,7 @@ function Column({
 
 function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; sensor: boolean }) {
   const { name } = object;
-  const live = useRun((run) => canGoBack(run.status));
+  const live = useRun((run) => canGoBack(run.status) && !run.recording);
   const value = (sensor ? agent.inputs[name] : agent.values[name]) ?? 0;
   const forced = sensor && agent.forced.includes(name);
   const put = (wanted: number) => {

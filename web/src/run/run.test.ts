@@ -25,6 +25,7 @@ const STARTED: RunMessage = {
   agents: [agent("c-1", "carrier", 1), agent("c-2", "carrier", 2), agent("l", "loader", 3)],
   stock: { A: 12 },
   total: 12,
+  recording: false,
 };
 
 function tick(agents: Record<string, AgentReport>, at = 1): RunMessage {

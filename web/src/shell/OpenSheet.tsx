@@ -8,7 +8,7 @@ import { TutorialCards } from "../tutorial/Cards";
 import { lookForTutorials } from "../tutorial/opening";
 import { t } from "../words/words";
 import { openFromComputer, openPath, show, useDocument } from "./document";
-import { useMissions } from "./missions";
+import { useMissions, useRecordings } from "./missions";
 import { Sheet } from "./Sheet";
 
 function open(entry: MissionEntry): void {
@@ -33,6 +33,7 @@ export function OpenSheet() {
   const workspace = useDocument((document) => document.session?.workspace ?? "");
   const chooser = useRef<HTMLInputElement>(null);
   useEffect(() => void lookForTutorials(), []);
+  const recordings = useRecordings();
   const own = missions?.filter((entry) => !entry.example) ?? [];
   const examples = missions?.filter((entry) => entry.example) ?? [];
   return (
@@ -50,6 +51,30 @@ export function OpenSheet() {
                 <Entry key={entry.path} entry={entry} />
               ))}
             </ul>
+            {recordings.length === 0 ? null : (
+              <>
+                <h3>{t("recording.list", { folder: workspace })}</h3>
+                <ul data-testid="open-recordings">
+                  {recordings.map(({ path, name }) => (
+                    <li key={path}>
+                      <button
+                        type="button"
+                        className="open-entry"
+                        data-path={path}
+                        onClick={() => {
+                          show(null);
+                          openPath(path);
+                        }}
+                      >
+                        <Icon name="clapperboard" size={18} />
+                        <span className="open-title">{name}</span>
+                        <span className="open-path">{path}</span>
+                      </button>
+                    </li>
+                  ))}
+                </ul>
+              </>
+            )}
             {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
             <ul className="gallery">
               {examples.map((entry) => (
@@ -66,7 +91,7 @@ export function OpenSheet() {
           ref={chooser}
           className="only-spoken"
           type="file"
-          accept=".krt,.xml,.svg,.png,.pdf"
+          accept=".krt,.krtrace,.xml,.svg,.png,.pdf"
           tabIndex={-1}
           aria-hidden="true"
           data-testid="open-file"

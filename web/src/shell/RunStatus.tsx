@@ -19,6 +19,7 @@ const SHAPES: Record<Status, AgentActivity> = {
   stuck: "failed",
   time: "failed",
   stopped: "idle",
+  end: "idle",
 };
 
 /** Whether a run of one would be another run than that of the other; breakpoints reach the run that is on. */
@@ -36,7 +37,7 @@ export function RunStatus() {
   const running = useRun((run) => (isLive(run.status) ? run.mission : null));
   const edited = useStudio(({ mission }) => running !== null && isAnother(mission, running));
   const hit = useRun(({ hits }) => hits[0]);
-  const ended = status === "done" || status === "failed" || status === "stuck" || status === "time";
+  const ended = status === "done" || status === "failed" || status === "stuck" || status === "time" || status === "end";
   return (
     <div className="run-status" data-testid="status" data-status={status} title={ended ? sentence : undefined}>
       <StateShape state={SHAPES[status]} />

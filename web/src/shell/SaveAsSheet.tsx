@@ -5,7 +5,7 @@ import { ApiError } from "../api/client";
 import { useStudio } from "../model/studio";
 import { Icon } from "../theme";
 import { t } from "../words/words";
-import { fileName, saveAs, show, useDocument } from "./document";
+import { fileName, hasPlace, saveAs, show, useDocument } from "./document";
 import { Sheet } from "./Sheet";
 
 /** Always a .krt, whatever was typed. */
@@ -26,7 +26,7 @@ export function SaveAsSheet() {
   const workspace = useDocument((document) => document.session?.workspace ?? "");
   const [text, setText] = useState(() => {
     const { path } = useStudio.getState().file;
-    return path === "" || path.startsWith("example:") ? fileName() : path;
+    return hasPlace(path) ? path : fileName();
   });
   const [refusal, setRefusal] = useState<Refusal | null>(null);
   const path = asMissionPath(text);

@@ -5,6 +5,7 @@ import { useStudio } from "../model/studio";
 import { t } from "../words/words";
 import { useDisk } from "./disk";
 import { shownName, useDocument } from "./document";
+import { isFromRecording } from "./recordings";
 
 export function Title() {
   const file = useStudio((studio) => studio.file);
@@ -22,7 +23,9 @@ export function Title() {
       ? t("file.new-program")
       : file.path.startsWith("example:")
         ? t("file.example")
-        : t("file.saved");
+        : isFromRecording(file.path)
+          ? t("recording.title")
+          : t("file.saved");
   return (
     <div className="title" data-testid="title">
       <h1>{name}</h1>

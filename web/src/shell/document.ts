@@ -8,6 +8,7 @@ import { create } from "zustand";
 
 import { api, ApiError, type Session } from "../api/client";
 import { type Claimed, journalApi, type Left } from "../api/journal";
+import { type Recording, traceApi } from "../api/traces";
 import type { MissionFile, Problem } from "../api/types";
 import { isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
@@ -17,6 +18,7 @@ import { type Key, sentence, t } from "../words/words";
 import { download } from "./download";
 import { claim, journalBefore, keepsJournal, openWith } from "./journal";
 import { recover } from "./journal-records";
+import { begin as play, isFromRecording, isRecording, saveRun } from "./recordings";
 
 export interface BannerAction {
   label: string;
@@ -99,7 +101,7 @@ export function fileName(): string {
 
 /** Whether Save has a place to write to: examples and new missions need a name first. */
 export function hasPlace(path: string): boolean {
-  return path !== "" && !path.startsWith("example:");
+  return path !== "" && !path.startsWith("example:") && !isFromRecording(path);
 }
 
 function unlessUnsaved(go: () => void): void {
@@ -184,17 +186,36 @@ async function bring(get: () => Promise<MissionFile>): Promise<void> {
   }
 }
 
+/** Opens the mission of a recording, and plays it. */
+async function bringRecording(get: () => Promise<Recording>): Promise<void> {
+  try {
+    const found = await get();
+    await take(found.file);
+    play(found);
+  } catch (cause) {
+    complain(cause);
+  }
+}
+
 export function newMission(): void {
   unlessUnsaved(() => void bring(api.newMission));
 }
 
 export function openPath(path: string): void {
-  unlessUnsaved(() => void bring(() => api.mission(path)));
+  unlessUnsaved(
+    () => void (isRecording(path) ? bringRecording(() => traceApi.open(path)) : bring(() => api.mission(path))),
+  );
 }
 
 /** Opens a file that the person chose or dropped; it has no place on our disk until it is saved. */
 export function openFromComputer(file: File): void {
-  unlessUnsaved(() => void bring(async () => api.readMission(file.name, await file.arrayBuffer())));
+  unlessUnsaved(() => {
+    if (isRecording(file.name)) {
+      void bringRecording(async () => traceApi.read(file.name, await file.arrayBuffer()));
+    } else {
+      void bring(async () => api.readMission(file.name, await file.arrayBuffer()));
+    }
+  });
 }
 
 /** The first mission: the one of the command line, else the first example, else an empty one. */
@@ -230,7 +251,13 @@ async function beginWhereItEnded(session: Session): Promise<boolean> {
 /** A file that cannot be read leaves an empty mission, and the sentence about it above. */
 async function beginWith(path: string): Promise<void> {
   try {
-    await take(await api.mission(path));
+    if (isRecording(path)) {
+      const found = await traceApi.open(path);
+      await take(found.file);
+      play(found);
+    } else {
+      await take(await api.mission(path));
+    }
   } catch (cause) {
     await take(await api.newMission());
     complain(cause);
@@ -308,6 +335,15 @@ export async function downloadMission(): Promise<void> {
   try {
     const { text } = await api.missionText(useStudio.getState().mission);
     download(fileName(), text, "application/xml");
+  } catch (cause) {
+    complain(cause);
+  }
+}
+
+/** The run so far, as a recording. */
+export async function saveTheRun(): Promise<void> {
+  try {
+    await saveRun();
   } catch (cause) {
     complain(cause);
   }

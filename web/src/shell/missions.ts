@@ -1,27 +1,38 @@
-/** The missions that can be opened, asked for when somebody wants to see them. */
+/** What can be opened, missions and recordings, asked for when somebody wants to see it. */
 import { useEffect, useState } from "react";
 
 import { api, type MissionEntry } from "../api/client";
+import { type RecordingEntry, traceApi } from "../api/traces";
 import { complain } from "./document";
 
 /** null while the list is on its way. */
-export function useMissions(): MissionEntry[] | null {
-  const [missions, setMissions] = useState<MissionEntry[] | null>(null);
+function useList<T>(ask: () => Promise<T[]>): T[] | null {
+  const [list, setList] = useState<T[] | null>(null);
   useEffect(() => {
     let alive = true;
-    api.missions().then(
+    ask().then(
       (found) => {
-        if (alive) setMissions(found);
+        if (alive) setList(found);
       },
       (cause: unknown) => {
         if (!alive) return;
-        setMissions([]);
+        setList([]);
         complain(cause);
       },
     );
     return () => {
       alive = false;
     };
-  }, []);
-  return missions;
+  }, [ask]);
+  return list;
+}
+
+/** null while the list is on its way. */
+export function useMissions(): MissionEntry[] | null {
+  return useList(api.missions);
+}
+
+/** Empty while the list is on its way. */
+export function useRecordings(): RecordingEntry[] {
+  return useList(traceApi.all) ?? [];
 }

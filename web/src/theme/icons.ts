@@ -25,6 +25,7 @@ import CircleDot from "lucide-react/icons/circle-dot";
 import CircleHelp from "lucide-react/icons/circle-help";
 import CircleSlash2 from "lucide-react/icons/circle-slash-2";
 import CircleX from "lucide-react/icons/circle-x";
+import Clapperboard from "lucide-react/icons/clapperboard";
 import ClipboardCheck from "lucide-react/icons/clipboard-check";
 import ClipboardList from "lucide-react/icons/clipboard-list";
 import Columns2 from "lucide-react/icons/columns-2";
@@ -127,6 +128,7 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "circle-help": CircleHelp,
   "circle-slash-2": CircleSlash2,
   "circle-x": CircleX,
+  clapperboard: Clapperboard,
   "clipboard-check": ClipboardCheck,
   "clipboard-list": ClipboardList,
   "columns-2": Columns2,

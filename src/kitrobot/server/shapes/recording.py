@@ -16,7 +16,7 @@ class RecordingEntryShape(BaseModel):
 
 
 class RecordingShape(BaseModel):
-    """A recording that was opened: its number, by which it is played, and the mission that it brought along.
+    """A recording that was opened: its name, by which it is played, and the mission that it brought along.
 
     `cut`: its file ends before its run did.
     """

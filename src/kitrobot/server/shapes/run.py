@@ -33,7 +33,7 @@ class StartRequest(BaseModel):
 
 
 class ReplayRequest(BaseModel):
-    """Play a recording that was opened; `recording` is its number."""
+    """Play a recording that was opened; `recording` is its name."""
 
     type: Literal["replay"]
     recording: Annotated[str, Field(max_length=20)]

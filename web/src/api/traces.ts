@@ -1,0 +1,28 @@
+/** The server's doors to recordings. */
+import { ask, askBytes } from "./client";
+import type { MissionFile } from "./types";
+
+/** A recording that was opened, and the mission that it brought along. */
+export interface Recording {
+  /** By this name it is played. */
+  recording: string;
+  seed: number;
+  /** Whether its file ends before its run did. */
+  cut: boolean;
+  file: MissionFile;
+}
+
+export interface RecordingEntry {
+  path: string;
+  name: string;
+  modified: string;
+}
+
+export const traceApi = {
+  all: () => ask<RecordingEntry[]>("traces"),
+  open: (path: string) => ask<Recording>(`trace?path=${encodeURIComponent(path)}`),
+  read: (name: string, bytes: ArrayBuffer) =>
+    ask<Recording>(`trace?name=${encodeURIComponent(name)}`, { method: "POST", bytes }),
+  /** The whole past of a run, as the bytes of a `.krtrace`. */
+  ofRun: (run: string) => askBytes(`run/trace?run=${encodeURIComponent(run)}`),
+};

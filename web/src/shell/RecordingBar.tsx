@@ -1,0 +1,37 @@
+/** Says across the page that what moves is a recording, and leads to a live run of the same mission and back. */
+import { isLive, useRun } from "../run/run";
+import { Icon } from "../theme";
+import { Said } from "../words/Said";
+import { t } from "../words/words";
+import { shownName } from "./document";
+import { playAgain, runRecorded, useOpenRecording } from "./recordings";
+
+export function RecordingBar() {
+  const open = useOpenRecording();
+  const playing = useRun((run) => run.recording);
+  const live = useRun((run) => isLive(run.status));
+  if (open === null) return null;
+  const name = shownName(open.path);
+  return (
+    <div className="banner banner-note" role="status" data-testid="recording-bar" data-playing={playing}>
+      <Icon name="clapperboard" size={18} />
+      <p>
+        <strong>
+          <Said text={t(playing ? "recording.playing" : "recording.live", { name, seed: open.seed })} />
+        </strong>{" "}
+        {playing ? <Said text={t(open.cut ? "recording.cut" : "recording.nothing")} /> : null}
+      </p>
+      {playing && live ? null : (
+        <button type="button" className="button" data-testid="play-recording" onClick={playAgain}>
+          {t(playing ? "recording.again" : "recording.play")}
+        </button>
+      )}
+      {playing ? (
+        <button type="button" className="button" data-testid="run-recorded" onClick={runRecorded}>
+          <Icon name="play" size={16} />
+          {t("recording.run")}
+        </button>
+      ) : null}
+    </div>
+  );
+}

@@ -1,0 +1,73 @@
+/**
+ * The recording that is open: what it is of, and playing it; and the run that is on, saved as a recording.
+ *
+ * A recording brings its mission along, which is opened like any other; playing is a run that comes from a file (run).
+ */
+import { create } from "zustand";
+
+import { type Recording, traceApi } from "../api/traces";
+import { useStudio } from "../model/studio";
+import type { Mission } from "../model/types";
+import { useRun } from "../run/run";
+import { download } from "./download";
+
+export interface OpenRecording {
+  /** The server's name for it. */
+  recording: string;
+  seed: number;
+  cut: boolean;
+  /** Its mission as it was recorded, and where that is. */
+  mission: Mission;
+  path: string;
+}
+
+interface Recordings {
+  open: OpenRecording | null;
+}
+
+export const useRecording = create<Recordings>(() => ({ open: null }));
+
+const ENDING = ".krtrace";
+
+export function isRecording(name: string): boolean {
+  return name.toLowerCase().endsWith(ENDING);
+}
+
+/** Whether a mission came with a recording: it has no file of its own yet. */
+export function isFromRecording(path: string): boolean {
+  return path.startsWith("recording:");
+}
+
+/** The recording that belongs to the mission that is open, or null. */
+export function useOpenRecording(): OpenRecording | null {
+  const open = useRecording((state) => state.open);
+  const path = useStudio((studio) => studio.file.path);
+  return open?.path === path ? open : null;
+}
+
+/** Plays a recording whose mission has just been opened. */
+export function begin({ recording, seed, cut, file }: Recording): void {
+  const { mission, path } = file;
+  useRecording.setState({ open: { recording, seed, cut, mission, path } });
+  playAgain();
+}
+
+export function playAgain(): void {
+  const { open } = useRecording.getState();
+  if (open !== null) useRun.getState().replay({ mission: open.mission, recording: open.recording });
+}
+
+/** A live run of the mission as it was recorded, with the same seed. */
+export function runRecorded(): void {
+  const { open } = useRecording.getState();
+  if (open === null) return;
+  useRun.setState({ seed: open.seed });
+  useRun.getState().start({ mission: open.mission, path: open.path });
+}
+
+/** Hands the person the run so far as a file. */
+export async function saveRun(): Promise<void> {
+  const { name, seed } = useRun.getState();
+  const stem = (useStudio.getState().file.name.split("/").at(-1) ?? "").replace(/\.[^.]*$/, "") || "run";
+  download(`${stem}-${String(seed)}${ENDING}`, await traceApi.ofRun(name), "application/octet-stream");
+}

@@ -1,0 +1,15 @@
+/** Recordings: played, saved, run again. */
+export const RECORDING_EN = {
+  "recording.playing": "You are watching a recording: {name}, seed {seed}.",
+  "recording.live": "Now the mission of the recording {name} runs anew, with seed {seed}.",
+  "recording.nothing": "Go back and on in it as you like; nothing in it can be changed.",
+  "recording.cut": "Its file was cut off: it ends before its run did.",
+  "recording.run": "Run this mission",
+  "recording.again": "Play it again",
+  "recording.play": "Back to the recording",
+  "recording.save": "Save this run…",
+  "recording.title": "from a recording",
+  "recording.list": "Recordings in {folder}",
+  "status.end": "The recording ends here",
+  "strip.outside": "by hand",
+} as const;
