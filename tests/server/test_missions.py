@@ -38,6 +38,10 @@ def test_missions_are_listed_with_the_examples_after_them(page, folder):
     assert all(entry["label"]["fr"] and entry["help"]["ur"] and entry["picture"] for entry in examples)
     assert examples[-1]["title"] == examples[-1]["label"][""] == "Transport as a team"
     assert examples[-1]["picture"]["world"]["name"] == "ring"
+    line = next(entry for entry in examples if entry["name"].startswith("line-follower"))
+    # The robot stands where its `start` says, not at the start of its name.
+    assert line["picture"]["agents"] == ["line"]
+    assert line["picture"]["world"]["floors"]
     assert own[0]["label"] == {}
     assert own[0]["picture"] is None
 

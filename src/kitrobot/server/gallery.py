@@ -70,7 +70,7 @@ def _told(entry: MissionEntry, opened: OpenMission) -> MissionEntryShape:
     plain.label, plain.help = shape.label, shape.help
     if shape.programs:
         world = world_shape(opened.world) if opened.world is not None else None
-        agents = [agent.name for agent in shape.agents]
+        agents = [agent.start or agent.name for agent in shape.agents]
         plain.picture = PictureShape(program=shape.programs[0], world=world, agents=agents)
     return plain
 

@@ -606,7 +606,10 @@ export interface PauseRequest {
   type: "pause";
 }
 
-/** What a small picture of a mission is drawn from: its first program and where it takes place. */
+/**
+ * What a small picture of a mission is drawn from: its first program, and where it takes place. `agents` are the starts
+ * of its team, by their names in the world.
+ */
 export interface Picture {
   program: Program;
   world: World | null;
@@ -674,8 +677,8 @@ export interface ProgramReport {
 }
 
 /**
- * A recording that was opened: its name, by which it is played, and the mission that it brought along. `cut`: its file
- * ends before its run did.
+ * A recording that was opened: its number, by which it is played, and the mission that it brought along. `cut`: its
+ * file ends before its run did.
  */
 export interface Recording {
   recording: string;
@@ -691,7 +694,7 @@ export interface RecordingEntry {
   modified: string;
 }
 
-/** Play a recording that was opened; `recording` is its name. */
+/** Play a recording that was opened; `recording` is its number. */
 export interface ReplayRequest {
   type: "replay";
   recording: string;

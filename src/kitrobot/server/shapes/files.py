@@ -20,7 +20,10 @@ class SessionShape(BaseModel):
 
 
 class PictureShape(BaseModel):
-    """What a small picture of a mission is drawn from: its first program and where it takes place."""
+    """What a small picture of a mission is drawn from: its first program, and where it takes place.
+
+    `agents` are the starts of its team, by their names in the world.
+    """
 
     program: ProgramShape
     world: WorldShape | None
