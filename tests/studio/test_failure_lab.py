@@ -1,0 +1,159 @@
+"""Robots that fail, stall, lose their radio and come back: in the arena by mouse, finger and keys, and on schedule."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+pytestmark = pytest.mark.browser
+
+TRANSPORT = "transport/transport.krt"
+ROBOT = "carrier-1"
+
+
+def start_paused(studio):
+    """A run that stands at a moment in which it is going on."""
+    studio.at("run-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "running")
+    studio.at("pause-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+
+
+def choose(studio, name: str) -> None:
+    """Puts the ring on the robot, with the keys of the arena."""
+    studio.at("arena-canvas").focus()
+    for _ in range(12):
+        studio.page.keyboard.press("n")
+        if name in studio.at("states-said").inner_text():
+            return
+    raise AssertionError(f"{name} is not reached")
+
+
+def place_of(studio, name: str) -> tuple[float, float]:
+    """Where the robot is on the screen: in the middle of the arena, once it is followed."""
+    choose(studio, name)
+    studio.page.keyboard.press("f")
+    box = studio.at("arena-canvas").bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def test_the_mouse_lets_a_robot_fail_and_come_back(open_studio):
+    studio = open_studio(TRANSPORT)
+    start_paused(studio)
+    x, y = place_of(studio, ROBOT)
+    studio.page.mouse.click(x, y, button="right")
+    studio.at("menu-harm-fail").click()
+    expect(studio.at("arena-summary")).to_contain_text(re.compile(rf"{ROBOT}[^.]*failed"))
+    expect(studio.at("states-said")).to_contain_text(f"{ROBOT}: failed")
+    expect(studio.at("event-strip").locator('[data-kind="failure"]')).to_have_count(1)
+    studio.page.mouse.click(x, y, button="right")
+    expect(studio.at("menu-harm-fail")).to_have_attribute("aria-disabled", "true")
+    studio.at("menu-harm-revive").click()
+    expect(studio.at("states-said")).to_contain_text(f"{ROBOT}: well again")
+
+
+@pytest.mark.parametrize(("item", "word"), [("fail", "failed"), ("stall", "stalled"), ("mute", "without radio")])
+def test_keys_do_it_too(open_studio, item, word):
+    studio = open_studio(TRANSPORT)
+    start_paused(studio)
+    choose(studio, ROBOT)
+    studio.page.keyboard.press("Enter")
+    for _ in range(["fail", "stall", "mute"].index(item)):
+        studio.page.keyboard.press("ArrowDown")
+    studio.page.keyboard.press("Enter")
+    expect(studio.at("states-said")).to_contain_text(f"{ROBOT}: {word}")
+    expect(studio.at("arena-canvas")).to_be_focused()
+
+
+def test_a_finger_that_rests_opens_the_menu(open_studio):
+    studio = open_studio(TRANSPORT, has_touch=True)
+    start_paused(studio)
+    x, y = place_of(studio, ROBOT)
+    touch = {"pointerType": "touch", "pointerId": 5, "button": 0, "clientX": x, "clientY": y, "isPrimary": True}
+    # A pointer that is made up cannot be captured.
+    studio.page.evaluate("HTMLElement.prototype.setPointerCapture = () => undefined")
+    studio.at("arena-canvas").dispatch_event("pointerdown", touch)
+    expect(studio.at("robot-menu")).to_be_visible()
+    studio.at("arena-canvas").dispatch_event("pointerup", touch)
+    expect(studio.at("robot-menu")).to_be_visible()
+
+
+def test_without_a_run_the_menu_says_what_is_missing(open_studio):
+    studio = open_studio(TRANSPORT)
+    choose(studio, ROBOT)
+    studio.page.keyboard.press("Enter")
+    expect(studio.at("robot-menu")).to_contain_text("Press Run first")
+    expect(studio.at("menu-harm-fail")).to_have_attribute("aria-disabled", "true")
+
+
+def test_who_is_followed_stays_in_the_middle_until_the_world_is_dragged(open_studio):
+    studio = open_studio(TRANSPORT)
+    studio.at("run-button").click()
+    x, y = place_of(studio, ROBOT)
+    for _ in range(3):
+        studio.page.mouse.click(x, y, button="right")
+        expect(studio.at("robot-menu").get_by_role("menu", name=re.compile(ROBOT))).to_be_visible()
+        expect(studio.at("menu-harm-follow")).to_have_attribute("aria-checked", "true")
+        studio.page.keyboard.press("Escape")
+    studio.page.mouse.move(x, y + 60)
+    studio.page.mouse.down()
+    studio.page.mouse.move(x + 30, y + 90, steps=4)
+    studio.page.mouse.up()
+    studio.page.keyboard.press("Enter")
+    expect(studio.at("menu-harm-follow")).to_have_attribute("aria-checked", "false")
+
+
+def test_a_run_that_failed_goes_on_when_somebody_comes_back(open_studio):
+    studio = open_studio("square/square.krt")
+    start_paused(studio)
+    studio.at("arena-canvas").focus()
+    studio.page.keyboard.press("Enter")
+    studio.at("menu-harm-fail").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "failed")
+    expect(studio.at("status")).to_contain_text("Nobody is left to go on")
+    studio.page.keyboard.press("Enter")
+    studio.at("menu-harm-revive").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+
+
+def test_a_schedule_is_edited_undone_shown_and_kept(open_studio):
+    studio = open_studio(TRANSPORT)
+    studio.at("tab-of-team").click()
+    studio.at("add-failure").click()
+    expect(studio.at("failure-agent-0")).to_be_focused()
+    studio.at("failure-agent-0").select_option(ROBOT)
+    studio.at("failure-kind-0").select_option("stall")
+    studio.at("failure-at-0").fill("0.5")
+    studio.page.keyboard.press("Enter")
+    expect(studio.at("planned-stall")).to_have_count(1)
+    studio.page.keyboard.press("Control+z")
+    expect(studio.at("failure-at-0")).to_have_value("10")
+    studio.page.keyboard.press("Control+y")
+    expect(studio.at("failure-at-0")).to_have_value("0.5")
+    studio.page.keyboard.press("Control+s")
+    expect(studio.at("saved-state")).to_contain_text("saved")
+    studio.at("run-button").click()
+    expect(studio.at("event-strip").locator('[data-kind="failure"]')).to_have_count(1, timeout=20_000)
+    expect(studio.at("planned-stall")).to_have_count(0)
+    studio.at("failure-remove-0").click()
+    expect(studio.at("failure-0")).to_have_count(0)
+
+
+def test_stop_leaves_every_robot_standing_still(open_studio):
+    studio = open_studio(TRANSPORT)
+    studio.at("run-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "running")
+    studio.at("stop-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "stopped")
+    # The arena draws on its way to the last frame for a moment; then nothing moves any more.
+    frames = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    pictures = [b""]
+    while len(pictures) < 50 and (pictures[-1] == b"" or pictures[-1] != pictures[-2]):
+        studio.page.evaluate(frames)
+        pictures.append(studio.at("arena-canvas").screenshot())
+    for _ in range(5):
+        studio.page.evaluate(frames)
+        assert studio.at("arena-canvas").screenshot() == pictures[-1]
