@@ -8,6 +8,7 @@ from kitrobot.compiler import compile_program, graph_to_lll
 from kitrobot.graph import Program
 from kitrobot.primitives import Catalogue, OwnVariable, load_catalogue, read_own
 from kitrobot.workspace import KeptPrograms
+from kitrobot.workspace.kept import MOST_STATES
 from kitrobot.workspace.program_report import program_report
 from tests.compiler.graphs import graph, shipped
 
@@ -28,7 +29,6 @@ def test_the_same_program_is_found_again_with_all_that_was_made_of_it() -> None:
 def test_another_word_anywhere_in_a_program_is_another_program() -> None:
     kept = KeptPrograms()
     program = blink()
-    first = kept.of(program, shipped())
     vertex = program.vertices[-1]
     others = [
         replace(program, name="other"),
@@ -41,8 +41,10 @@ def test_another_word_anywhere_in_a_program_is_another_program() -> None:
             for change in ({"id": "x"}, {"element": "Break"}, {"settings": {"duration": "3"}}, {"unknown": "<x/>"})
         ),
     ]
-    assert len({id(kept.of(one, shipped())) for one in [*others, program]}) == len(others) + 1
-    assert kept.of(blink(), shipped()) is first
+    for one in others:
+        first = kept.of(program, shipped())
+        assert kept.of(one, shipped()) is not first
+        assert kept.of(blink(), shipped()) is first
 
 
 def test_the_order_of_settings_counts_as_it_does_in_the_text_of_a_call_that_nobody_knows() -> None:
@@ -81,6 +83,15 @@ def test_what_is_kept_has_a_limit_and_the_oldest_goes_first() -> None:
     kept.of(blink(wait=4), shipped())
     assert kept.of(program, shipped()) is first
     assert kept.of(blink(wait=3), shipped()) is not second
+
+
+def test_of_one_program_the_newest_states_are_kept() -> None:
+    kept = KeptPrograms()
+    states = [kept.of(blink(wait=wait), shipped()) for wait in range(1, MOST_STATES + 2)]
+    assert kept.of(replace(blink(), name="other"), shipped()) not in states
+    found = [kept.of(blink(wait=wait), shipped()) for wait in range(2, MOST_STATES + 2)]
+    assert all(one is other for one, other in zip(found, states[1:], strict=True))
+    assert kept.of(blink(wait=1), shipped()) is not states[0]
 
 
 def test_a_program_beyond_the_limit_is_compiled_all_the_same() -> None:

@@ -24,6 +24,8 @@ from kitrobot.workspace.program_report import ProgramReport, program_report
 
 MOST_VERTICES = 20_000
 """Of all programs that are kept together: some 50 MB."""
+MOST_STATES = 4
+"""Of one program: as it is, and as it was before the last edits."""
 MOST_CATALOGUES = 16
 
 
@@ -63,7 +65,7 @@ class _Extended:
 
 
 class KeptPrograms:
-    """The newest programs, up to `most_vertices` in all."""
+    """The newest states of the newest programs, up to `most_vertices` in all."""
 
     def __init__(self, most_vertices: int = MOST_VERTICES) -> None:
         self._most_vertices = most_vertices
@@ -97,10 +99,15 @@ class KeptPrograms:
                 return kept
             kept = self._programs[key] = KeptProgram(program, catalogue, translation)
             self._vertices += len(program.vertices)
+            states = [one for one, other in self._programs.items() if other.program.name == program.name]
+            for old in states[:-MOST_STATES]:
+                self._forget(old)
             while self._vertices > self._most_vertices:
-                _, gone = self._programs.popitem(last=False)
-                self._vertices -= len(gone.program.vertices)
+                self._forget(next(iter(self._programs)))
         return kept
+
+    def _forget(self, key: tuple[bytes, int]) -> None:
+        self._vertices -= len(self._programs.pop(key).program.vertices)
 
 
 def _same(kept: Sequence[object], given: Sequence[object]) -> bool:
