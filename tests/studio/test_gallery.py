@@ -43,3 +43,20 @@ def test_open_shows_every_example_and_the_keyboard_opens_one_that_runs_to_its_en
     studio.full_speed()
     studio.at("run-button").click()
     studio.wait_until_done()
+
+
+def test_a_card_shows_coloured_floor_and_robots_where_they_start_and_its_mission_runs_there(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.page.keyboard.press("Control+o")
+    card = studio.at("example-line-follower")
+    expect(card.locator(".picture-floor")).to_have_count(4)
+    # At the start “line”, which its agent names, not at the one of the agent's own name.
+    expect(card.locator(".picture-world g[transform^='translate(700 1350)']")).to_have_count(1)
+    expect(studio.at("example-sumo").locator(".picture-robot")).to_have_count(2)
+    card.click()
+    studio.expect_code("RightEye.IsBlue()")
+    studio.full_speed()
+    studio.at("run-button").click()
+    studio.wait_until_done()
