@@ -197,7 +197,7 @@ def decode(data: bytes, first_tick: int, records: int, columns: int, agents: int
         for made in range(records):
             later = source.number()
             if (later == 0) != (made == 0):
-                raise ValueError("a tick that stands still")
+                raise ValueError("tick")
             tick += later
             index = 0
             for _ in range(source.count()):
@@ -218,7 +218,7 @@ def decode(data: bytes, first_tick: int, records: int, columns: int, agents: int
             ]
             yield TickRecord(tick, numbers, active, commands)
         if source.at != len(data):
-            raise ValueError("more than its records")
+            raise ValueError("rest")
     except (IndexError, ValueError) as error:
         raise TraceError(f"the trace is damaged after tick {tick}: its records do not make sense") from error
 
@@ -236,7 +236,7 @@ def decode_events(data: bytes, first_tick: int, last_tick: int, agents: int) -> 
             later, ago = source.number(), source.number()
             tick = first_tick + later
             if not before <= later <= last_tick - first_tick or ago > tick:
-                raise ValueError("at no time of this chunk")
+                raise ValueError("tick")
             before = later
             kind, agent, text, cause = source.text(), source.number(), source.text(), source.text()
             yield tick, TraceEvent(tick - ago, kind, _one_of(agent, agents + 1) - 1, text, cause)
@@ -246,5 +246,5 @@ def decode_events(data: bytes, first_tick: int, last_tick: int, agents: int) -> 
 
 def _one_of(number: int, count: int) -> int:
     if number >= count:
-        raise ValueError("nobody of that number")
+        raise ValueError("agent")
     return number

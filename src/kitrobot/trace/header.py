@@ -58,41 +58,41 @@ def header_from_json(data: Any) -> TraceHeader:
 
 def _text(value: Any) -> str:
     if not isinstance(value, str):
-        raise TypeError("no text")
+        raise TypeError("text")
     value.encode()
     return value
 
 
 def _whole(value: Any, least: int, most: int) -> int:
     if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= most:
-        raise ValueError("no whole number of that size")
+        raise ValueError("number")
     return value
 
 
 def _rate(value: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= 1:
-        raise ValueError("no probability")
+        raise ValueError("probability")
     return float(value)
 
 
 def _agents(rows: Any) -> Iterable[TraceAgent]:
     if len(rows) > MOST_AGENTS:
-        raise ValueError("too many agents")
+        raise ValueError("agents")
     for name, program, robot, kind, number in rows:
         yield TraceAgent(_text(name), _text(program), _text(robot), _text(kind), _whole(number, 0, 2**31))
 
 
 def _columns(rows: Any) -> Iterable[Column]:
     if len(rows) > MOST_COLUMNS:
-        raise ValueError("too many columns")
+        raise ValueError("columns")
     for owner, name, scale in rows:
         if isinstance(scale, bool) or not isinstance(scale, (int, float)) or not 1e-9 <= abs(scale) <= 1e9:
-            raise ValueError("no scale")
+            raise ValueError("scale")
         yield Column(_text(owner), _text(name), float(scale))
 
 
 def _vertices(rows: Any) -> Iterable[str | None]:
     if not isinstance(rows, list):
-        raise TypeError("no list")
+        raise TypeError("list")
     for vertex in rows:
         yield None if vertex is None else _text(vertex)

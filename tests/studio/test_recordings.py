@@ -1,0 +1,139 @@
+"""A run is saved as a recording, which is dropped, opened and played in the studio like a run."""
+
+from __future__ import annotations
+
+import base64
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+import kitrobot
+from tests.studio.conftest import EXAMPLES, Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[[str | None], Studio]
+PAUSED, DONE = re.compile("^paused$"), re.compile("^done$")
+DROP = """([name, content]) => {
+  const bytes = Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0));
+  const data = new DataTransfer();
+  data.items.add(new File([bytes], name));
+  const target = document.querySelector('.studio');
+  for (const type of ["dragover", "drop"]) {
+    target.dispatchEvent(new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true }));
+  }
+}"""
+
+
+def drop(studio: Studio, name: str, content: bytes) -> None:
+    studio.page.evaluate(DROP, [name, base64.b64encode(content).decode()])
+
+
+def recorded(folder: Path, seed: int = 4) -> bytes:
+    path = folder / "made.krtrace"
+    kitrobot.open(EXAMPLES / "transport" / "transport.krt").run(seed=seed, trace=path)
+    return path.read_bytes()
+
+
+def value(studio: Studio, attribute: str) -> int:
+    return int(studio.at("event-strip").get_attribute(attribute) or "-1")
+
+
+def expect_tick(studio: Studio, wanted: int) -> None:
+    expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", str(wanted), timeout=10_000)
+
+
+def held(studio: Studio) -> int:
+    """Pauses the recording, and gives the tick that it stands at."""
+    studio.page.keyboard.press("F6")
+    expect(studio.at("status")).to_have_attribute("data-status", PAUSED, timeout=10_000)
+    return value(studio, "aria-valuenow")
+
+
+def test_a_dropped_recording_plays_is_stepped_sought_and_run_live(open_studio: OpenStudio, tmp_path: Path) -> None:
+    studio = open_studio("blink/blink.krt")
+    drop(studio, "bug.krtrace", recorded(tmp_path))
+    bar = studio.at("recording-bar")
+    expect(bar).to_contain_text("bug.krt, seed 4", timeout=20_000)
+    expect(studio.at("tab-carrier")).to_be_visible()
+    expect(studio.at("saved-state")).to_have_text("from a recording")
+    at = held(studio)
+    latest = value(studio, "aria-valuemax")
+    assert latest > 2000 > at
+    expect(studio.page.locator(".strip-events [data-kind=unload]").first).to_be_attached()
+    expect(studio.page.locator(".vertex.is-active").first).to_be_attached()
+    studio.at("event-strip").focus()
+    studio.page.keyboard.press("Home")
+    expect_tick(studio, 0)
+    studio.page.keyboard.press("PageUp")
+    expect_tick(studio, 50)
+    studio.page.keyboard.press("F10")
+    expect_tick(studio, 51)
+    studio.page.keyboard.press("F9")
+    studio.page.keyboard.press("F9")
+    expect_tick(studio, 49)
+    studio.at("step-vertex-button").click()
+    expect(studio.at("event-strip")).not_to_have_attribute("aria-valuenow", "49")
+    studio.at("watch-button").click()
+    expect(studio.at("watch-Dock").get_by_role("textbox")).to_be_disabled()
+    studio.at("event-strip").focus()
+    studio.page.keyboard.press("End")
+    expect_tick(studio, latest)
+    expect(studio.at("status")).to_have_attribute("data-status", DONE, timeout=10_000)
+    expect(studio.at("status")).to_contain_text("B holds all 12 boxes")
+    studio.full_speed()
+    studio.at("run-recorded").click()
+    expect(bar).to_have_attribute("data-playing", "false", timeout=10_000)
+    expect(bar).to_contain_text("runs anew")
+    studio.wait_until_done()
+    assert value(studio, "aria-valuemax") == latest, "the same mission and seed are the same run"
+    studio.at("play-recording").click()
+    expect(bar).to_have_attribute("data-playing", "true", timeout=10_000)
+
+
+def test_the_run_is_saved_with_what_was_done_to_it_and_shows_it_again(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.page.locator(".vertex", has_text="LightOn").click()
+    studio.page.keyboard.press("b")
+    studio.at("run-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", PAUSED, timeout=20_000)
+    studio.at("watch-button").click()
+    count = studio.at("watch-Count").get_by_role("textbox")
+    count.click()
+    count.fill("42")
+    studio.page.keyboard.press("Enter")
+    expect(count).to_have_value("42")
+    expect(studio.page.locator(".strip-events [data-kind=outside]")).to_have_count(1)
+    latest = value(studio, "aria-valuemax") + 1
+    studio.page.keyboard.press("F10")
+    expect_tick(studio, latest)
+    studio.page.get_by_role("menuitem", name="Run", exact=True).click()
+    with studio.page.expect_download() as saved:
+        studio.page.get_by_role("menuitem", name="Save this run").click()
+    assert saved.value.suggested_filename == "blink-1.krtrace"
+    path = studio.folder / "kept.krtrace"
+    saved.value.save_as(path)
+    studio.page.keyboard.press("Shift+F5")
+    studio.page.keyboard.press("Control+z")
+    studio.page.keyboard.press("Control+o")
+    studio.page.locator('[data-path="kept.krtrace"]').click()
+    expect(studio.at("recording-bar")).to_contain_text("kept.krt, seed 1", timeout=20_000)
+    expect(studio.at("status")).to_have_attribute("data-status", "end", timeout=20_000)
+    expect(studio.at("status")).to_contain_text("still on")
+    expect_tick(studio, latest)
+    expect(studio.page.locator(".strip-events [data-kind=outside]")).to_have_count(1)
+    expect(studio.at("watch-Count").get_by_role("textbox")).to_have_value("42")
+
+
+def test_what_is_no_recording_is_a_sentence_and_nothing_is_lost(open_studio: OpenStudio, tmp_path: Path) -> None:
+    studio = open_studio("blink/blink.krt")
+    drop(studio, "bad.krtrace", b"no trace at all")
+    expect(studio.at("banner")).to_contain_text("not a KitRobot trace", timeout=10_000)
+    expect(studio.at("title")).to_contain_text("blink.krt")
+    studio.faults.clear()  # the browser logs the refusal itself
+    data = recorded(tmp_path)
+    drop(studio, "cut.krtrace", data[: len(data) * 2 // 3])
+    expect(studio.at("recording-bar")).to_contain_text("cut off", timeout=20_000)
