@@ -28,6 +28,9 @@ MOST_STATES = 4
 """Of one program: as it is, and as it was before the last edits."""
 MOST_CATALOGUES = 16
 
+_Key = tuple[bytes, int]
+"""What a program says, and the id of its catalogue."""
+
 
 class KeptProgram:
     """A program, the catalogue it is for, and what became of it, each made when it is first asked for."""
@@ -70,7 +73,9 @@ class KeptPrograms:
     def __init__(self, most_vertices: int = MOST_VERTICES) -> None:
         self._most_vertices = most_vertices
         self._lock = threading.Lock()
-        self._programs: OrderedDict[tuple[bytes, int], KeptProgram] = OrderedDict()
+        self._programs: OrderedDict[_Key, KeptProgram] = OrderedDict()
+        self._keys: dict[tuple[int, int], _Key] = {}
+        """Of the very objects that are kept, by their ids: these cannot come again before the objects are gone."""
         self._vertices = 0
         self._catalogues: list[_Extended] = []
 
@@ -90,7 +95,12 @@ class KeptPrograms:
 
     def of(self, program: Program, catalogue: Catalogue, translation: Translation | None = None) -> KeptProgram:
         """A program as it is kept, or from now on is; `translation`: where it was made already."""
-        # The catalogue's id cannot come again while what is kept holds the catalogue.
+        same = (id(program), id(catalogue))
+        with self._lock:
+            key = self._keys.get(same)
+            if key is not None:
+                self._programs.move_to_end(key)
+                return self._programs[key]
         key = (hashlib.sha256(orjson.dumps(program)).digest(), id(catalogue))
         with self._lock:
             kept = self._programs.get(key)
@@ -98,6 +108,7 @@ class KeptPrograms:
                 self._programs.move_to_end(key)
                 return kept
             kept = self._programs[key] = KeptProgram(program, catalogue, translation)
+            self._keys[same] = key
             self._vertices += len(program.vertices)
             states = [one for one, other in self._programs.items() if other.program.name == program.name]
             for old in states[:-MOST_STATES]:
@@ -106,8 +117,10 @@ class KeptPrograms:
                 self._forget(next(iter(self._programs)))
         return kept
 
-    def _forget(self, key: tuple[bytes, int]) -> None:
-        self._vertices -= len(self._programs.pop(key).program.vertices)
+    def _forget(self, key: _Key) -> None:
+        gone = self._programs.pop(key)
+        del self._keys[id(gone.program), id(gone.catalogue)]
+        self._vertices -= len(gone.program.vertices)
 
 
 def _same(kept: Sequence[object], given: Sequence[object]) -> bool:
