@@ -3,7 +3,7 @@
  * apart from far away stays: direction, load, and the signs of those that failed, stalled or lost their radio.
  */
 import { toScreen } from "./camera";
-import type { Brush } from "./draw-world";
+import { type Brush, ROBOT_MM } from "./draw-world";
 import type { Seen } from "./scene";
 
 /** From so many robots on they are drawn simply, while they are small. */
@@ -11,11 +11,10 @@ export const CROWD = 150;
 /** Robots shorter than this on the screen are small, in px. */
 const SMALL_PX = 26;
 const LEAST_PX = 3.5;
-const BODY_UNITS = 54;
 
-/** Whether the robots are to be drawn simply. */
-export function isCrowd(seen: readonly Seen[], unit: number): boolean {
-  return seen.length >= CROWD && unit * BODY_UNITS < SMALL_PX;
+/** Whether the robots are to be drawn simply; `scale` is px a mm. */
+export function isCrowd(robots: number, scale: number): boolean {
+  return robots >= CROWD && scale * ROBOT_MM < SMALL_PX;
 }
 
 interface Dot {
@@ -51,8 +50,8 @@ function signs({ pen, colours }: Brush, dots: readonly Dot[], stroke: (x: number
 
 /** The robots on the screen. `program`: those of another one step back; "" for none. */
 export function drawCrowd(brush: Brush, seen: readonly Seen[], program: string): void {
-  const { pen, camera, room, colours, unit } = brush;
-  const size = Math.max((unit * BODY_UNITS) / 2, LEAST_PX);
+  const { pen, camera, room, colours } = brush;
+  const size = Math.max((camera.scale * ROBOT_MM) / 2, LEAST_PX);
   const dots: Dot[] = [];
   const behind: Dot[] = [];
   for (const one of seen) {

@@ -236,7 +236,7 @@ function drawPlace(brush: Brush, scene: Scene, one: Seen): void {
 /** Everybody. `program`: robots of another one step back; "" for none. */
 export function drawActors(brush: Brush, scene: Scene, seen: readonly Seen[], selected: string, program: string): void {
   drawScore(brush, scene);
-  const crowd = isCrowd(seen, brush.unit);
+  const crowd = isCrowd(seen.length, brush.camera.scale);
   if (crowd) drawCrowd(brush, seen, program);
   const order = { keeper: 0, robot: 1, arm: 2 };
   const closely = crowd ? seen.filter((one) => one.actor.name === selected) : [...seen];
