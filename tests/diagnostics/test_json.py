@@ -34,7 +34,7 @@ def test_the_published_shape() -> None:
 def test_the_order_of_the_published_shape() -> None:
     wanted = ["file", "line", "column", "end_line", "end_column", "severity", "code", "message", "help"]
     assert list(to_json(FULL)) == wanted
-    assert list(to_page_json(FULL)) == [*wanted, "program", "vertices", "arcs", "fix"]
+    assert list(to_page_json(FULL)) == [*wanted, "program", "vertices", "arcs", "thing", "fix"]
 
 
 def test_what_has_no_place_has_the_place_nought() -> None:
@@ -58,6 +58,7 @@ def test_the_page_gets_vertices_and_arcs_too() -> None:
         "program": "carrier",
         "vertices": ["v1", "v2"],
         "arcs": [["v1", "next", "v2", "in"], ["v1", "next", "v3", "in"]],
+        "thing": "",
         "fix": {"text": ";", "kind": "text", "name": ""},
     }
 
