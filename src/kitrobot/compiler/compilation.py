@@ -32,14 +32,17 @@ class Compiled:
         return self.image is not None
 
 
-def compile_lll(program: Seq, robot: Robot, source: Source | None = None, name: str = "") -> Compiled:
+def compile_lll(
+    program: Seq, robot: Robot, source: Source | None = None, name: str = "", *, sound: bool = False
+) -> Compiled:
     """Checks a tree for a robot and lowers it. Without a `source` the tree is printed first, to have a text.
 
-    `name` is the program's name in its mission, set on the diagnostics.
+    `name` is the program's name in its mission, set on the diagnostics; `sound`: `check` found nothing in an equal
+    tree.
     """
     if source is None:
         source = Source(f"{name or 'program'}.lll", print_program(program))
-    diagnostics = check(program, robot, source, name)
+    diagnostics = [] if sound else check(program, robot, source, name)
     if any(item.is_error for item in diagnostics):
         return Compiled(program, source, None, DebugMap(), diagnostics)
     image, debug, too_large = lower(program, robot)
@@ -58,18 +61,20 @@ def compile_text(text: str, robot: Robot, name: str = "program.lll") -> Compiled
     return replace(compiled, diagnostics=in_reading_order(parsed.diagnostics + compiled.diagnostics))
 
 
-def compile_program(program: Program, catalogue: Catalogue, translation: Translation | None = None) -> Compiled:
+def compile_program(
+    program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
+) -> Compiled:
     """Translates a graph to LLL and compiles it for its robot. Vertices are named in the diagnostics and debug map.
 
-    `translation`: the graph's, where it was made already.
+    `translation`: the graph's, where it was made already; `sound`: `check` found nothing in a tree equal to its own.
 
     Raises KitRobotError when the catalogue has no such robot.
     """
     with collection_paused():
-        return _compile_program(program, catalogue, translation)
+        return _compile_program(program, catalogue, translation, sound)
 
 
-def _compile_program(program: Program, catalogue: Catalogue, translation: Translation | None) -> Compiled:
+def _compile_program(program: Program, catalogue: Catalogue, translation: Translation | None, sound: bool) -> Compiled:
     robot = catalogue.robot(program.robot)
     if translation is None:
         translation = graph_to_lll(program, catalogue)
@@ -78,7 +83,7 @@ def _compile_program(program: Program, catalogue: Catalogue, translation: Transl
         found = check(translation.program, robot, source, program.name)
         diagnostics = translation.diagnostics + _news(found, translation.diagnostics)
         return Compiled(translation.program, source, None, DebugMap(), diagnostics)
-    compiled = compile_lll(translation.program, robot, source, program.name)
+    compiled = compile_lll(translation.program, robot, source, program.name, sound=sound)
     return Compiled(
         compiled.program, source, compiled.image, compiled.debug, translation.diagnostics + compiled.diagnostics
     )

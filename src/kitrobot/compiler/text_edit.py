@@ -36,13 +36,15 @@ class Followed:
     """The graph of an edited text (None when there are mistakes in it), and what there is to say about the text.
 
     `spans` are the outermost stretches of each vertex in the text, in reading order; none without a graph.
-    `translation` is the graph's way back to LLL, for who compiles it next; its tree is not the one of the text.
+    `translation` is the graph's way back to LLL, for who compiles it next; its tree is not the one of the text, but
+    equal to it where `sound` says so: then there is nothing to say about either.
     """
 
     program: Program | None
     spans: list[VertexPlace] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     translation: Translation | None = field(default=None, repr=False, compare=False)
+    sound: bool = field(default=False, repr=False, compare=False)
 
 
 def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followed:
@@ -61,7 +63,8 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
     diagnostics = [replace(item, program=program.name) for item in in_reading_order(parsed.diagnostics + found)]
     if parsed.ok and not _news(found, before, robot):
         drawn, made = redraw_edited(parsed.program, robot, catalogue, Before(before))
-        return Followed(drawn, list(_spans(parsed.program, parsed.source)), diagnostics, made)
+        sound = not diagnostics and made.program == parsed.program
+        return Followed(drawn, list(_spans(parsed.program, parsed.source)), diagnostics, made, sound)
     old = Old.beside(Before(before), parsed.program)
     return Followed(None, [], [_at_vertex(item, parsed.program, parsed.source, old) for item in diagnostics])
 

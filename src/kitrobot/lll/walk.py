@@ -29,7 +29,9 @@ def nodes(root: Node) -> list[Node]:
     while waiting:
         node = waiting.pop()
         found.append(node)
-        waiting += reversed(children(node))
+        inside = _INSIDE.get(type(node))
+        if inside is not None:
+            waiting += inside(node)[::-1]
     return found
 
 

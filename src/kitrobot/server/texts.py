@@ -54,6 +54,6 @@ def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditSha
         if followed.program is not None:
             drawn = followed.program
             mission.programs = [drawn if one is program else one for one in mission.programs]
-            studio.programs.of(drawn, parts, followed.translation)
+            studio.programs.of(drawn, parts, followed.translation, sound=followed.sound)
             report = studio.open(mission, wanted.path).check()
         return followed_answer(followed, report, MOST_PROBLEMS)

@@ -35,10 +35,13 @@ _Key = tuple[bytes, int]
 class KeptProgram:
     """A program, the catalogue it is for, and what became of it, each made when it is first asked for."""
 
-    def __init__(self, program: Program, catalogue: Catalogue, translation: Translation | None = None) -> None:
+    def __init__(
+        self, program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
+    ) -> None:
         self.program = program
         self.catalogue = catalogue
         self._given = translation
+        self._sound = sound
 
     @cached_property
     def translation(self) -> Translation:
@@ -48,7 +51,7 @@ class KeptProgram:
     @cached_property
     def compiled(self) -> Compiled:
         """The program compiled. Raises KitRobotError when its robot is not at hand."""
-        return compile_program(self.program, self.catalogue, self.translation)
+        return compile_program(self.program, self.catalogue, self.translation, sound=self._sound)
 
     @cached_property
     def report(self) -> ProgramReport:
@@ -93,8 +96,10 @@ class KeptPrograms:
             self._catalogues.append(_Extended(common, tuple(constructors), tuple(variables), made))
         return made
 
-    def of(self, program: Program, catalogue: Catalogue, translation: Translation | None = None) -> KeptProgram:
-        """A program as it is kept, or from now on is; `translation`: where it was made already."""
+    def of(
+        self, program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
+    ) -> KeptProgram:
+        """A program as it is kept, or from now on is; `translation` and `sound` as for `compile_program`."""
         same = (id(program), id(catalogue))
         with self._lock:
             key = self._keys.get(same)
@@ -107,7 +112,7 @@ class KeptPrograms:
             if kept is not None:
                 self._programs.move_to_end(key)
                 return kept
-            kept = self._programs[key] = KeptProgram(program, catalogue, translation)
+            kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound)
             self._keys[same] = key
             self._vertices += len(program.vertices)
             states = [one for one, other in self._programs.items() if other.program.name == program.name]
