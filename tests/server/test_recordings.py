@@ -53,7 +53,7 @@ def never() -> bool:
 
 
 def told(one: Watch | Player) -> tuple[bytes, dict[str, Any], float]:
-    frame, news = one.frame(), one.news()
+    frame, news = one.tell()
     news["events"] = []
     return frame, news, one.seconds
 

@@ -184,6 +184,10 @@ class Player:
         happened = [event for _, event in self._reader.events[-MOST_EVENTS_TOLD:]] if again else []
         return self._teller.news(self._now, self._reader.last_tick, again, happened)
 
+    def tell(self) -> tuple[bytes, dict[str, Any]]:
+        """The frame and the news of now."""
+        return self.frame(), self.news()
+
     def close(self) -> None:
         """Lets go of the file."""
         self._reader.close()

@@ -287,8 +287,9 @@ class Session:
             return
 
     async def _news(self, watch: Watch | Player) -> None:
-        await self._socket.send_bytes(watch.frame())
-        await self._socket.send_text(orjson.dumps(watch.news()).decode())
+        frame, news = watch.tell()
+        await self._socket.send_bytes(frame)
+        await self._socket.send_text(orjson.dumps(news).decode())
 
     async def _state(self, watch: Watch | Player, status: Any) -> None:
         """Says what became of the run, when that is new."""

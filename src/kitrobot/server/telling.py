@@ -76,6 +76,7 @@ class Teller:
             self._collisions = places[TEAM, "collisions"]
         except KeyError as error:
             raise TraceError("the trace lacks numbers that every run has", "record the run once more") from error
+        self._poses = [place for agent in self._agents for place in agent.pose]
         team = by_owner.get(TEAM, [])
         self._stock = _named("stock ", team)
         self._delivered = _named("delivered ", team)
@@ -132,7 +133,9 @@ class Teller:
     def frame(self, record: TickRecord) -> bytes:
         """All poses: float32, little-endian: tick, how many, then x, y, heading, load, flags of each."""
         row = record.numbers
-        numbers = [_bounded(row[at]) * scale for agent in self._agents for at, scale in agent.pose]
+        if row and not (min(row) >= -_MOST and max(row) <= _MOST):
+            row = [_bounded(number) for number in row]
+        numbers = [row[at] * scale for at, scale in self._poses]
         return struct.pack(f"<{2 + len(numbers)}f", record.tick, len(self._agents), *numbers)
 
     def standing(self, record: TickRecord, agent: str) -> list[tuple[str, tuple[str | None, ...]]]:

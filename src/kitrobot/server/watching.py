@@ -180,17 +180,16 @@ class Watch:
         """The first message."""
         return self._teller.started(run, self._simulation.world, self._record(), recording=False)
 
-    def frame(self) -> bytes:
-        """All poses, as `Teller.frame` gives them."""
-        return self._teller.frame(self._record())
-
-    def news(self) -> dict[str, Any]:
-        """What changed since the last time, in the shape of a `TickMessage`."""
+    def tell(self) -> tuple[bytes, dict[str, Any]]:
+        """All poses, as `Teller.frame` gives them, and what changed since the last time, in the shape of a
+        `TickMessage`.
+        """
         again, self._again = self._again, False
         happened = [*self._timeline.events[-MOST_EVENTS_TOLD:], *self._early] if again else self._events
         self._events = []
         record = self._record(happened)
-        return self._teller.news(record, self._timeline.latest, again, record.events)
+        news = self._teller.news(record, self._timeline.latest, again, record.events)
+        return self._teller.frame(record), news
 
     def _record(self, happened: Iterable[Event] = ()) -> TickRecord:
         """The run as it stands, as a trace would hold it."""

@@ -94,7 +94,7 @@ class Recorder:
         """
         simulation, state = self._simulation, self._simulation.state
         xs, ys, headings = (numbers(state.real[column]) for column in (X, Y, HEADING))
-        loads = numbers(state.whole[LOAD])
+        loads, flags = numbers(state.whole[LOAD]), simulation.all_flags()
         recorded: list[int] = []
         commands: list[TraceCommand] = []
         for agent in simulation.members:
@@ -103,7 +103,7 @@ class Recorder:
             recorded.append(round(ys[i] * 10))
             recorded.append(round(normalised(headings[i]) * 1000))
             recorded.append(loads[i])
-            recorded.append(simulation.flags(i))
+            recorded.append(flags[i])
             if whole is not None and i not in whole:
                 recorded += [0] * (self._widths[i] - len(POSE))
                 continue
