@@ -1,22 +1,18 @@
 /** The menu of a robot in the arena: by the right button, a finger that rests, the menu key, or Enter on the chosen one. */
-import { useEffect, useLayoutEffect, useRef, useState } from "react";
-import { createPortal } from "react-dom";
+import { useState } from "react";
 
 import { FAILED, MUTED, STALLED } from "../api/wire";
-import { Menu } from "../shell/Menu";
+import { FloatingMenu } from "../shell/FloatingMenu";
 import type { MenuEntry } from "../shell/menu-model";
 import { posesAt } from "../run/poses";
 import { canGoBack, useRun } from "../run/run";
 import { t } from "../words/words";
 import { follow, harm, useRobots } from "./robots";
 
-const EDGE = 8;
-
 export function RobotMenu({ onClosed }: { onClosed: () => void }) {
   const menu = useRobots((state) => state.menu);
-  const place = document.querySelector("main") ?? document.body;
   if (menu === null) return null;
-  return createPortal(<Open key={`${menu.name} ${String(menu.x)}`} {...menu} onClosed={onClosed} />, place);
+  return <Open key={`${menu.name} ${String(menu.x)}`} {...menu} onClosed={onClosed} />;
 }
 
 /** What can be done to a robot as it is now. */
@@ -52,48 +48,18 @@ export function entriesOf(name: string): MenuEntry[] {
 }
 
 function Open({ name, x, y, onClosed }: { name: string; x: number; y: number; onClosed: () => void }) {
-  const root = useRef<HTMLDivElement>(null);
   const [entries] = useState(() => entriesOf(name));
-  const [place, setPlace] = useState({ x, y });
-  useLayoutEffect(() => {
-    const box = root.current?.querySelector("[role=menu]")?.getBoundingClientRect();
-    if (box === undefined) return;
-    setPlace({
-      x: Math.max(EDGE, Math.min(x, window.innerWidth - EDGE - box.width)),
-      y: Math.max(EDGE, Math.min(y, window.innerHeight - EDGE - box.height)),
-    });
-  }, [x, y]);
-  useEffect(() => {
-    const outside = (event: Event) => {
-      if (event.target instanceof Node && root.current?.contains(event.target) === true) return;
-      useRobots.setState({ menu: null });
-    };
-    document.addEventListener("pointerdown", outside, true);
-    document.addEventListener("wheel", outside, true);
-    window.addEventListener("blur", outside);
-    return () => {
-      document.removeEventListener("pointerdown", outside, true);
-      document.removeEventListener("wheel", outside, true);
-      window.removeEventListener("blur", outside);
-    };
-  }, []);
   return (
-    <div
-      ref={root}
-      className="context-menu"
-      data-testid="robot-menu"
-      style={{ transform: `translate(${String(place.x)}px, ${String(place.y)}px)` }}
-      onContextMenu={(event) => event.preventDefault()}
-    >
-      <Menu
-        id="robot-menu-list"
-        label={t("harm.menu", { name })}
-        entries={entries}
-        onClose={() => {
-          useRobots.setState({ menu: null });
-          onClosed();
-        }}
-      />
-    </div>
+    <FloatingMenu
+      id="robot"
+      label={t("harm.menu", { name })}
+      at={{ x, y }}
+      entries={entries}
+      onLeave={() => useRobots.setState({ menu: null })}
+      onClose={() => {
+        useRobots.setState({ menu: null });
+        onClosed();
+      }}
+    />
   );
 }

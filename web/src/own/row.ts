@@ -2,10 +2,8 @@
 import type { MouseEvent, PointerEvent } from "react";
 
 import { cancelDrag } from "../editor/drag";
+import { whenFingerRests } from "../shell/rest";
 import { openDelete, openEdit, openPartMenu } from "./state";
-
-const REST_MS = 550;
-const STILL_PX = 8;
 
 /** Handlers for the row. */
 export function ownHandlers(name: string) {
@@ -19,25 +17,10 @@ export function ownHandlers(name: string) {
 
 /** Opens the menu under a finger that rests. */
 export function restOnOwn(event: PointerEvent, name: string): void {
-  if (event.pointerType === "mouse") return;
-  const { clientX: x, clientY: y } = event;
-  const timer = setTimeout(() => {
-    end();
+  whenFingerRests(event, (x, y) => {
     cancelDrag();
     openPartMenu(name, x, y);
-  }, REST_MS);
-  const moved = (move: globalThis.PointerEvent) => {
-    if (Math.hypot(move.clientX - x, move.clientY - y) > STILL_PX) end();
-  };
-  const end = () => {
-    clearTimeout(timer);
-    window.removeEventListener("pointermove", moved);
-    window.removeEventListener("pointerup", end);
-    window.removeEventListener("pointercancel", end);
-  };
-  window.addEventListener("pointermove", moved);
-  window.addEventListener("pointerup", end);
-  window.addEventListener("pointercancel", end);
+  });
 }
 
 /** What a key means on the row; false when it means nothing there. */
