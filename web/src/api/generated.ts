@@ -677,8 +677,8 @@ export interface ProgramReport {
 }
 
 /**
- * A recording that was opened: its number, by which it is played, and the mission that it brought along. `cut`: its
- * file ends before its run did.
+ * A recording that was opened: its name, by which it is played, and the mission that it brought along. `cut`: its file
+ * ends before its run did.
  */
 export interface Recording {
   recording: string;
@@ -694,7 +694,7 @@ export interface RecordingEntry {
   modified: string;
 }
 
-/** Play a recording that was opened; `recording` is its number. */
+/** Play a recording that was opened; `recording` is its name. */
 export interface ReplayRequest {
   type: "replay";
   recording: string;
