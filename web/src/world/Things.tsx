@@ -56,11 +56,11 @@ export function Things({ world }: { world: OwnWorld }) {
       <h2 id="world-things">{t("world.things-title")}</h2>
       <ul role="tree" aria-labelledby="world-things" aria-multiselectable="true" ref={tree} onKeyDown={onKeyDown}>
         {groups.map(({ kind, count }) => (
-          <li key={kind} role="treeitem" aria-expanded="true" aria-selected="false" aria-label={kindName(kind)}>
+          <li key={kind} role="none">
             <span className="world-kind" aria-hidden="true">
               <Icon name={KIND_ICONS[kind]} size={14} /> {kindName(kind)}
             </span>
-            <ul role="group">
+            <ul role="group" aria-label={kindName(kind)}>
               {Array.from({ length: count }, (_, at) => {
                 const thing: Thing = { kind, at };
                 const problem = wrong.find((one) => {

@@ -395,7 +395,7 @@ export function moved(world: OwnWorld, thing: Thing, dx: number, dy: number): Ow
 
 // -- finding
 
-const DOCK_MM = 40;
+const DOCK_MM = 70;
 const ROBOT_MM = 55;
 
 function offThing(world: OwnWorld, thing: Thing, x: number, y: number): number {
