@@ -8,14 +8,11 @@ date; it may only be gone, and is then made again. Safe to use from many threads
 
 from __future__ import annotations
 
-import hashlib
 import threading
 from collections import OrderedDict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-
-import orjson
 
 from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll
 from kitrobot.graph import Program
@@ -28,8 +25,8 @@ MOST_STATES = 4
 """Of one program: as it is, and as it was before the last edits."""
 MOST_CATALOGUES = 16
 
-_Key = tuple[bytes, int]
-"""What a program says, and the id of its catalogue."""
+_Key = tuple[object, int]
+"""All that a program says, and the id of its catalogue."""
 
 
 class KeptProgram:
@@ -106,7 +103,7 @@ class KeptPrograms:
             if key is not None:
                 self._programs.move_to_end(key)
                 return self._programs[key]
-        key = (hashlib.sha256(orjson.dumps(program)).digest(), id(catalogue))
+        key = (_all_of(program), id(catalogue))
         with self._lock:
             kept = self._programs.get(key)
             if kept is not None:
@@ -126,6 +123,27 @@ class KeptPrograms:
         gone = self._programs.pop(key)
         del self._keys[id(gone.program), id(gone.catalogue)]
         self._vertices -= len(gone.program.vertices)
+
+
+def _all_of(program: Program) -> object:
+    """Everything a program says, in its order: that of settings counts too, where nobody knows the element."""
+    return (
+        program.name,
+        program.robot,
+        tuple(
+            [
+                (
+                    one.id,
+                    one.element,
+                    tuple(one.settings.items()),
+                    tuple([(n.text, n.at) for n in one.notes]),
+                    one.unknown,
+                )
+                for one in program.vertices
+            ]
+        ),
+        tuple([(arc.source, arc.target, arc.out, arc.at) for arc in program.arcs]),
+    )
 
 
 def _same(kept: Sequence[object], given: Sequence[object]) -> bool:
