@@ -31,7 +31,8 @@ function arrows({ pen }: Brush, dots: readonly Dot[], size: number): void {
     pen.moveTo(x + ux, y + uy);
     pen.lineTo(x - ux * 0.8 - uy * 0.7, y - uy * 0.8 + ux * 0.7);
     pen.lineTo(x - ux * 0.8 + uy * 0.7, y - uy * 0.8 - ux * 0.7);
-    pen.closePath();
+    // closePath() goes through all that was drawn before, each time.
+    pen.lineTo(x + ux, y + uy);
   }
 }
 
