@@ -24,16 +24,19 @@ from kitrobot.image.model import (
     ImageError,
 )
 
+_Operands = dict[int, tuple[Op, list[tuple[Role, range]]]]
+"""Each instruction by its number: what the operands that name something are, and may be."""
+
 
 def verify(image: Image) -> None:
     """Raises ImageError with the first thing that is wrong; returns when the image is safe to run."""
     _check_sizes(image)
     _check_tree(image)
     regions = _regions(image)
-    allowed = _allowed(image)
+    operands = _operands(image)
     for slot, (start, end) in enumerate(regions):
         for at in range(start, end):
-            _check_instruction(image, allowed, at, slot, start, end)
+            _check_instruction(image, operands, at, slot, start, end)
         most_instructions(image, start, end)
 
 
@@ -102,19 +105,16 @@ def _regions(image: Image) -> list[tuple[int, int]]:
     return list(zip(entries, [*entries[1:], image.instructions], strict=True))
 
 
-def _check_instruction(image: Image, allowed: dict[Role, range], at: int, slot: int, start: int, end: int) -> None:
+def _check_instruction(image: Image, operands: _Operands, at: int, slot: int, start: int, end: int) -> None:
     number, a, b, c = image.code[4 * at : 4 * at + 4]
-    op = BY_NUMBER.get(number)
-    if op is None:
+    known = operands.get(number)
+    if known is None:
         raise _refuse(f"instruction {at} has the unknown number {number}")
-    if op.jumps:
-        if not start <= b + 256 * c < end:
-            raise _refuse(f"instruction {at} jumps out of its slot")
-        operands = [(op.a, a)]
-    else:
-        operands = [(op.a, a), (op.b, b), (op.c, c)]
-    for role, value in operands:
-        if value not in allowed[role] or (role is Role.COUNT and b + value > len(image.cells)):
+    op, places = known
+    if op.jumps and not start <= b + 256 * c < end:
+        raise _refuse(f"instruction {at} jumps out of its slot")
+    for value, (role, allowed) in zip((a, b, c), places, strict=False):
+        if value not in allowed or (role is Role.COUNT and b + value > len(image.cells)):
             raise _refuse(f"instruction {at} ({op.name}) has the operand {value}, which names nothing it may use")
     if op.falls_through and at + 1 >= end:
         raise _refuse(f"instruction {at} runs past the end of its slot")
@@ -128,10 +128,10 @@ def _check_instruction(image: Image, allowed: dict[Role, range], at: int, slot: 
         raise _refuse(f"instruction {at} arms the stop of another slot")
 
 
-def _allowed(image: Image) -> dict[Role, range]:
-    """What each role's operand may be; a COUNT may also not lead past the last cell."""
+def _operands(image: Image) -> _Operands:
+    """Each instruction, and what its operands may be; a COUNT may also not lead past the last cell."""
     cells = len(image.cells)
-    return {
+    allowed = {
         Role.WRITTEN: range(image.first_constant),
         Role.READ: range(cells),
         Role.CONSTANT: range(image.first_constant, cells),
@@ -142,12 +142,24 @@ def _allowed(image: Image) -> dict[Role, range]:
         Role.PARALLEL: range(len(image.parallels)),
         Role.UNUSED: range(1),
     }
+    roles = {number: (op.a,) if op.jumps else (op.a, op.b, op.c) for number, op in BY_NUMBER.items()}
+    return {number: (op, [(role, allowed[role]) for role in roles[number]]) for number, op in BY_NUMBER.items()}
 
 
 def most_instructions(image: Image, start: int, end: int) -> int:
     """The longest way through a slot's code without blocking. Raises ImageError when a way round never blocks."""
     code = image.code
     longest = [0] * (end - start)
+    for at in range(end - 1, start - 1, -1):
+        # Most ways lead on: then all that is behind is known already.
+        most = 0
+        for way in _ways(BY_NUMBER[code[4 * at]], code, at):
+            beyond = longest[way - start] if way > at else 0
+            if beyond == 0:
+                break
+            most = max(most, beyond)
+        else:
+            longest[at - start] = 1 + most
     for root in range(start, end):
         if longest[root - start]:
             continue
