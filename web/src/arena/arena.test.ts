@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
 
 import type { Mission, World } from "../api/types";
+import { isCrowd } from "./draw-crowd";
+import { newStates } from "./StatesSaid";
 import { fit, toScreen, toWorld, zoomAt } from "./camera";
 import { nearestOn, placeAlong, roadLength, signAt } from "./geometry";
 import { lookAt, roleAt, sceneBefore, totalOf } from "./scene";
@@ -168,5 +170,41 @@ describe("the tag", () => {
     const { area } = placeTag(475, 330, 30, size, room, []);
     expect(area.left + area.width).toBeLessThanOrEqual(472);
     expect(area.top + area.height).toBeLessThanOrEqual(328);
+  });
+});
+
+describe("what befalls robots", () => {
+  const well = { x_mm: 300, y_mm: 200, heading_rad: 0, load: 0, flags: 0 };
+  const scene = sceneBefore(MISSION, WORLD);
+
+  it("is told apart in words", () => {
+    const said = (flags: number) => summary(scene, lookAt(scene, [{ ...well, flags }]));
+    expect(said(2)).toContain("c-1 at section 0, failed.");
+    expect(said(32)).toContain("c-1 at section 0, stalled.");
+    expect(said(64)).toContain("c-1 at section 0, without radio.");
+    expect(said(32 | 64)).toContain("stalled, without radio.");
+  });
+
+  it("is said once when it is new, and when it is over", () => {
+    const none = new Map<string, string>();
+    const failed = new Map([["c-1", "failed"]]);
+    expect(newStates(none, failed)).toEqual(["c-1: failed"]);
+    expect(newStates(failed, failed)).toEqual([]);
+    expect(newStates(failed, none)).toEqual(["c-1: well again"]);
+  });
+
+  it("counts a crowd instead of telling of each, and names only who failed", () => {
+    const agents = Array.from({ length: 300 }, (_, n) => ({ name: `r${String(n)}`, program: "p", start: "c-1" }));
+    const crowd = sceneBefore({ ...MISSION, agents }, WORLD);
+    const words = summary(crowd, lookAt(crowd, [{ ...well, flags: 2 }]));
+    expect(words).toContain("300 robots.");
+    expect(words).toContain("r0 at section 0, failed.");
+    expect(words).not.toContain("r1 ");
+  });
+
+  it("is drawn simply where many robots are small", () => {
+    expect(isCrowd(2000, 0.03)).toBe(true);
+    expect(isCrowd(2000, 1)).toBe(false);
+    expect(isCrowd(20, 0.03)).toBe(false);
   });
 });
