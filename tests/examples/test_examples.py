@@ -97,11 +97,11 @@ def is_a_match(seen: Watched) -> bool:
 
 
 def is_a_train(seen: Watched) -> bool:
-    """The leader goes far, and each stays between a hand and an arm behind the one ahead."""
+    """The leader goes far, and each keeps its distance to the one ahead."""
     gaps = [
         math.dist(ahead, behind) for k in (0, 1) for ahead, behind in zip(seen.path(k), seen.path(k + 1), strict=True)
     ]
-    return way(seen) > 2500 and min(gaps) > 150 and max(gaps) < 600
+    return way(seen) > 2500 and min(gaps) > 350 and max(gaps) < 550
 
 
 def opens_three_times(seen: Watched) -> bool:
