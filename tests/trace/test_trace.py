@@ -6,6 +6,7 @@ import contextlib
 import json
 import struct
 import zlib
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -229,12 +230,18 @@ def test_events_that_make_no_sense_are_refused(tmp_path: Path, events: bytes) ->
         ("tick_ms", "20"),
         ("seed", -1),
         ("seed", 1.5),
-        ("agents", [["a", "p", "r", "robot", 1], ["a", "p", "r", "robot", 1]]),
+        ("agents", [["a", "p", "r", "robot", 1, 0], ["a", "p", "r", "robot", 1, 0]]),
         ("agents", 3),
         ("agents", [["a"]]),
-        ("columns", [["nobody", "x_mm", 1]]),
-        ("columns", [["", "x_mm", float("nan")]]),
-        ("columns", [["", "x_mm", float("inf")]]),
+        ("agents", [["a", "p", "r", "robot", 1, 7]]),
+        ("agents", [["a", "p", "r", "robot", 1, -1]]),
+        ("agents", [["", "p", "r", "robot", 1, 0]]),
+        ("agents", [["\ud800", "p", "r", "robot", 1, 0]]),
+        ("layouts", []),
+        ("layouts", [["x_mm"]]),
+        ("team", [["x_mm", float("nan")]]),
+        ("team", [["x_mm", float("inf")]]),
+        ("team", [["x_mm", 0]]),
         ("vertices", []),
         ("vertices", {"p": "v1"}),
         ("vertices", {"p": [1]}),
@@ -253,6 +260,25 @@ def test_a_header_with_a_wrong_value_is_refused(tmp_path: Path, name: str, value
 def test_a_header_that_is_none_is_refused(tmp_path: Path, text: bytes) -> None:
     with pytest.raises(TraceError, match="header"):
         TraceReader(crafted(tmp_path / "a.krtrace", text))
+
+
+def test_a_header_of_very_many_lists_is_refused_before_it_fills_the_memory(tmp_path: Path) -> None:
+    with pytest.raises(TraceError, match="header"):
+        TraceReader(crafted(tmp_path / "a.krtrace", b"[" + b"[]," * 3_000_000 + b"[]]"))
+
+
+def test_very_many_numbers_by_few_words_are_refused(tmp_path: Path) -> None:
+    rows = [[f"a{n}", "p", "r", "robot", 1, 0] for n in range(5000)]
+    layouts = [[[f"x{n}", 1] for n in range(1000)]]
+    text = json.dumps({**header_to_json(HEADER), "agents": rows, "layouts": layouts}).encode()
+    with pytest.raises(TraceError, match="header"):
+        TraceReader(crafted(tmp_path / "a.krtrace", text))
+
+
+def test_numbers_out_of_the_order_of_agents_are_not_written(tmp_path: Path) -> None:
+    header = replace(HEADER, columns=HEADER.columns[::-1])
+    with pytest.raises(TraceError, match="order"):
+        TraceWriter(tmp_path / "a.krtrace", header)
 
 
 @pytest.mark.parametrize("raw", [5, 2**32 - 1])

@@ -174,19 +174,14 @@ class Player:
         """The first message."""
         return self._teller.started(run, self._trace.world, self._first, recording=True)
 
-    def frame(self) -> bytes:
-        """All poses, as `Teller.frame` gives them."""
-        return self._teller.frame(self._now)
-
-    def news(self) -> dict[str, Any]:
-        """What changed since the last time, in the shape of a `TickMessage`; the first time all events."""
+    def tell(self) -> tuple[bytes, dict[str, Any]]:
+        """All poses, as `Teller.frame` gives them, and what changed since the last time, in the shape of a
+        `TickMessage`; the first time with all events.
+        """
         again, self._again = self._again, False
         happened = [event for _, event in self._reader.events[-MOST_EVENTS_TOLD:]] if again else []
-        return self._teller.news(self._now, self._reader.last_tick, again, happened)
-
-    def tell(self) -> tuple[bytes, dict[str, Any]]:
-        """The frame and the news of now."""
-        return self.frame(), self.news()
+        news = self._teller.news(self._now, self._reader.last_tick, again, happened)
+        return self._teller.frame(self._now), news
 
     def close(self) -> None:
         """Lets go of the file."""

@@ -1,19 +1,42 @@
-"""A trace's header as plain values and back; what comes from a file is looked through before it is believed."""
+"""A trace's header as plain values and back; what comes from a file is looked through before it is believed.
+
+The columns of an agent are those of its layout, which agents with the same robot share: ten thousand robots are ten
+thousand short rows. So columns stand in the order of the agents, those of the team last.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import groupby
 from typing import Any
 
 from kitrobot.trace.model import TEAM, Column, TraceAgent, TraceError, TraceHeader, TracePart
 
 MOST_AGENTS = 1_000_000
-MOST_COLUMNS = 8_000_000
+MOST_COLUMNS = 4_000_000
 LONGEST_TICK_MS = 60_000
+
+Layout = tuple[tuple[str, float], ...]
+"""Names of numbers with their scales."""
 
 
 def header_to_json(header: TraceHeader) -> dict[str, Any]:
-    """As plain values, keys in a fixed order."""
+    """As plain values, keys in a fixed order.
+
+    Raises:
+        TraceError: the columns are not in the order of the agents.
+    """
+    owners = [*(agent.name for agent in header.agents), TEAM]
+    mine: dict[str, Layout] = dict.fromkeys(owners, ())
+    for owner, columns in groupby(header.columns, key=lambda column: column.owner):
+        mine[owner] = tuple((column.name, column.scale) for column in columns)
+    if [(owner, *pair) for owner in owners for pair in mine[owner]] != [
+        (column.owner, column.name, column.scale) for column in header.columns
+    ]:
+        raise TraceError("the numbers of this trace are not in the order of its agents")
+    numbers: dict[Layout, int] = {}
+    for agent in header.agents:
+        numbers.setdefault(mine[agent.name], len(numbers))
     return {
         "mission": header.mission,
         "seed": header.seed,
@@ -21,8 +44,11 @@ def header_to_json(header: TraceHeader) -> dict[str, Any]:
         "tick_ms": header.tick_ms,
         "total": header.total,
         "fail_rate": header.fail_rate,
-        "agents": [[one.name, one.program, one.robot, one.kind, one.number] for one in header.agents],
-        "columns": [[column.owner, column.name, column.scale] for column in header.columns],
+        "agents": [
+            [one.name, one.program, one.robot, one.kind, one.number, numbers[mine[one.name]]] for one in header.agents
+        ],
+        "layouts": [[list(pair) for pair in layout] for layout in numbers],
+        "team": [list(pair) for pair in mine[TEAM]],
         "vertices": {program: list(vertices) for program, vertices in header.vertices.items()},
         "parts": [[part.file, part.text] for part in header.parts],
     }
@@ -41,7 +67,7 @@ def header_from_json(data: Any) -> TraceHeader:
             _text(data["world"]),
             _whole(data["tick_ms"], 1, LONGEST_TICK_MS),
             tuple(_agents(data["agents"])),
-            tuple(_columns(data["columns"])),
+            tuple(_columns(data["agents"], [_layout(rows) for rows in data["layouts"]], _layout(data["team"]))),
             {_text(name): tuple(_vertices(found)) for name, found in data["vertices"].items()},
             tuple(TracePart(_text(file), _text(text)) for file, text in data["parts"]),
             _whole(data["total"], 0, 2**53),
@@ -50,9 +76,8 @@ def header_from_json(data: Any) -> TraceHeader:
     except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
         raise TraceError("the header of this trace does not say what a trace's header says") from error
     names = {agent.name for agent in header.agents}
-    owners = {column.owner for column in header.columns} - {TEAM}
-    if len(names) < len(header.agents) or not owners <= names:
-        raise TraceError("the header of this trace does not fit together: its agents are not those of its numbers")
+    if len(names) < len(header.agents) or TEAM in names:
+        raise TraceError("the header of this trace does not fit together: two of its agents have one name")
     return header
 
 
@@ -78,17 +103,26 @@ def _rate(value: Any) -> float:
 def _agents(rows: Any) -> Iterable[TraceAgent]:
     if len(rows) > MOST_AGENTS:
         raise ValueError("agents")
-    for name, program, robot, kind, number in rows:
+    for name, program, robot, kind, number, _ in rows:
         yield TraceAgent(_text(name), _text(program), _text(robot), _text(kind), _whole(number, 0, 2**31))
 
 
-def _columns(rows: Any) -> Iterable[Column]:
-    if len(rows) > MOST_COLUMNS:
-        raise ValueError("columns")
-    for owner, name, scale in rows:
+def _layout(rows: Any) -> Layout:
+    found = []
+    for name, scale in rows:
         if isinstance(scale, bool) or not isinstance(scale, (int, float)) or not 1e-9 <= abs(scale) <= 1e9:
             raise ValueError("scale")
-        yield Column(_text(owner), _text(name), float(scale))
+        found.append((_text(name), float(scale)))
+    return tuple(found)
+
+
+def _columns(agents: Any, layouts: Sequence[Layout], team: Layout) -> Iterable[Column]:
+    chosen = [(row[0], layouts[_whole(row[5], 0, len(layouts) - 1)]) for row in agents]
+    if sum(len(layout) for _, layout in chosen) + len(team) > MOST_COLUMNS:
+        raise ValueError("columns")
+    for owner, layout in [*chosen, (TEAM, team)]:
+        for name, scale in layout:
+            yield Column(owner, name, scale)
 
 
 def _vertices(rows: Any) -> Iterable[str | None]:

@@ -27,7 +27,8 @@ CHUNK_RECORDS = 500
 CHUNK_BYTES = 1_000_000
 """Unpacked bytes after which a chunk is full, however few records it has: many robots fill it soon."""
 
-MOST_HEADER_BYTES = 256_000_000
+MOST_HEADER_BYTES = 64_000_000
+MOST_HEADER_LISTS = 2_000_000
 MOST_CHUNK_BYTES = 64_000_000
 MOST_OUTCOME_BYTES = 1_000_000
 MOST_CHUNKS = 2_000_000
