@@ -1,0 +1,52 @@
+import { beforeEach, describe, expect, it } from "vitest";
+
+import type { RunMessage } from "../api/wire";
+import { applyMessage, canGoBack, isEnded, isLive, useRun } from "../run/run";
+import { hasPlace } from "./document";
+import { isFromRecording, isRecording } from "./recordings";
+
+const STARTED: RunMessage = {
+  type: "started",
+  run: "run-7",
+  tick_ms: 20,
+  seed: 4,
+  world: null,
+  agents: [],
+  stock: {},
+  total: 0,
+  recording: true,
+};
+
+function hear(message: RunMessage): void {
+  useRun.setState((state) => applyMessage(state, message));
+}
+
+beforeEach(() => {
+  useRun.getState().reset();
+});
+
+describe("a recording", () => {
+  it("is known by its ending, and its mission by where it is", () => {
+    expect(["a.krtrace", "A.KRTRACE", "a.krt", "krtrace"].map(isRecording)).toEqual([true, true, false, false]);
+    expect(["recording:ab/a.krt", "a.krt", ""].map(isFromRecording)).toEqual([true, false, false]);
+  });
+
+  it("has no file of its own, so saving its mission asks for a name", () => {
+    expect(["recording:ab/a.krt", "example:a.krt", "", "a.krt"].map(hasPlace)).toEqual([false, false, false, true]);
+  });
+
+  it("is a run that says what it is, by which name it can be saved, and with which seed it was made", () => {
+    hear(STARTED);
+    const { recording, name, seed, status } = useRun.getState();
+    expect([recording, name, seed, status]).toEqual([true, "run-7", 4, "running"]);
+    useRun.getState().reset();
+    expect([useRun.getState().recording, useRun.getState().name]).toEqual([false, ""]);
+  });
+
+  it("that ends while its run was on can be gone back in", () => {
+    hear(STARTED);
+    hear({ type: "state", status: "end", tick: 9, seconds: 0.18, sentence: "It ends here.", hits: [] });
+    const { status } = useRun.getState();
+    expect([isLive(status), isEnded(status), canGoBack(status)]).toEqual([false, true, true]);
+  });
+});
