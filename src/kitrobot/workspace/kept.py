@@ -21,8 +21,8 @@ from kitrobot.workspace.program_report import ProgramReport, program_report
 
 MOST_VERTICES = 20_000
 """Of all programs that are kept together: some 50 MB."""
-MOST_STATES = 4
-"""Of one program: as it is, and as it was before the last edits."""
+MOST_STATES = 2
+"""Of one program: as it is, and as it was before the last edit. More would only be further away in memory."""
 MOST_CATALOGUES = 16
 
 _Key = tuple[object, int]
