@@ -108,6 +108,30 @@ def test_the_same_seed_gives_the_same_trace_to_the_byte(kitrobot, transport, her
     assert (here / "a.krtrace").stat().st_size > 1000
 
 
+def test_robots_fail_by_chance_as_the_seed_says_and_the_sentence_names_them(kitrobot, transport):
+    def run(rate):
+        said = kitrobot("run", transport, "--seed", 5, "--seconds", 60, "--fail-rate", rate, "--json")
+        return said.status, said.json
+
+    status, failed = run(1)
+    assert (status, failed["outcome"]) == (1, "failed")
+    assert failed["sentence"].startswith("Nobody is left to go on: ")
+    assert "carrier-1 failed after" in failed["sentence"]
+    assert "(by chance)" in failed["sentence"]
+    assert run(0.9)[1]["sentence"] == run(0.9)[1]["sentence"]
+    assert run(0)[1]["outcome"] in ("done", "time")
+
+
+@pytest.mark.parametrize("schedule", ['at="1"', 'at="1" kind="stall"'])
+def test_a_schedule_in_the_mission_holds(kitrobot, here, transport, schedule):
+    text = (here / "transport.krt").read_text()
+    gone = "".join(f'<failure agent="carrier-{n}" {schedule}/>' for n in (1, 2, 3))
+    (here / "transport.krt").write_text(text.replace("</kitrobot>", f"{gone}</kitrobot>"))
+    said = kitrobot("run", "transport.krt", "--seconds", 30, "--json")
+    assert said.status == 1
+    assert "carrier-1 " + ("stalled" if "stall" in schedule else "failed") in said.json["sentence"]
+
+
 @pytest.mark.parametrize("trace", ["none/x.krtrace", "."])
 def test_a_trace_that_cannot_be_written_is_a_sentence(kitrobot, short, trace):
     said = kitrobot("run", short, "--trace", trace)
@@ -162,6 +186,9 @@ def test_a_mission_that_is_not_there_is_a_sentence(kitrobot, name):
         ["--seconds", "x"],
         ["--seed", "-1"],
         ["--seed", "1.5"],
+        ["--fail-rate", "1.5"],
+        ["--fail-rate", "-0.1"],
+        ["--fail-rate", "nan"],
         ["--nothing"],
     ],
 )

@@ -142,11 +142,12 @@ def test_a_schedule_is_edited_undone_shown_and_kept(open_studio):
     expect(studio.at("failure-0")).to_have_count(0)
 
 
-def test_stop_leaves_every_robot_standing_still(open_studio):
+@pytest.mark.parametrize("button", ["stop-button", "team-stop"])
+def test_stop_leaves_every_robot_standing_still(open_studio, button):
     studio = open_studio(TRANSPORT)
     studio.at("run-button").click()
     expect(studio.at("status")).to_have_attribute("data-status", "running")
-    studio.at("stop-button").click()
+    studio.at(button).click()
     expect(studio.at("status")).to_have_attribute("data-status", "stopped")
     # The arena draws on its way to the last frame for a moment; then nothing moves any more.
     frames = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"

@@ -20,7 +20,8 @@ from kitrobot.trace import TickRecord
 from kitrobot.workspace import OpenMission, once_more, parts_of
 
 _TICKS_BETWEEN_LOOKS = 8
-"""Ticks run between two looks at the clock."""
+"""Ticks run between two looks at the clock; fewer of very many robots, so that Stop is obeyed soon."""
+_ROBOT_TICKS_BETWEEN_LOOKS = 4000
 
 
 class Watch:
@@ -44,6 +45,7 @@ class Watch:
         """What was done by hand and told at once, before the step that tells it."""
         self._again = False
         self._breakpoints = Breakpoints(opened.mission.breakpoints, simulation.members, opened.compiled)
+        self._portion = max(1, min(_TICKS_BETWEEN_LOOKS, _ROBOT_TICKS_BETWEEN_LOOKS // len(simulation.members)))
         self.hits: list[Hit] = []
         """Why `advance` came to an end before its time: who came to a breakpoint."""
 
@@ -81,9 +83,9 @@ class Watch:
         simulation, run = self._simulation, 0
         self.hits = []
         while simulation.outcome is None and not self.hits and (most is None or run < most):
-            portion = _TICKS_BETWEEN_LOOKS if most is None else min(_TICKS_BETWEEN_LOOKS, most - run)
+            portion = self._portion if most is None else min(self._portion, most - run)
             run += self._advance(1 if self._breakpoints else portion)
-            if (not self._breakpoints or run % _TICKS_BETWEEN_LOOKS == 0) and clock() >= until:
+            if (not self._breakpoints or run % self._portion == 0) and clock() >= until:
                 return
 
     def _advance(self, ticks: int) -> int:
