@@ -12,6 +12,7 @@ from playwright.sync_api import expect
 
 import kitrobot
 from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.test_reach import choose, find_nothing
 
 pytestmark = pytest.mark.browser
 
@@ -48,7 +49,7 @@ def expect_tick(studio: Studio, wanted: int) -> None:
 
 def held(studio: Studio) -> int:
     """Pauses the recording, and gives the tick that it stands at."""
-    studio.page.keyboard.press("F6")
+    studio.at("pause-button").click()
     expect(studio.at("status")).to_have_attribute("data-status", PAUSED, timeout=10_000)
     return value(studio, "aria-valuenow")
 
@@ -137,3 +138,19 @@ def test_what_is_no_recording_is_a_sentence_and_nothing_is_lost(open_studio: Ope
     data = recorded(tmp_path)
     drop(studio, "cut.krtrace", data[: len(data) * 2 // 3])
     expect(studio.at("recording-bar")).to_contain_text("cut off", timeout=20_000)
+
+
+@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast", "ur")], ids=str)
+def test_axe_finds_nothing_while_a_recording_plays(
+    open_studio: OpenStudio, tmp_path: Path, look: tuple[str, ...]
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    choose(studio, *look)
+    drop(studio, "bug.krtrace", recorded(tmp_path))
+    expect(studio.at("recording-bar")).to_be_visible(timeout=20_000)
+    held(studio)
+    find_nothing(studio, "a recording")
+    studio.at("event-strip").focus()
+    studio.page.keyboard.press("End")
+    expect(studio.at("play-recording")).to_be_visible(timeout=10_000)
+    find_nothing(studio, "the end of a recording")
