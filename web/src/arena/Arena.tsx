@@ -3,7 +3,7 @@ import { type KeyboardEvent, type MouseEvent, type PointerEvent, useEffect, useM
 
 import { startOf } from "../model/commands/changeAgents";
 import { useStudio } from "../model/studio";
-import { GRID_MM } from "../model/world/things";
+import { GRID_MM } from "../model/world/thing";
 import { ARENA_KEYS, keyIn } from "../reach/key-table";
 import { posesAt, watchFrames } from "../run/poses";
 import { useRun } from "../run/run";

@@ -11,7 +11,7 @@ import { partsApi } from "../api/parts";
 import type { News } from "../api/watch";
 import { OWN_WORLD, sameWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
-import { drawnWorld } from "../model/world/drawn";
+import type { drawnWorld } from "../model/world/drawn";
 import type { World } from "../model/types";
 
 /** Counts up whenever the files were read anew, for who shows more of them than the document holds. */
@@ -20,6 +20,8 @@ export const useFiles = create<{ read: number }>(() => ({ read: 0 }));
 /** The state of the files that the page holds; "" when nobody knows. */
 let held = "";
 let asked = 0;
+/** Draws a mission's own world; fetched for the first mission that has one. */
+let draw: typeof drawnWorld | null = null;
 const worlds = new Map<string, World | null>();
 
 const keyOf = (path: string, href: string) => `${path}\n${href}`;
@@ -66,7 +68,14 @@ export async function readParts(): Promise<void> {
 function followWorld(): void {
   const { file, mission, world, worldOf, loadWorld } = useStudio.getState();
   if (mission.own_world != null) {
-    const own = drawnWorld(mission.own_world);
+    if (draw === null) {
+      void import("../model/world/drawn").then((chunk) => {
+        draw = chunk.drawnWorld;
+        followWorld();
+      });
+      return;
+    }
+    const own = draw(mission.own_world);
     if (own !== world) loadWorld(OWN_WORLD, own);
     return;
   }

@@ -11,7 +11,7 @@ import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
 import { reveal } from "../shell/actions";
 import { useDocument } from "../shell/document";
-import { thingNamed } from "../model/world/things";
+import { thingNamed } from "../model/world/thing";
 import { openTeam, teamPlace } from "../team/view";
 import { openWorld } from "../world/state";
 import { applyFix, canFix } from "./fixes";

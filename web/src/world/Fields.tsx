@@ -4,19 +4,8 @@ import { useStudio } from "../model/studio";
 import type { Corner, OwnWorld } from "../model/types";
 import { lineOf, startPlace } from "../model/world/drawn";
 import { nearestOn } from "../model/world/line";
-import {
-  LARGEST_MM,
-  type Part,
-  partOf,
-  sameThing,
-  type Thing,
-  thingNamed,
-  tidy,
-  withClosed,
-  withPart,
-  withPoints,
-  withSections,
-} from "../model/world/things";
+import { LARGEST_MM, type Part, partOf, sameThing, type Thing, thingNamed, tidy } from "../model/world/thing";
+import { withClosed, withPart, withPoints, withSections } from "../model/world/things";
 import { NameCell } from "../team/NameCell";
 import { Icon } from "../theme";
 import { type Key, sentence, t } from "../words/words";

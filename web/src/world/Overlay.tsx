@@ -4,7 +4,8 @@ import { startOf } from "../model/commands/changeAgents";
 import { useStudio } from "../model/studio";
 import type { Mission, OwnWorld } from "../model/types";
 import { dockPlace, lineOf, startPlace } from "../model/world/drawn";
-import { anchorOf, gripsOf, type Thing, thingNamed } from "../model/world/things";
+import { type Thing, thingNamed } from "../model/world/thing";
+import { anchorOf, gripsOf } from "../model/world/things";
 
 interface OverlayProps {
   world: OwnWorld;

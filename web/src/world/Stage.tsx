@@ -12,18 +12,8 @@ import { sceneBefore } from "../arena/scene";
 import { useStudio } from "../model/studio";
 import type { OwnWorld } from "../model/types";
 import { drawnWorld } from "../model/world/drawn";
-import {
-  anchorOf,
-  dragged,
-  endsOf,
-  type Kind,
-  moved,
-  sameThing,
-  snapped,
-  type Thing,
-  thingAt,
-  thingsOf,
-} from "../model/world/things";
+import { type Kind, sameThing, type Thing, thingsOf } from "../model/world/thing";
+import { anchorOf, dragged, endsOf, moved, snapped, thingAt } from "../model/world/things";
 import { keyIn, WORLD_KEYS } from "../reach/key-table";
 import { Icon, useTheme } from "../theme";
 import { t } from "../words/words";

@@ -3,7 +3,7 @@ import { type KeyboardEvent, useRef } from "react";
 
 import { useStudio } from "../model/studio";
 import type { OwnWorld } from "../model/types";
-import { KINDS, partsOfKind, sameThing, type Thing, thingNamed } from "../model/world/things";
+import { KINDS, partsOfKind, sameThing, type Thing, thingNamed } from "../model/world/thing";
 import { Icon } from "../theme";
 import { sentence, t } from "../words/words";
 import { duplicateChosen, removeChosen } from "./act";

@@ -3,7 +3,7 @@
  * drags, it puts the thing into the middle at once.
  */
 import { useStudio } from "../model/studio";
-import { type Kind, KINDS } from "../model/world/things";
+import { type Kind, KINDS } from "../model/world/thing";
 import { Icon } from "../theme";
 import { t } from "../words/words";
 import { put } from "./act";

@@ -2,7 +2,7 @@
 import { type KeyboardEvent, lazy, Suspense } from "react";
 
 import { useStudio } from "../model/studio";
-import { thingNamed } from "../model/world/things";
+import { thingNamed } from "../model/world/thing";
 import { useTeam } from "../team/view";
 import { Icon } from "../theme";
 import { t } from "../words/words";

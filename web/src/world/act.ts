@@ -5,7 +5,8 @@ import { bringWorld, changeOwnWorld, isFreeName, isNamed, removeThings } from ".
 import { changeWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
 import type { OwnWorld } from "../model/types";
-import { added, type Kind, moved, partOf, startMoved, type Thing, withDependents } from "../model/world/things";
+import { type Kind, partOf, type Thing } from "../model/world/thing";
+import { added, moved, startMoved, withDependents } from "../model/world/things";
 import { complain, dismissBanner, useDocument } from "../shell/document";
 import { t } from "../words/words";
 import { drawNew, type Spot } from "./make";

@@ -2,7 +2,8 @@
 import type { OwnWorld } from "../model/types";
 import { lineOf } from "../model/world/drawn";
 import { nearestOn } from "../model/world/line";
-import { added, type Kind, type Part, partsOfKind, type Thing, tidy } from "../model/world/things";
+import { type Kind, type Part, partsOfKind, type Thing, tidy } from "../model/world/thing";
+import { added } from "../model/world/things";
 
 export interface Spot {
   x: number;

@@ -1,6 +1,6 @@
 /** What things of a world are called on the page. */
 import type { OwnWorld } from "../model/types";
-import { type Kind, partOf, type Thing } from "../model/world/things";
+import { type Kind, partOf, type Thing } from "../model/world/thing";
 import { type Key, t } from "../words/words";
 
 export const KIND_ICONS: Record<Kind, string> = {

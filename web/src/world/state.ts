@@ -6,7 +6,7 @@ import { create } from "zustand";
 
 import { useStudio } from "../model/studio";
 import type { OwnWorld } from "../model/types";
-import { type Kind, partOf, type Thing } from "../model/world/things";
+import { type Kind, partOf, type Thing } from "../model/world/thing";
 import { showWorld } from "../team/view";
 
 interface WorldState {

@@ -7,7 +7,8 @@
 import { t } from "../../words/words";
 import type { Command } from "../command";
 import type { Mission, OwnWorld } from "../types";
-import { type Kind, partsOfKind, removed, type Thing, withDependents, withPart } from "../world/things";
+import { type Kind, partsOfKind, type Thing } from "../world/thing";
+import { removed, withDependents, withPart } from "../world/things";
 import { startOf } from "./changeAgents";
 
 function becomes(label: string, before: Mission, after: Mission, joins?: string): Command {

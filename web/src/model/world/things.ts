@@ -8,60 +8,19 @@
 import type { Corner, OwnWorld } from "../types";
 import { dockPlace, lineOf, roadLine, startPlace } from "./drawn";
 import { nearestOn, offStretch } from "./line";
-
-export const KINDS = ["wall", "floor", "line", "road", "storehouse", "dock", "start"] as const;
-export type Kind = (typeof KINDS)[number];
-
-export interface Thing {
-  kind: Kind;
-  at: number;
-}
-
-const FIELD = {
-  wall: "walls",
-  floor: "floors",
-  line: "lines",
-  road: "roads",
-  storehouse: "storehouses",
-  dock: "docks",
-  start: "starts",
-} as const;
-
-export type Part<K extends Kind> = OwnWorld[(typeof FIELD)[K]][number];
-type AnyPart = Part<Kind>;
-
-export const LARGEST_MM = 1_000_000;
-
-/** As files say it: a thousandth of a mm. */
-export function tidy(value: number): number {
-  const held = Math.min(Math.max(value, -LARGEST_MM), LARGEST_MM);
-  return Math.round(held * 1000) / 1000 + 0;
-}
-
-export function partsOfKind<K extends Kind>(world: OwnWorld, kind: K): readonly Part<K>[] {
-  return world[FIELD[kind]];
-}
-
-export function partOf<K extends Kind>(world: OwnWorld, thing: { kind: K; at: number }): Part<K> | undefined {
-  return partsOfKind(world, thing.kind)[thing.at];
-}
-
-export function sameThing(one: Thing, other: Thing): boolean {
-  return one.kind === other.kind && one.at === other.at;
-}
-
-export function thingsOf(world: OwnWorld): Thing[] {
-  return KINDS.flatMap((kind) => partsOfKind(world, kind).map((_, at) => ({ kind, at })));
-}
-
-/** The thing that a problem is about, "road:0"; null when it is about none of this world. */
-export function thingNamed(world: OwnWorld | null | undefined, words: string | undefined): Thing | null {
-  if (world == null) return null;
-  const [kind = "", number = ""] = (words ?? "").split(":");
-  const found = KINDS.find((one) => one === kind);
-  const at = Number(number);
-  return found !== undefined && partsOfKind(world, found)[at] !== undefined ? { kind: found, at } : null;
-}
+import {
+  type AnyPart,
+  FIELD,
+  GRID_MM,
+  type Kind,
+  KINDS,
+  type Part,
+  partOf,
+  partsOfKind,
+  sameThing,
+  type Thing,
+  tidy,
+} from "./thing";
 
 function withParts(world: OwnWorld, kind: Kind, parts: readonly AnyPart[]): OwnWorld {
   return { ...world, [FIELD[kind]]: parts };
@@ -449,8 +408,6 @@ export function thingAt(world: OwnWorld, x: number, y: number, reach: number): T
 }
 
 // -- snapping
-
-export const GRID_MM = 10;
 
 /** The ends of walls and lines that something dragged may take hold of. */
 export function endsOf(world: OwnWorld, but: readonly Thing[]): { x: number; y: number }[] {

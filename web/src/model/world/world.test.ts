@@ -9,21 +9,18 @@ import held from "../testing/worlds.json";
 import type { Mission, OwnWorld, World } from "../types";
 import { drawnWorld, lineOf } from "./drawn";
 import { lineThrough, nearestOn, placeAt } from "./line";
+import { KINDS, thingNamed, thingsOf, tidy } from "./thing";
 import {
   added,
   anchorOf,
   dragged,
   endsOf,
   gripsOf,
-  KINDS,
   moved,
   removed,
   snapped,
   startMoved,
   thingAt,
-  thingNamed,
-  thingsOf,
-  tidy,
   withCut,
   withDependents,
   withPoints,
