@@ -18,6 +18,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.playing import Player
 from kitrobot.server.recordings import Recordings
 from kitrobot.server.security import Guard
+from kitrobot.server.telling import MOST_REPORTED
 from kitrobot.server.watching import Watch
 from kitrobot.trace import TraceReader, layout
 from kitrobot.trace.header import header_to_json
@@ -363,3 +364,22 @@ def test_two_saves_at_once_both_come(page, connect, forever):  # noqa: F811
             thread.join(60)
         assert len(answers) == 2
         assert all(answer.startswith(layout.MAGIC) for answer in answers)
+
+
+def test_of_a_crowd_all_are_drawn_and_those_looked_at_are_told(tmp_path):
+    from kitrobot.sim import simulate
+    from tests.sim.teams import random_team
+
+    path = tmp_path / "crowd.krtrace"
+    simulate(random_team(3, 130), path, lambda run: run.tick >= 250)
+    player = Player(open_trace(path))
+    header = player._reader.header
+    frame, news = player.tell()
+    assert struct.unpack_from("<2f", frame) == (0, len(header.agents))
+    assert len(header.agents) > MOST_REPORTED
+    first = {agent.program: agent.name for agent in reversed(header.agents)}
+    assert set(news["agents"]) == set(first.values())
+    other = next(agent.name for agent in reversed(header.agents) if agent.name not in first.values())
+    player.look_at([other, "nobody"])
+    assert other in player.tell()[1]["agents"]
+    player.close()
