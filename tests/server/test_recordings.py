@@ -317,8 +317,16 @@ def test_own_robots_and_constructors_travel_with_the_recording(page, folder, con
     own = folder.parent / "elsewhere"
     own.mkdir()
     (own / "odd.robot.xml").write_text(shipped.replace('name="mini-robot"', 'name="odd-robot"', 1))
-    (own / "odd.krt").write_text(SHORT.replace("mini-robot", "odd-robot"))
+    (own / "odd.xml").write_text(
+        '<?xml version="1.0"?>\n<constructors version="1"><group name="Odd" colour="loop"><constructor name="Pause">'
+        "<help>Waits.</help><code>WAIT(1)</code></constructor></group></constructors>"
+    )
+    (own / "unused.robot.xml").write_text(shipped.replace('name="mini-robot"', 'name="unused"', 1))
+    text = SHORT.replace("mini-robot", "odd-robot").replace('"Light.LightOn"', '"Pause"')
+    (own / "odd.krt").write_text(text)
     kitrobot.open(own / "odd.krt").run(seed=1, trace=own / "odd.krtrace")
+    with TraceReader(own / "odd.krtrace") as reader:
+        assert [part.file for part in reader.header.parts] == ["odd.robot.xml", "odd.xml"]
     found = opened(page, (own / "odd.krtrace").read_bytes())
     file = found["file"]
     assert "odd-robot" in {robot["name"] for robot in file["catalogue"]["robots"]}
