@@ -1,4 +1,4 @@
-/** The signs of what befell a robot, told apart by shape: ✕ failed, ‖ stalled, a struck-out wave without radio. */
+/** The signs of what befell a robot, told apart by shape: ✕ failed, ‖ stalled, a badge with a struck-out sender: no radio. */
 import type { Brush } from "./draw-world";
 
 /** Light under dark, so that it is seen on robot and road. */
@@ -35,16 +35,30 @@ export function drawStalled(brush: Brush): void {
   twice(brush, 5);
 }
 
-/** Waves with a line through them, over the robot's upper right. */
-export function drawMuted(brush: Brush): void {
-  const { pen, unit: u } = brush;
-  const [x, y] = [20 * u, -14 * u];
+/** A badge at the robot's upper right: a sender with its waves, struck out. */
+export function drawMuted({ pen, colours, unit }: Brush): void {
+  const u = Math.max(unit, 0.5);
+  const [x, y] = [23 * u, -23 * u];
   pen.beginPath();
-  for (const reach of [6, 13]) {
-    pen.moveTo(x + reach * Math.cos(-0.2) * u, y + reach * Math.sin(-0.2) * u);
-    pen.arc(x, y, reach * u, -0.2, -1.4, true);
+  pen.arc(x, y, 14 * u, 0, Math.PI * 2);
+  pen.fillStyle = colours.panel;
+  pen.fill();
+  pen.strokeStyle = colours.ink;
+  pen.lineWidth = 2 * u;
+  pen.stroke();
+  pen.beginPath();
+  pen.arc(x, y + 6 * u, 2.2 * u, 0, Math.PI * 2);
+  pen.fillStyle = colours.ink;
+  pen.fill();
+  pen.lineCap = "round";
+  pen.beginPath();
+  for (const reach of [6, 11]) {
+    const from = -Math.PI * 0.75;
+    pen.moveTo(x + reach * Math.cos(from) * u, y + (6 + reach * Math.sin(from)) * u);
+    pen.arc(x, y + 6 * u, reach * u, from, -Math.PI * 0.25);
   }
-  pen.moveTo(x - 2 * u, y - 16 * u);
-  pen.lineTo(x + 16 * u, y + 2 * u);
-  twice(brush, 2.5);
+  pen.moveTo(x - 9.5 * u, y - 9.5 * u);
+  pen.lineTo(x + 9.5 * u, y + 9.5 * u);
+  pen.stroke();
+  pen.lineCap = "butt";
 }
