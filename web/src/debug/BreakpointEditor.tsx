@@ -1,5 +1,5 @@
 /** The breakpoint of the selected part: on or off, for whom, under which condition, from which visit on. */
-import "./debug.css";
+import "./editor.css";
 
 import { useState } from "react";
 

@@ -1,5 +1,5 @@
 /** The sign at the edge of a vertex that a run pauses there: full when it is on, hollow when it is off. */
-import "./debug.css";
+import "./sign.css";
 
 import type { LayoutNode } from "../model/layout";
 import { useRun } from "../run/run";

@@ -3,7 +3,7 @@
  *
  * Above the bottom bar, in the place of the list of problems. Left to others: what a run is (run), where it pauses.
  */
-import "./debug.css";
+import "./watch.css";
 
 import { useMemo, useState } from "react";
 
@@ -18,29 +18,7 @@ import { useWatch } from "./watching";
 
 const PLOT = { width: 160, height: 28 };
 
-export function WatchButton() {
-  const open = useWatch((state) => state.open);
-  return (
-    <button
-      type="button"
-      className="problems-button"
-      data-testid="watch-button"
-      aria-expanded={open}
-      aria-controls="watch-panel"
-      onClick={() => useWatch.getState().show(!open)}
-    >
-      <Icon name="eye" size={16} />
-      {t("debug.watch")}
-    </button>
-  );
-}
-
 export function WatchPanel() {
-  const open = useWatch((state) => state.open);
-  return open ? <Open /> : null;
-}
-
-function Open() {
   const program = useStudio((state) => state.activeProgram);
   const agents = useRun((run) => run.agents);
   const chosen = useRun((run) => watchedAgent(run, program));

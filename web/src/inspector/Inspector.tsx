@@ -3,7 +3,6 @@ import "./inspector.css";
 
 import type { ReactNode } from "react";
 
-import { BreakpointEditor } from "../debug/BreakpointEditor";
 import { deleteSelection, duplicateSelection } from "../editor/edits";
 import { type Drawing, useDrawing } from "../editor/drawing";
 import { setNote } from "../model/commands/setNote";
@@ -14,10 +13,17 @@ import { text } from "../model/texts";
 import { findSpot, type Spot, withMark } from "../model/tree";
 import type { Vertex } from "../model/types";
 import { Icon, Tile } from "../theme";
+import { complain } from "../shell/document";
+import { later } from "../shell/later";
 import { t } from "../words/words";
 import { BlockEditor } from "./BlockEditor";
 import { Branches } from "./Branches";
 import { Marks } from "./Marks";
+
+const BreakpointEditor = later(
+  () => import("../debug/BreakpointEditor").then((chunk) => chunk.BreakpointEditor),
+  complain,
+);
 
 export function Inspector() {
   const drawing = useDrawing();

@@ -2,7 +2,7 @@
  * Printing, however it is asked for: by our menu, by Ctrl+P, or by the browser's own menu.
  *
  * The sheet is made when the browser is about to print, and gone afterwards; until its part of the page is fetched, which
- * happens once everything else is at rest, there is nothing to print but what is seen.
+ * begins with the first key or click, there is nothing to print but what is seen.
  */
 import { complain } from "../shell/document";
 import { t } from "../words/words";
@@ -35,11 +35,12 @@ export function printSheet(): void {
     });
 }
 
-/** Fetches the sheet when the browser has nothing else to do. */
+/** Fetches the sheet at the first sign of a person: the browser's own printing leaves no time for it. */
 export function preparePrinting(): void {
-  const quietly = () => void fetchSheet().catch(() => undefined);
-  window.addEventListener("load", () => {
-    if ("requestIdleCallback" in window) window.requestIdleCallback(quietly, { timeout: 10_000 });
-    else setTimeout(quietly, 2000);
-  });
+  const signs = ["pointerdown", "keydown"] as const;
+  const quietly = () => {
+    for (const sign of signs) window.removeEventListener(sign, quietly, true);
+    void fetchSheet().catch(() => undefined);
+  };
+  for (const sign of signs) window.addEventListener(sign, quietly, true);
 }

@@ -9,14 +9,13 @@ import { Arena } from "../arena/Arena";
 import { Code } from "../code/Code";
 import { followBreakpoints } from "../debug/breakpoints";
 import { takeSamples } from "../debug/samples";
-import { WatchButton, WatchPanel } from "../debug/Watch";
+import { WatchButton, WatchDock } from "../debug/WatchDock";
 import { Canvas } from "../editor/Canvas";
 import { Inspector } from "../inspector/Inspector";
 import { useStudio } from "../model/studio";
 import { OwnParts } from "../own/OwnParts";
 import { Palette } from "../palette/Palette";
 import { keepWorld } from "../parts/files";
-import { takeFiles } from "../parts/take";
 import { ProblemList, ProblemsButton } from "../problems/Problems";
 import { TeamPanel } from "../team/TeamTab";
 import { keepTeamView, useTeam } from "../team/view";
@@ -100,6 +99,11 @@ function useDocumentFlow(): void {
   }, []);
 }
 
+/** What takes files in is fetched when some are dropped; the list of them does not outlive the event. */
+function dropped(files: File[]): void {
+  import("../parts/take").then(({ takeFiles }) => takeFiles(files), complain);
+}
+
 function carriesFile(event: DragEvent): boolean {
   return event.dataTransfer.types.includes("Files");
 }
@@ -168,7 +172,7 @@ export function App() {
       onDrop={(event) => {
         if (!carriesFile(event)) return;
         event.preventDefault();
-        void takeFiles([...event.dataTransfer.files]);
+        dropped([...event.dataTransfer.files]);
       }}
     >
       <header className="head">
@@ -208,7 +212,7 @@ export function App() {
             {ready ? <WorldPanel /> : null}
           </div>
           <ProblemList />
-          <WatchPanel />
+          <WatchDock />
         </main>
         {side ? (
           <aside className="side-frame" aria-label={t("app.side")}>

@@ -11,7 +11,6 @@ import { shareParts } from "../own/share";
 import { canSave, openSave } from "../own/state";
 import { keyFor } from "../reach/key-table";
 import { explain, toggleOutline, useReach } from "../reach/state";
-import { chooseParts } from "../parts/take";
 import { newVariable } from "../parts/variables";
 import { openTeam } from "../team/view";
 import { openWorld } from "../world/state";
@@ -26,7 +25,7 @@ import { type Key, type Language, languageInUse, LANGUAGES, t } from "../words/w
 import { changeSpeed, goToProgram, moveActiveProgram, pause, removeProgramNamed, run, stepVertex } from "./actions";
 import { printSheet } from "../out/print";
 import { robotEntries } from "./AddProgram";
-import { downloadMission, downloadProgram, newMission, save, saveTheRun, show } from "./document";
+import { complain, downloadMission, downloadProgram, newMission, save, saveTheRun, show } from "./document";
 import { editEntries, viewEntries } from "./graph-menu";
 import { type Panel, useLayout } from "./layout";
 import type { MenuEntry, MenuPart } from "./menu-model";
@@ -38,11 +37,16 @@ const line = (id: string): MenuEntry => ({ kind: "line", id });
 const pictures = () => import("../out/pictures");
 const images = () => import("../out/images");
 
+/** What takes files in is fetched when it is wanted. */
+function addParts(): void {
+  import("../parts/take").then(({ chooseParts }) => chooseParts(), complain);
+}
+
 function fileMenu(program: string, translated: boolean, several: boolean): MenuEntry[] {
   return [
     { kind: "item", id: "file-new", label: t("file.new"), keys: keyFor.page("create"), run: newMission },
     { kind: "item", id: "file-open", label: t("file.open"), keys: keyFor.page("open"), run: () => show("open") },
-    { kind: "item", id: "file-parts", label: t("parts.add-file"), run: chooseParts },
+    { kind: "item", id: "file-parts", label: t("parts.add-file"), run: addParts },
     line("file-1"),
     { kind: "item", id: "file-save", label: t("file.save"), keys: keyFor.page("save"), run: () => void save() },
     {
