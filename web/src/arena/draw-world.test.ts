@@ -57,8 +57,8 @@ function drawn(world: World): string[] {
   const pen = new Proxy(style, {
     get(target, name: string) {
       if (name in target) return target[name];
-      if (name === "fill") return (rule?: string) => asked.push(`fill ${String(target.fillStyle)} ${rule ?? ""}`);
-      if (name === "stroke") return () => asked.push(`stroke ${String(target.strokeStyle)}`);
+      if (name === "fill") return (rule?: string) => asked.push(`fill ${String(target["fillStyle"])} ${rule ?? ""}`);
+      if (name === "stroke") return () => asked.push(`stroke ${String(target["strokeStyle"])}`);
       return () => undefined;
     },
   }) as unknown as CanvasRenderingContext2D;
