@@ -206,10 +206,10 @@ def test_f7_goes_through_the_rooms_and_the_arena_answers_keys(open_studio: OpenS
     studio.at("arena-canvas").focus()
     for key in ("ArrowLeft", "+", "-", "0"):
         keys.press(key)
-    keys.press("Enter")
+    keys.press("n")
     expect(studio.at("tab-carrier")).to_have_attribute("aria-selected", "true")
-    keys.press("Shift+Enter")
-    keys.press("Shift+Enter")
+    keys.press("Shift+N")
+    keys.press("Shift+N")
     expect(studio.at("tab-carrier")).to_have_attribute("aria-selected", "false")
 
 
