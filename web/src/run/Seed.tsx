@@ -44,6 +44,8 @@ export function Seed() {
           onKeyDown={(event) => {
             if (event.key === "Enter") event.currentTarget.blur();
             else if (event.key === "Escape") setTyped(null);
+            // The page's own keys, such as F7, are the page's here too.
+            else return;
             event.stopPropagation();
           }}
         />
