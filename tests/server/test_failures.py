@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from typing import Any
 
 import pytest
 
@@ -86,7 +87,7 @@ def test_a_schedule_of_the_mission_holds_in_the_studio(connect, ring):
     failures = [{"agent": ROBOT, "at_s": 0.5, "kind": "fail"}]
     with connect() as watcher:
         watcher.start({**ring, "failures": failures}, speed=0)
-        events = []
+        events: list[dict[str, Any]] = []
         while not events:
             events = [one for one in watcher.until("tick")["events"] if one["kind"] == "failure"]
         assert (events[0]["agent"], events[0]["tick"]) == (ROBOT, 25)

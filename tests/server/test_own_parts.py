@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+from typing import Any
 
 import pytest
 
@@ -96,7 +97,7 @@ def test_a_program_that_is_not_there_is_told(page, mission, loop):
     assert "no program `nobody`" in answer.json()["message"]
 
 
-OWN = {
+OWN: dict[str, Any] = {
     "name": "Own",
     "group": "",
     "icon": "",

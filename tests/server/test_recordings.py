@@ -20,7 +20,7 @@ from kitrobot.server.recordings import Recordings
 from kitrobot.server.security import Guard
 from kitrobot.server.telling import MOST_REPORTED
 from kitrobot.server.watching import Watch
-from kitrobot.trace import TraceReader, layout
+from kitrobot.trace import Threads, TraceReader, layout
 from kitrobot.trace.header import header_to_json
 from kitrobot.workspace import open_trace
 from tests.server.test_run import FOREVER, connect, forever, mission  # noqa: F401
@@ -299,7 +299,7 @@ def test_numbers_beyond_all_sense_are_cut_to_what_a_page_can_hold(page, connect,
     with TraceWriter(wild, header) as writer:
         for tick, number in enumerate((2**600, -(2**600), 2**64, 7)):
             event = TraceEvent(tick, "nonsense", -1, "x" * 100_000, "?")
-            active = [((5, 999_999),) for _ in first.active]
+            active: list[Threads] = [((5, 999_999),) for _ in first.active]
             writer.record(TickRecord(tick, [number] * len(first.numbers), active, [], [event]))
     found = opened(page, wild.read_bytes())
     with connect() as watcher:

@@ -6,6 +6,7 @@ import hashlib
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -53,7 +54,7 @@ def test_watching_a_run_does_not_change_it(tmp_path: Path) -> None:
 def test_a_trace_says_what_the_run_did(tmp_path: Path) -> None:
     path = tmp_path / "a.krtrace"
     run = transport(1, 2, 2)
-    told = []
+    told: list[Any] = []
     recorder = Recorder(run)
     told.append((recorder.record(), []))
     while run.outcome is None:
