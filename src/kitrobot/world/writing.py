@@ -87,7 +87,7 @@ def _road(road: Road) -> Iterator[str]:
     yield from _points(road.corners)
     end = _length(road)
     for section in road.sections:
-        until = None if math.isclose(section.to_mm, end) else number(section.to_mm)
+        until = None if math.isinf(section.to_mm) or math.isclose(section.to_mm, end) else number(section.to_mm)
         stretch = attributes(("from", number(section.from_mm)), ("to", until))
         yield f"    <section{attributes(('sign', section.sign))}{stretch}/>"
     yield "  </road>"

@@ -253,7 +253,7 @@ def _road_shape(road: Road) -> OwnRoadShape:
             OwnSectionShape(
                 sign=one.sign,
                 from_mm=_mm(one.from_mm),
-                to_mm=None if math.isclose(one.to_mm, length) else _mm(one.to_mm),
+                to_mm=None if math.isinf(one.to_mm) or math.isclose(one.to_mm, length) else _mm(one.to_mm),
             )
             for one in road.sections
         ],
