@@ -6,7 +6,7 @@ import random
 from dataclasses import replace
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from kitrobot.compiler import (
@@ -61,6 +61,7 @@ def some_selection(rng: random.Random, program: Program, catalogue: Catalogue | 
     return chain[first : rng.randint(first, min(len(chain), first + 6)) + 1]
 
 
+@example(random.Random(919))  # a test inside a parameter of something that is left open
 @given(st.randoms(use_true_random=True))
 def test_a_program_means_the_same_with_a_part_in_the_selection_s_place(rng: random.Random) -> None:
     robot = rng.choice(list(shipped_robots().values()))

@@ -194,12 +194,21 @@ def _places(offered: Sequence[Offer], chosen: Sequence[Chosen]) -> list[_Placed]
         if offer.is_open and place not in wanted:
             wanted[place] = Chosen(offer.vertex, offer.slot, offer.name)
 
+    def outside(place: SlotName) -> SlotName | None:
+        """What a place is inside of; a slot that is not offered itself is inside what its vertex is."""
+        if place in offers:
+            return offers[place].inside
+        vertex, slot = place
+        if slot and (vertex, "") in offers:
+            return vertex, ""
+        return next((one.inside for one in offered if one.vertex == vertex and one.inside != (vertex, "")), None)
+
     def is_inside(place: SlotName) -> bool:
-        around = offers[place].inside
-        while around is not None and around in offers:
+        around = outside(place)
+        while around is not None:
             if around in wanted:
                 return True
-            around = offers[around].inside
+            around = outside(around)
         return False
 
     return [
