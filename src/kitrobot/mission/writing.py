@@ -15,7 +15,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import write_program
 from kitrobot.mission.model import Mission, Team
 from kitrobot.mission.trial import write_breakpoint, write_failure
-from kitrobot.primitives import Texts, attributes, escape_text, write_constructor, write_variable
+from kitrobot.primitives import Texts, attributes, text_element, write_constructor, write_variable
 from kitrobot.world import world_lines
 
 
@@ -43,10 +43,7 @@ def write_mission(mission: Mission) -> bytes:
 
 def _texts(name: str, texts: Texts) -> list[str]:
     """One line a language, English first."""
-    return [
-        f"  <{name}{attributes(('xml:lang', language or None))}>{escape_text(texts[language])}</{name}>"
-        for language in sorted(texts)
-    ]
+    return [f"  {text_element(name, language, texts[language])}" for language in sorted(texts)]
 
 
 def _team(team: Team) -> list[str]:

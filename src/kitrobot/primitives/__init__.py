@@ -30,7 +30,7 @@ from kitrobot.primitives.templates import Shape, holes, shape
 from kitrobot.primitives.xml import MAX_DEPTH, TEXT, TEXTS, Reader
 from kitrobot.primitives.xml_decoding import MAX_BYTES
 from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, nearest, one_of, shown
-from kitrobot.primitives.xml_writing import attributes, escape_text, escape_value
+from kitrobot.primitives.xml_writing import attributes, escape_text, escape_value, text_element
 
 __all__ = [
     "LARGEST_VALUE",
@@ -78,6 +78,7 @@ __all__ = [
     "read_template",
     "shape",
     "shown",
+    "text_element",
     "write_constructor",
     "write_constructors",
     "write_variable",

@@ -21,7 +21,7 @@ from kitrobot.primitives.robot import RobotObject, Texts, ValueType
 from kitrobot.primitives.robot_xml import ROBOT_NAME, VARIABLE
 from kitrobot.primitives.xml import Reader
 from kitrobot.primitives.xml_element import Element, Tag, shown
-from kitrobot.primitives.xml_writing import attributes, escape_text
+from kitrobot.primitives.xml_writing import attributes, escape_text, text_element
 
 MOST_OWN = 500
 """Constructors, and variables, that one mission may bring along."""
@@ -136,11 +136,7 @@ def write_variable(own: OwnVariable, indent: str = "  ") -> list[str]:
 
 def _texts(name: str, texts: Texts) -> list[str]:
     """One line a language, English first."""
-    lines = []
-    for language in sorted(texts):
-        words = " ".join(texts[language].split())
-        lines.append(f"<{name}{attributes(('xml:lang', language or None))}>{escape_text(words)}</{name}>")
-    return lines
+    return [text_element(name, language, " ".join(texts[language].split())) for language in sorted(texts)]
 
 
 def _slot(slot: Slot) -> str:

@@ -28,3 +28,8 @@ def escape_value(text: str) -> str:
 def attributes(*pairs: tuple[str, str | int | None]) -> str:
     """` name="value"` for each pair in the order given, without those whose value is None."""
     return "".join(f' {name}="{escape_value(str(value))}"' for name, value in pairs if value is not None)
+
+
+def text_element(name: str, language: str, text: str) -> str:
+    """A text for people in one language ("" for English), as an element."""
+    return f"<{name}{attributes(('xml:lang', language or None))}>{escape_text(text)}</{name}>"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from kitrobot.primitives import Texts, attributes, escape_text
+from kitrobot.primitives import Texts, attributes, text_element
 from kitrobot.world.geometry import Corner
 from kitrobot.world.model import LEFT, ColouredLine, Dock, Floor, Road, Start, World
 
@@ -54,7 +54,7 @@ def _numbers(**values: float) -> str:
 
 def _texts(name: str, texts: Texts) -> Iterator[str]:
     for language, text in texts.items():
-        yield f"  <{name}{attributes(('xml:lang', language or None))}>{escape_text(text)}</{name}>"
+        yield f"  {text_element(name, language, text)}"
 
 
 def _points(corners: tuple[Corner, ...]) -> Iterator[str]:
