@@ -9,11 +9,10 @@ import { programInView, useStudio } from "../model/studio";
 import { text } from "../model/texts";
 import type { Constructor, Problem, Slot } from "../model/types";
 import { Sheet } from "../shell/Sheet";
-import { Icon } from "../theme";
-import { Said } from "../words/Said";
 import { languageInUse, sentence, t } from "../words/words";
 import { partsApi } from "./doors";
 import { Look, type LookOf } from "./Look";
+import { SheetEnd } from "./SheetEnd";
 import { ownPart, plainName, wrongWith } from "./naming";
 import { Slots } from "./Slots";
 import { closeSheet } from "./state";
@@ -152,26 +151,7 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
           </div>
         </div>
         <Slots slots={slots} onChange={setSlots} />
-        <p className="own-failure" role="status" data-testid="own-failure">
-          {why === "" ? null : (
-            <>
-              <Icon name="triangle-alert" size={16} /> <Said text={why} />
-            </>
-          )}
-        </p>
-        <div className="sheet-foot">
-          <button type="button" className="button" onClick={closeSheet}>
-            {t("open.cancel")}
-          </button>
-          <button
-            type="submit"
-            className="button button-ink"
-            data-testid="own-save"
-            disabled={wrong !== "" || why !== "" || read === null}
-          >
-            {t("own.changing")}
-          </button>
-        </div>
+        <SheetEnd why={why} keep={t("own.changing")} disabled={wrong !== "" || why !== "" || read === null} />
       </form>
     </Sheet>
   );

@@ -9,11 +9,10 @@ import { partsOf } from "../model/parts";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
 import { Sheet } from "../shell/Sheet";
-import { Icon } from "../theme";
-import { Said } from "../words/Said";
 import { sentence, t } from "../words/words";
 import { partsApi, type Wish } from "./doors";
 import { Look, type LookOf } from "./Look";
+import { SheetEnd } from "./SheetEnd";
 import { freePartName, plainName, wrongWith } from "./naming";
 import { chosenOf, type Opening, openingsOf } from "./openings";
 import { Openings } from "./Openings";
@@ -171,26 +170,7 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
           />
           {t("own.in-place")}
         </label>
-        <p className="own-failure" role="status" data-testid="own-failure">
-          {failure === "" ? null : (
-            <>
-              <Icon name="triangle-alert" size={16} /> <Said text={failure} />
-            </>
-          )}
-        </p>
-        <div className="sheet-foot">
-          <button type="button" className="button" onClick={closeSheet}>
-            {t("open.cancel")}
-          </button>
-          <button
-            type="submit"
-            className="button button-ink"
-            data-testid="own-save"
-            disabled={wish === null || failure !== ""}
-          >
-            {t("own.saving")}
-          </button>
-        </div>
+        <SheetEnd why={failure} keep={t("own.saving")} disabled={wish === null || failure !== ""} />
       </form>
     </Sheet>
   );
