@@ -2,7 +2,7 @@
 
 import pytest
 
-from kitrobot.primitives import Category, Kind, Parameter, Robot, ValueType, read_robot
+from kitrobot.primitives import Board, Category, Kind, Parameter, Robot, ValueType, read_robot
 from tests.primitives.samples import ROBOT, messages, robot
 
 
@@ -43,6 +43,62 @@ def test_settings_of_a_device_are_kept_as_they_are() -> None:
     made = read_one('<sensor name="S" device="range" max="50" reach="400 mm" noise="0.1"/>')
     assert made.sensors[0].settings == {"reach": "400 mm", "noise": "0.1"}
     assert made.sensors[0].device == "range"
+
+
+def test_what_the_real_robots_driver_is_told_is_kept_in_order() -> None:
+    made = read_one(
+        '<actuator name="A" device="wheel" side="left"><board driver="pwm-motor" forward="2" backward="3"/></actuator>'
+        '<sensor name="S" device="range"><board trigger="GP14" echo="é"/></sensor>'
+    )
+    assert made.actuators[0].board == Board("pwm-motor", {"forward": "2", "backward": "3"})
+    assert list(made.actuators[0].board.settings) == ["forward", "backward"]
+    assert made.actuators[0].settings == {"side": "left"}
+    assert made.sensors[0].board == Board("range", {"trigger": "GP14", "echo": "é"})
+
+
+def test_without_a_board_element_the_driver_is_the_device() -> None:
+    made = read_one('<actuator name="A" device="my wheel"/><sensor name="S"/><variable name="V"/>')
+    assert [part.board for part in made.objects] == [Board("my wheel"), Board(), Board(), Board()]
+
+
+@pytest.mark.parametrize(
+    ("value", "right"),
+    [
+        ("x", True),
+        ("x" * 60, True),
+        ("x" * 61, False),
+        ("", False),
+        (" ", False),
+        ("1 2", False),
+        ("1&#10;2", False),
+        ("1&#9;2", False),
+        ("1&#160;2", False),
+        ("1&#x202e;2", False),
+        ("&#127;", False),
+        ("a=b", False),
+        ("&quot;", False),
+        ("a,b;c/d:e'", True),
+    ],
+)
+def test_a_setting_of_a_driver_fits_into_a_line_of_words(value: str, right: bool) -> None:
+    made, problems = read_robot(robot(f'<sensor name="S"><board pin="{value}"/></sensor>').encode(), "f.xml")
+    assert (made is not None) == right == (not problems)
+
+
+@pytest.mark.parametrize(("count", "right"), [(16, True), (17, False)])
+def test_a_driver_has_few_settings(count: int, right: bool) -> None:
+    settings = " ".join(f's{number}="1"' for number in range(count))
+    made, problems = read_robot(robot(f'<sensor name="S"><board {settings}/></sensor>').encode(), "f.xml")
+    assert (made is not None) == right == (not problems)
+
+
+@pytest.mark.parametrize(
+    ("driver", "right"),
+    [("a", True), ("a" * 60, True), ("a" * 61, False), ("9", False), ("../boot", False), ("", False)],
+)
+def test_a_drivers_name_is_that_of_a_module(driver: str, right: bool) -> None:
+    made, problems = read_robot(robot(f'<sensor name="S"><board driver="{driver}"/></sensor>').encode(), "f.xml")
+    assert (made is not None) == right == (not problems)
 
 
 def test_operations_are_tests_or_values() -> None:
@@ -213,6 +269,20 @@ BAD = [
         f'<actuator name="S"><procedure name="O"/></actuator><sensor name="S">{TO}</sensor>',
         "S | xml-duplicate | S.O is a method of the actuator S already",
     ),
+    ('<sensor name="S"><board/><board/></sensor>', "<board | xml-duplicate | <sensor> holds a <board> already"),
+    (
+        '<sensor name="S"><board pin="GP 2"/></sensor>',
+        "GP 2 | robot-board | expected 1 to 60 characters without spaces, = and quotation marks in pin, found “GP 2”",
+    ),
+    (
+        f'<sensor name="S"><board {"p" * 61}="2"/></sensor>',
+        f"2 | robot-board | expected at most 60 characters in the name of a setting, found “{'p' * 39}…”",
+    ),
+    (
+        '<sensor name="S"><board driver="a/b"/></sensor>',
+        "a/b | xml-bad-value | expected 1 to 60 of the letters a to z, digits, _ and -, a letter first in driver, "
+        "found “a/b”",
+    ),
 ]
 
 
@@ -263,6 +333,7 @@ def test_a_robots_name_is_a_word(name: str, right: bool) -> None:
 
 def test_the_fingerprint_changes_with_what_an_image_depends_on() -> None:
     same = [read_one('<sensor name="S"><help>a</help></sensor>'), read_one('<sensor name="S" icon="x"/>')]
+    same.append(read_one('<sensor name="S"><board driver="d" pin="1"/></sensor>'))
     other = [
         read_one('<sensor name="S" max="99"/>'),
         read_one('<sensor name="T"/>'),

@@ -15,6 +15,9 @@ from kitrobot.primitives.own_xml import (
 )
 from kitrobot.primitives.robot import (
     LARGEST_VALUE,
+    LONGEST_SETTING,
+    MOST_SETTINGS,
+    Board,
     Category,
     Kind,
     Method,
@@ -34,14 +37,17 @@ from kitrobot.primitives.xml_writing import attributes, escape_text, escape_valu
 
 __all__ = [
     "LARGEST_VALUE",
+    "LONGEST_SETTING",
     "MAX_BYTES",
     "MAX_DEPTH",
     "MOST_OWN",
+    "MOST_SETTINGS",
     "OWN",
     "OWN_GROUP",
     "SHIPPED",
     "TEXT",
     "TEXTS",
+    "Board",
     "Catalogue",
     "Category",
     "Constructor",

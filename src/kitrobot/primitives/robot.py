@@ -18,6 +18,12 @@ from functools import cached_property
 LARGEST_VALUE = 2**29 - 1
 """How far from zero a number of a robot may lie: the sum of two still fits the word of the smallest board (31 bits)."""
 
+LONGEST_SETTING = 60
+"""Characters of a driver's name, of the name of one of its settings and of its value, at most."""
+
+MOST_SETTINGS = 16
+"""Settings of one driver, at most."""
+
 Texts = Mapping[str, str]
 """Language tag → text; the empty tag is the default (English)."""
 
@@ -84,14 +90,33 @@ class Method:
 
 
 @dataclass(frozen=True)
+class Board:
+    """What the driver of a real robot is told about a part: which driver it is, and its settings (pins and the like).
+
+    The settings are in the order of the file. Names and values are one to `LONGEST_SETTING` printable characters
+    without spaces, `=` and `"`, so that `name=value` can stand in a line whose words are parted by spaces; no more than
+    `MOST_SETTINGS` of them. A driver that the file names is a word of ASCII letters, digits, `_` and `-`; without one
+    it is the device, which may be any text.
+    """
+
+    driver: str = ""
+    settings: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
 class RobotObject:
-    """A part of the robot: `minimum`…`maximum` is the range of a sensor's or variable's value."""
+    """A part of the robot: `minimum`…`maximum` is the range of a sensor's or variable's value.
+
+    `settings` are those of the simulator's device; `board` is what the driver of a real robot is told. Variables and
+    the system have no driver.
+    """
 
     name: str
     category: Category
     methods: tuple[Method, ...]
     device: str = ""
     settings: Mapping[str, str] = field(default_factory=dict)
+    board: Board = field(default_factory=Board)
     type: ValueType = ValueType.INTEGER
     minimum: int = 0
     maximum: int = 0
@@ -139,7 +164,10 @@ class Robot:
 
     @cached_property
     def fingerprint(self) -> bytes:
-        """Eight bytes that change when anything an image depends on changes: names, order, ranges, timing."""
+        """Eight bytes that change when anything an image depends on changes: names, order, ranges, timing.
+
+        Pins do not count: what a program means is the same on every board.
+        """
         words: list[object] = ["robot", self.tick_ms, self.wait_unit_ms]
         for part in self.objects:
             words += [part.category.value, part.name, part.type.value, part.minimum, part.maximum, part.initial]

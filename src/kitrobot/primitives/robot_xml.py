@@ -16,9 +16,11 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.lll import is_name
 from kitrobot.primitives import rules
 from kitrobot.primitives.automatic import FAULT, boolean_methods, comparison, fault_object, integer_methods
+from kitrobot.primitives.board_xml import BOARD
 from kitrobot.primitives.constructors_xml import NAME_IN_WORDS, icon
 from kitrobot.primitives.robot import (
     LARGEST_VALUE,
+    Board,
     Category,
     Kind,
     Method,
@@ -174,11 +176,16 @@ def _sensor_range(sensor: Element) -> tuple[int, int]:
 def _device(element: Element, category: Category, known: tuple[str, ...]) -> RobotObject:
     """What actuators and sensors have in common; attributes that are not ours are settings of the device."""
     methods = element.distinct(Method, lambda method: method.name, "method")
+    device = element.optional("device")
+    first, *more = [*element.found_at(Board), (Board(), element)]
+    for _, around in more[:-1]:
+        around.report(rules.DUPLICATE, f"<{element.name}> holds a <board> already")
     return RobotObject(
         _object_name(element),
         category,
         tuple(methods),
-        device=element.optional("device"),
+        device=device,
+        board=replace(first[0], driver=first[0].driver or device),
         settings={name: value for name, value in element.attributes.items() if name not in known},
         icon=icon(element),
         label=_text(element, "label"),
@@ -273,8 +280,8 @@ _ROBOT = Tag(
     ("name", "version", "tick", "wait-unit"),
     {
         **TEXTS,
-        "actuator": Tag(_actuator, _DEVICE, {**TEXTS, "procedure": _PROCEDURE}, free_attributes=True),
-        "sensor": Tag(_sensor, _SENSOR, {**TEXTS, "operation": _OPERATION}, free_attributes=True),
+        "actuator": Tag(_actuator, _DEVICE, {**TEXTS, "procedure": _PROCEDURE, "board": BOARD}, free_attributes=True),
+        "sensor": Tag(_sensor, _SENSOR, {**TEXTS, "operation": _OPERATION, "board": BOARD}, free_attributes=True),
         "variable": VARIABLE,
     },
     open=lambda element: element.version(VERSION),

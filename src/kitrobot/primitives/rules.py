@@ -143,6 +143,15 @@ PHRASE = rule(
     "A phrase may hold `{object}` and `{NAME}` for each parameter.",
 )
 
+BOARD = rule(
+    "robot-board",
+    Severity.ERROR,
+    "A real robot's driver cannot be told this",
+    "`<board>` says which driver works an actuator or a sensor on a real robot, and its settings: pins and the like. "
+    "They travel to small boards in one short line, so a name or a value has 1 to 60 characters, without spaces, line "
+    'breaks, `=` and `"`, and a driver has 16 settings at most.',
+)
+
 TOO_MANY_OWN = rule(
     "own-too-many",
     Severity.ERROR,

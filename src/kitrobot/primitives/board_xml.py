@@ -1,0 +1,48 @@
+"""`<board>` of a robot's actuator or sensor → `Board`: what the driver of the real robot is told.
+
+What it says travels to small boards in a line whose words are parted by spaces, so nothing that would break such a line
+is let through. Left to others: which drivers there are, and which settings one understands (drivers).
+"""
+
+from __future__ import annotations
+
+import re
+
+from kitrobot.primitives import rules
+from kitrobot.primitives.robot import LONGEST_SETTING, MOST_SETTINGS, Board
+from kitrobot.primitives.xml_element import Element, Tag, shown
+
+_DRIVER = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+_BREAKING = frozenset(' ="')
+
+
+def _fits(text: str) -> bool:
+    return 0 < len(text) <= LONGEST_SETTING and text.isprintable() and not _BREAKING & set(text)
+
+
+def _board(element: Element) -> Board:
+    driver = element.attributes.get("driver")
+    if driver is not None and not (_DRIVER.fullmatch(driver) and len(driver) <= LONGEST_SETTING):
+        expected = f"1 to {LONGEST_SETTING} of the letters a to z, digits, _ and -, a letter first"
+        element.bad_value("driver", expected, "without it, the driver is the one with the name of the device")
+    settings = {
+        name: value
+        for name, value in element.attributes.items()
+        if name != "driver" and not name.startswith(("xmlns", "xsi:"))
+    }
+    if len(settings) > MOST_SETTINGS:
+        message = f"expected at most {MOST_SETTINGS} settings on <board>, found {len(settings)}"
+        element.report(rules.BOARD, message)
+    for name, value in settings.items():
+        if not _fits(name):
+            message = f"expected at most {LONGEST_SETTING} characters in the name of a setting, found {shown(name)}"
+            element.report(rules.BOARD, message, name)
+        elif not _fits(value):
+            expected = f"1 to {LONGEST_SETTING} characters without spaces, = and quotation marks"
+            help = "they travel to small boards in one short line; put a comma where a space would be"
+            element.report(rules.BOARD, f"expected {expected} in {name}, found {shown(value)}", name, help)
+    return Board(driver or "", settings)
+
+
+BOARD = Tag(_board, ("driver",), free_attributes=True)
+"""What the real robot's driver of an actuator or a sensor is told."""
