@@ -9,7 +9,6 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
-from tests.studio.test_variables import forgive_refusals
 
 pytestmark = pytest.mark.browser
 
@@ -181,5 +180,3 @@ def test_edits_of_all_kinds_are_undone_to_the_same_bytes_and_done_again(open_stu
     assert save(studio) == before
     assert press_until_nothing_is_left(studio, "Control+y", "Redo") == undone
     assert save(studio) == after
-    # The bytes count here; a journal that is asked for whole again is no fault of theirs.
-    forgive_refusals(studio)

@@ -35,6 +35,7 @@ class Kept {
   records: string[] = [];
   unsaved = false;
   wholes = 0;
+  refused = 0;
   trouble: ApiError | null = null;
   watcher: Watcher | null = null;
   readonly store: Store = {
@@ -54,6 +55,7 @@ class Kept {
   private write(first: number, records: string[], unsaved: boolean) {
     if (this.trouble !== null) return Promise.reject(this.trouble);
     if (first > this.records.length || (first > 0 && first !== this.records.length)) {
+      this.refused++;
       return Promise.reject(new ApiError("do not follow", "", 422));
     }
     if (first === 0) this.wholes++;
@@ -173,6 +175,21 @@ describe("the journal", () => {
     await flush();
     expect(recovered().mission).toEqual(useStudio.getState().mission);
     expect(failures).toEqual([]);
+  });
+
+  it("is not taken in by a save while records are on their way", async () => {
+    edit();
+    await flush();
+    edit();
+    useStudio.getState().undo();
+    edit();
+    const going = flush();
+    useStudio.getState().markSaved("a.krt", "r2");
+    await going;
+    edit();
+    await flush();
+    expect(recovered().mission).toEqual(useStudio.getState().mission);
+    expect([kept.refused, isKept()]).toEqual([0, true]);
   });
 
   it("says when it cannot be written, and mends it later", async () => {

@@ -39,6 +39,8 @@ let next: History | null = null;
 let waiting: Entry[] = [];
 /** Records that the server has; -1 when it must be sent everything. */
 let sent = 0;
+/** How often everything was asked for: what is on its way meanwhile says nothing about how far the server is. */
+let asked = 0;
 let timer: ReturnType<typeof setTimeout> | undefined;
 let sending: Promise<void> | null = null;
 /** Between the claim and the opening nothing may go out: it would be the old mission's, in the new one's journal. */
@@ -63,6 +65,12 @@ function remember(name: string): void {
   }
 }
 
+/** The server must be sent everything: nobody knows how far it is. */
+function sendAll(): void {
+  sent = -1;
+  asked++;
+}
+
 /** Whether there is somebody who keeps a journal. */
 export function keepsJournal(): boolean {
   return keeping !== null;
@@ -82,7 +90,7 @@ export async function claim(path: string, wanted = ""): Promise<Claimed | null> 
   const { file } = useStudio.getState();
   // The same mission once more: what is on disk is wanted, not what was done to it here.
   if (wanted === "" && journal !== "" && path !== "" && path === file.path) {
-    sent = -1;
+    sendAll();
     return null;
   }
   try {
@@ -101,7 +109,7 @@ export async function claim(path: string, wanted = ""): Promise<Claimed | null> 
 /** The history that the mission which is opened next has already; the journal is written anew from it. */
 export function openWith(begin: History | null): void {
   next = begin;
-  if (begin !== null || sent > 0) sent = -1;
+  if (begin !== null || sent > 0) sendAll();
 }
 
 function hello(): Promise<void> {
@@ -133,7 +141,7 @@ function heard(after: Mission, before: Mission): void {
     waiting.push({ change, before, after });
   }
   // The file's name may be another one now.
-  if (change.kind === "save") sent = -1;
+  if (change.kind === "save") sendAll();
   soon();
 }
 
@@ -159,7 +167,9 @@ export async function flush(): Promise<void> {
 async function send({ store, fail }: Keeping): Promise<void> {
   const { file } = useStudio.getState();
   const batch = waiting;
-  const whole = sent <= 0;
+  const first = sent;
+  const whole = first <= 0;
+  const asking = asked;
   try {
     if (whole) {
       const kept = shortened(history, file.revision, LARGEST / 2);
@@ -167,15 +177,15 @@ async function send({ store, fail }: Keeping): Promise<void> {
       const records = empty ? [] : recordsOf(kept, file.revision);
       waiting = [];
       await store.api.replace(tab, file.path, file.name, records, isUnsaved(kept));
-      sent = records.length;
+      if (asked === asking) sent = records.length;
     } else {
       const records = batch.map(recordOf);
       waiting = [];
-      const { bytes } = await store.api.append(tab, sent, records, isUnsaved(history));
-      sent = bytes > LARGEST ? -1 : sent + records.length;
+      const { bytes } = await store.api.append(tab, first, records, isUnsaved(history));
+      if (asked === asking) sent = bytes > LARGEST ? -1 : first + records.length;
     }
   } catch (cause) {
-    sent = -1;
+    sendAll();
     // Without a server there is nobody to tell but the checker, who does; the whole history goes when it is back.
     if (!(cause instanceof ApiError) || cause.status === 0) return;
     if (whole) fail(cause, soon);
@@ -192,10 +202,10 @@ async function greet(name: string): Promise<void> {
   try {
     const claimed = await keeping.store.api.claim(tab, useStudio.getState().file.path, journal);
     remember(claimed.journal);
-    sent = -1;
+    sendAll();
     await flush();
   } catch {
-    sent = -1;
+    sendAll();
   }
 }
 
