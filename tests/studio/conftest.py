@@ -18,6 +18,9 @@ from tools.chromium import FLAGS
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 WIDTH, HEIGHT = 1600, 1000
+PATIENCE_MS = 30_000
+"""How long a state is waited for: a busy machine is slow, and no test is about that."""
+expect.set_options(timeout=PATIENCE_MS)
 
 
 @pytest.fixture(scope="session")
@@ -47,7 +50,7 @@ class Studio:
 
     def expect_code(self, text: str) -> None:
         """Waits until a stretch of text stands in the LLL."""
-        expect(self.at("code")).to_contain_text(text, timeout=5000)
+        expect(self.at("code")).to_contain_text(text)
 
     def drag(self, source: Locator, target: Locator) -> None:
         """Drags with the mouse as a hand does: press, move in steps, let go over the middle of the target."""
@@ -104,7 +107,7 @@ def open_studio(browser: Browser, tmp_path: Path) -> Iterator[object]:
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
         page.goto(address.group(0))
-        expect(page.get_by_test_id("run-button")).to_be_visible(timeout=20_000)
+        expect(page.get_by_test_id("run-button")).to_be_visible()
         expect(page.get_by_test_id("canvas")).to_be_visible()
         expect(page.locator('[data-testid="code"] .cm-line').first).not_to_be_empty()
         studio = Studio(page, target, faults)

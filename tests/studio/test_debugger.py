@@ -24,7 +24,7 @@ def started(open_studio: OpenStudio, example: str = "blink/blink.krt") -> Studio
     studio.page.keyboard.press("b")
     expect(studio.page.locator(".breakpoint")).to_have_count(1)
     studio.at("run-button").click()
-    expect(studio.at("status")).to_have_attribute("data-status", PAUSED, timeout=20_000)
+    expect(studio.at("status")).to_have_attribute("data-status", PAUSED)
     return studio
 
 
@@ -33,7 +33,7 @@ def later(open_studio: OpenStudio) -> Studio:
     studio = started(open_studio)
     for visit in (2, 3):
         studio.page.keyboard.press("F5")
-        expect(studio.at("status")).to_contain_text(f"visit {visit}", timeout=20_000)
+        expect(studio.at("status")).to_contain_text(f"visit {visit}")
     return studio
 
 
@@ -42,7 +42,7 @@ def tick(studio: Studio) -> int:
 
 
 def expect_tick(studio: Studio, wanted: int) -> None:
-    expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", str(wanted), timeout=10_000)
+    expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", str(wanted))
 
 
 def test_it_pauses_at_a_breakpoint_again_and_again_and_goes_on_without(open_studio: OpenStudio) -> None:
@@ -50,7 +50,7 @@ def test_it_pauses_at_a_breakpoint_again_and_again_and_goes_on_without(open_stud
     expect(studio.at("status")).to_contain_text("visit 1")
     expect(studio.page.locator('.breakpoint[data-reached="true"]')).to_have_count(1)
     studio.page.keyboard.press("F5")
-    expect(studio.at("status")).to_contain_text("visit 2", timeout=20_000)
+    expect(studio.at("status")).to_contain_text("visit 2")
     studio.page.locator(".vertex", has_text="LightOn").click()
     studio.page.keyboard.press("b")
     expect(studio.page.locator(".breakpoint")).to_have_count(0)
@@ -177,4 +177,4 @@ def test_a_condition_that_is_none_is_said(open_studio: OpenStudio) -> None:
     studio.at("breakpoint-when").fill("Count.")
     studio.page.keyboard.press("Enter")
     studio.at("run-button").click()
-    expect(studio.page.get_by_role("alert").first).to_contain_text("no condition", timeout=20_000)
+    expect(studio.page.get_by_role("alert").first).to_contain_text("no condition")

@@ -136,7 +136,7 @@ def test_a_schedule_is_edited_undone_shown_and_kept(open_studio):
     studio.page.keyboard.press("Control+s")
     expect(studio.at("saved-state")).to_contain_text("saved")
     studio.at("run-button").click()
-    expect(studio.at("event-strip").locator('[data-kind="failure"]')).to_have_count(1, timeout=20_000)
+    expect(studio.at("event-strip").locator('[data-kind="failure"]')).to_have_count(1)
     expect(studio.at("planned-stall")).to_have_count(0)
     studio.at("failure-remove-0").click()
     expect(studio.at("failure-0")).to_have_count(0)

@@ -53,7 +53,7 @@ class Server:
         """A new tab of the studio."""
         page = context.new_page()
         page.goto(self.address)
-        expect(page.get_by_test_id("canvas")).to_be_visible(timeout=20_000)
+        expect(page.get_by_test_id("canvas")).to_be_visible()
         return page
 
     def kill(self) -> None:
@@ -102,11 +102,11 @@ def wait_for(page: Page, value: int) -> None:
 
 
 def expect_wait(page: Page, value: int) -> None:
-    expect(page.get_by_test_id("code")).to_contain_text(f"WAIT({value})", timeout=10_000)
+    expect(page.get_by_test_id("code")).to_contain_text(f"WAIT({value})")
 
 
 def edit_and_keep(page: Page, value: int) -> None:
-    with page.expect_response(re.compile("/api/journal$"), timeout=10_000):
+    with page.expect_response(re.compile("/api/journal$")):
         wait_for(page, value)
 
 
@@ -168,14 +168,14 @@ def test_a_new_mission_that_was_never_saved_comes_back(start: Start, mission: Pa
     page.get_by_test_id("menu-File").click()
     page.get_by_test_id("menu-file-new").click()
     expect(page.get_by_test_id("first-place")).to_be_visible()
-    with page.expect_response(re.compile("/api/journal$"), timeout=10_000):
+    with page.expect_response(re.compile("/api/journal$")):
         source, target = page.get_by_test_id("part-Wait"), page.get_by_test_id("first-place")
         source.drag_to(target)
     expect(page.get_by_test_id("code")).to_contain_text("WAIT")
     server.kill()
     page.close()
     page = start(mission.parent).open(context)
-    expect(page.get_by_test_id("code")).to_contain_text("WAIT", timeout=10_000)
+    expect(page.get_by_test_id("code")).to_contain_text("WAIT")
     expect(page.get_by_test_id("title")).to_contain_text("not saved")
 
 
@@ -186,7 +186,7 @@ def test_a_file_changed_on_disk_is_offered_when_nothing_is_unsaved(
     expect_wait(page, 2)
     mission.write_text(MISSION.format(33))
     banner = page.get_by_test_id("banner")
-    expect(banner).to_contain_text("changed on disk", timeout=10_000)
+    expect(banner).to_contain_text("changed on disk")
     banner.get_by_role("button", name="Load it").click()
     expect_wait(page, 33)
     expect(banner).to_have_count(0)
@@ -217,7 +217,7 @@ def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(
     server = start(mission)
     first, second = server.open(context), server.open(context)
     for page in (first, second):
-        expect(page.get_by_test_id("also-open")).to_be_visible(timeout=10_000)
+        expect(page.get_by_test_id("also-open")).to_be_visible()
     edit_and_keep(first, 5)
     edit_and_keep(second, 6)
     first.keyboard.press("Control+s")
@@ -227,7 +227,7 @@ def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(
     assert mission.read_text() == MISSION.format(5)
     expect_wait(second, 6)
     second.close()
-    expect(first.get_by_test_id("also-open")).to_have_count(0, timeout=10_000)
+    expect(first.get_by_test_id("also-open")).to_have_count(0)
     assert first.get_by_test_id("banner").count() == 0
 
 

@@ -32,7 +32,7 @@ def test_active_vertices_glow_for_the_agent_whose_tab_is_open(open_studio: OpenS
     studio = open_studio(TRANSPORT)
     studio.at("run-button").click()
     glowing = studio.page.locator(".vertex.is-active")
-    expect(glowing.first).to_be_visible(timeout=10_000)
+    expect(glowing.first).to_be_visible()
     studio.at("tab-store-manager-A").click()
     expect(studio.page.locator(".vertex.is-active", has_text="While")).to_be_visible()
     studio.at("stop-button").click()

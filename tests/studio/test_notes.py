@@ -125,4 +125,4 @@ def test_the_second_bar_says_for_whom_it_waits(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     studio.at("run-button").click()
     waits = studio.page.locator(".bar-waits").first
-    expect(waits).to_have_text(re.compile(r"^0\s*waits for\s*1$"), timeout=10_000)
+    expect(waits).to_have_text(re.compile(r"^0\s*waits for\s*1$"))

@@ -76,7 +76,7 @@ def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undon
 
     # It runs, and glows while it does.
     studio.at("run-button").click()
-    expect(studio.page.locator(".vertex.is-active", has_text="Wait till free")).to_be_visible(timeout=30_000)
+    expect(studio.page.locator(".vertex.is-active", has_text="Wait till free")).to_be_visible()
     keys.press("Shift+F5")
 
     choose(studio, "Wait till free", "Edit this part")
@@ -226,7 +226,7 @@ def test_a_part_is_still_there_after_a_reload_with_its_undo(open_studio: OpenStu
     with studio.page.expect_response(re.compile("/api/journal$")):
         save_part(studio, "Mine", "v11-condition")
     studio.page.reload()
-    expect(row(studio, "Mine")).to_be_visible(timeout=20_000)
+    expect(row(studio, "Mine")).to_be_visible()
     expect(studio.page.locator(".vertex", has_text="Mine")).to_have_count(1)
     studio.at("canvas").focus()
     studio.page.keyboard.press("Control+z")

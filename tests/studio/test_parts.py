@@ -156,7 +156,7 @@ def test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs(open_stud
     studio = open_studio(SQUARE)
     file = studio.folder / "mine.xml"
     file.write_text(CONSTRUCTORS)
-    studio.at("part-Twice").click(timeout=5000)
+    studio.at("part-Twice").click()
     studio.expect_code("2*(")
     # The palette keeps what is folded and who has the focus.
     studio.at("fold-Choices").click()

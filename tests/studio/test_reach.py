@@ -57,7 +57,7 @@ def test_axe_finds_nothing_before_and_during_a_run(open_studio: OpenStudio, look
     choose(studio, *look)
     find_nothing(studio, "the transport mission")
     studio.at("run-button").click()
-    expect(studio.page.locator(".vertex.is-active").first).to_be_visible(timeout=10_000)
+    expect(studio.page.locator(".vertex.is-active").first).to_be_visible()
     studio.at("pause-button").click()
     find_nothing(studio, "paused")
 

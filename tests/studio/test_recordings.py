@@ -44,13 +44,13 @@ def value(studio: Studio, attribute: str) -> int:
 
 
 def expect_tick(studio: Studio, wanted: int) -> None:
-    expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", str(wanted), timeout=10_000)
+    expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", str(wanted))
 
 
 def held(studio: Studio) -> int:
     """Pauses the recording, and gives the tick that it stands at."""
     studio.at("pause-button").click()
-    expect(studio.at("status")).to_have_attribute("data-status", PAUSED, timeout=10_000)
+    expect(studio.at("status")).to_have_attribute("data-status", PAUSED)
     return value(studio, "aria-valuenow")
 
 
@@ -58,7 +58,7 @@ def test_a_dropped_recording_plays_is_stepped_sought_and_run_live(open_studio: O
     studio = open_studio("blink/blink.krt")
     drop(studio, "bug.krtrace", recorded(tmp_path))
     bar = studio.at("recording-bar")
-    expect(bar).to_contain_text("bug.krt, seed 4", timeout=20_000)
+    expect(bar).to_contain_text("bug.krt, seed 4")
     expect(studio.at("tab-carrier")).to_be_visible()
     expect(studio.at("saved-state")).to_have_text("from a recording")
     at = held(studio)
@@ -83,16 +83,16 @@ def test_a_dropped_recording_plays_is_stepped_sought_and_run_live(open_studio: O
     studio.at("event-strip").focus()
     studio.page.keyboard.press("End")
     expect_tick(studio, latest)
-    expect(studio.at("status")).to_have_attribute("data-status", DONE, timeout=10_000)
+    expect(studio.at("status")).to_have_attribute("data-status", DONE)
     expect(studio.at("status")).to_contain_text("B holds all 12 boxes")
     studio.full_speed()
     studio.at("run-recorded").click()
-    expect(bar).to_have_attribute("data-playing", "false", timeout=10_000)
+    expect(bar).to_have_attribute("data-playing", "false")
     expect(bar).to_contain_text("runs anew")
     studio.wait_until_done()
     assert value(studio, "aria-valuemax") == latest, "the same mission and seed are the same run"
     studio.at("play-recording").click()
-    expect(bar).to_have_attribute("data-playing", "true", timeout=10_000)
+    expect(bar).to_have_attribute("data-playing", "true")
 
 
 def test_the_run_is_saved_with_what_was_done_to_it_and_shows_it_again(open_studio: OpenStudio) -> None:
@@ -100,7 +100,7 @@ def test_the_run_is_saved_with_what_was_done_to_it_and_shows_it_again(open_studi
     studio.page.locator(".vertex", has_text="LightOn").click()
     studio.page.keyboard.press("b")
     studio.at("run-button").click()
-    expect(studio.at("status")).to_have_attribute("data-status", PAUSED, timeout=20_000)
+    expect(studio.at("status")).to_have_attribute("data-status", PAUSED)
     studio.at("watch-button").click()
     count = studio.at("watch-Count").get_by_role("textbox")
     count.click()
@@ -121,8 +121,8 @@ def test_the_run_is_saved_with_what_was_done_to_it_and_shows_it_again(open_studi
     studio.page.keyboard.press("Control+z")
     studio.page.keyboard.press("Control+o")
     studio.page.locator('[data-path="kept.krtrace"]').click()
-    expect(studio.at("recording-bar")).to_contain_text("kept.krt, seed 1", timeout=20_000)
-    expect(studio.at("status")).to_have_attribute("data-status", "end", timeout=20_000)
+    expect(studio.at("recording-bar")).to_contain_text("kept.krt, seed 1")
+    expect(studio.at("status")).to_have_attribute("data-status", "end")
     expect(studio.at("status")).to_contain_text("still on")
     expect_tick(studio, latest)
     expect(studio.page.locator(".strip-events [data-kind=outside]")).to_have_count(1)
@@ -132,12 +132,12 @@ def test_the_run_is_saved_with_what_was_done_to_it_and_shows_it_again(open_studi
 def test_what_is_no_recording_is_a_sentence_and_nothing_is_lost(open_studio: OpenStudio, tmp_path: Path) -> None:
     studio = open_studio("blink/blink.krt")
     drop(studio, "bad.krtrace", b"no trace at all")
-    expect(studio.at("banner")).to_contain_text("not a KitRobot trace", timeout=10_000)
+    expect(studio.at("banner")).to_contain_text("not a KitRobot trace")
     expect(studio.at("title")).to_contain_text("blink.krt")
     studio.faults.clear()  # the browser logs the refusal itself
     data = recorded(tmp_path)
     drop(studio, "cut.krtrace", data[: len(data) * 2 // 3])
-    expect(studio.at("recording-bar")).to_contain_text("cut off", timeout=20_000)
+    expect(studio.at("recording-bar")).to_contain_text("cut off")
 
 
 @pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast", "ur")], ids=str)
@@ -147,10 +147,10 @@ def test_axe_finds_nothing_while_a_recording_plays(
     studio = open_studio("blink/blink.krt")
     choose(studio, *look)
     drop(studio, "bug.krtrace", recorded(tmp_path))
-    expect(studio.at("recording-bar")).to_be_visible(timeout=20_000)
+    expect(studio.at("recording-bar")).to_be_visible()
     held(studio)
     find_nothing(studio, "a recording")
     studio.at("event-strip").focus()
     studio.page.keyboard.press("End")
-    expect(studio.at("play-recording")).to_be_visible(timeout=10_000)
+    expect(studio.at("play-recording")).to_be_visible()
     find_nothing(studio, "the end of a recording")

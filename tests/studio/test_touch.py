@@ -246,6 +246,6 @@ def test_nothing_is_cut_off_and_stop_is_always_there(
 def test_a_mission_runs_on_a_phone(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
     studio = open_with_fingers(PHONE)
     studio.at("run-button").tap()
-    expect(studio.page.locator(".vertex.is-active").first).to_be_attached(timeout=10_000)
+    expect(studio.page.locator(".vertex.is-active").first).to_be_attached()
     studio.at("team-stop").tap()
     expect(studio.at("status")).to_contain_text("Stopped")

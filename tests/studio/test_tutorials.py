@@ -27,7 +27,7 @@ def begin(studio: Studio, name: str) -> None:
 
 def at_step(studio: Studio, number: int) -> None:
     """Waits until the panel shows that step."""
-    expect(studio.at("tutorial")).to_have_attribute("data-step", str(number), timeout=15_000)
+    expect(studio.at("tutorial")).to_have_attribute("data-step", str(number))
 
 
 def done(studio: Studio, *numbers: int) -> None:
@@ -93,7 +93,7 @@ def test_first_steps_with_the_mouse(open_studio: OpenStudio) -> None:
     set_field(studio, "v5.count", "4")
     at_step(studio, 9)
     run(studio)
-    expect(studio.at("tutorial-end")).to_contain_text("That was First steps. Well done!", timeout=15_000)
+    expect(studio.at("tutorial-end")).to_contain_text("That was First steps. Well done!")
     done(studio, *range(1, 10))
 
 
@@ -161,7 +161,7 @@ def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     keys.type("4")
     at_step(studio, 9)
     keys.press("F5")
-    expect(studio.at("tutorial-end")).to_be_visible(timeout=15_000)
+    expect(studio.at("tutorial-end")).to_be_visible()
     done(studio, *range(1, 10))
 
 
@@ -202,7 +202,7 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     drop(studio, "Light.LightOn", f"arc-{choice}.then", "actuator Light")
     at_step(studio, 8)
     run(studio)
-    expect(studio.at("tutorial-end")).to_be_visible(timeout=15_000)
+    expect(studio.at("tutorial-end")).to_be_visible()
     done(studio, *range(1, 9))
 
 
@@ -231,7 +231,7 @@ def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) ->
     drop(studio, "Wheel.Stop", "arc-v2.next", "actuator Wheel")
     at_step(studio, 8)
     run(studio)
-    expect(studio.at("tutorial-end")).to_be_visible(timeout=15_000)
+    expect(studio.at("tutorial-end")).to_be_visible()
     done(studio, *range(1, 9))
 
 
@@ -341,7 +341,7 @@ def test_a_tutorial_in_the_folder_appears_and_one_with_a_mistake_says_which(open
     (studio.folder / "bad.tutorial.xml").write_text(mine.replace("<step>", "<stop>", 1), encoding="utf-8")
     studio.page.keyboard.press("Control+o")
     bad = studio.at("tutorial-card-bad.tutorial.xml")
-    expect(bad).to_contain_text("This tutorial cannot be used:", timeout=15_000)
+    expect(bad).to_contain_text("This tutorial cannot be used:")
     expect(bad).to_contain_text("<stop>")
     studio.at("tutorial-card-mine.tutorial.xml").click()
     at_step(studio, 1)

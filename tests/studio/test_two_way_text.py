@@ -19,7 +19,7 @@ VERTICES = ".react-flow__node"
 
 def editor(studio: Studio) -> Page:
     """The page, its code editor ready to be written in, the caret at its very end."""
-    expect(studio.at("code-editor")).to_have_attribute("data-writable", "true", timeout=10_000)
+    expect(studio.at("code-editor")).to_have_attribute("data-writable", "true")
     studio.at("code").locator(".cm-content").focus()
     studio.page.keyboard.press("Control+End")
     return studio.page
@@ -49,7 +49,7 @@ def replace_all(studio: Studio, text: str) -> None:
 
 
 def expect_vertices(studio: Studio, name: str, count: int) -> None:
-    expect(studio.page.locator(".vertex", has_text=name)).to_have_count(count, timeout=5000)
+    expect(studio.page.locator(".vertex", has_text=name)).to_have_count(count)
 
 
 def take_first(studio: Studio, text: str) -> None:
@@ -65,7 +65,7 @@ def leave(studio: Studio) -> None:
 
 
 def expect_text(studio: Studio, text: str) -> None:
-    expect(studio.at("code").locator(".cm-content")).to_have_text(re.compile(text), timeout=5000)
+    expect(studio.at("code").locator(".cm-content")).to_have_text(re.compile(text))
 
 
 def test_an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_back(open_studio: OpenStudio) -> None:
@@ -197,11 +197,11 @@ def test_rubbish_gets_a_sentence_and_leaves_the_document_alone(open_studio: Open
     studio, before = opened(open_studio)
     count = studio.page.locator(VERTICES).count()
     replace_all(studio, text)
-    expect(studio.at("code-state")).to_contain_text("The graph shows the last text without mistakes.", timeout=10_000)
+    expect(studio.at("code-state")).to_contain_text("The graph shows the last text without mistakes.")
     said = studio.at("code-state").text_content() or ""
     assert len(said) > len("The graph shows the last text without mistakes.") + 10
     assert studio.page.locator(VERTICES).count() == count
     expect(studio.at("saved-state")).to_have_text("saved")
     studio.page.keyboard.press("Control+z")
-    expect(studio.at("code-state")).to_be_empty(timeout=10_000)
+    expect(studio.at("code-state")).to_be_empty()
     assert studio.code() == before

@@ -28,7 +28,7 @@ OpenStudio = Callable[..., Studio]
 
 def fetched(studio: Studio) -> dict[str, int]:
     """The bytes of each file that the page has fetched, once it has all that it fetches unasked."""
-    expect(studio.at("code-editor")).to_have_attribute("data-writable", "true", timeout=20_000)
+    expect(studio.at("code-editor")).to_have_attribute("data-writable", "true")
     studio.page.wait_for_load_state("networkidle")
     return dict(studio.page.evaluate(FETCHED))
 

@@ -139,7 +139,7 @@ def test_a_road_with_a_hole_in_a_file_is_told_at_the_road_and_mended(open_studio
 def test_the_journal_keeps_the_world(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     edit(studio)
-    with studio.page.expect_response(re.compile("/api/journal$"), timeout=10_000):
+    with studio.page.expect_response(re.compile("/api/journal$")):
         type_number(studio, "width_mm", 1500)
     studio.page.reload()
     expect(studio.page.locator('[data-testid="code"] .cm-line').first).not_to_be_empty()

@@ -138,7 +138,8 @@ def _news(studio: Studio, tab: str) -> NewsMessage:
         parts = studio.stamp(news.path)
     except MissionNameError:
         parts = ""  # a journal may be of a mission whose name leads nowhere any more
-    return NewsMessage(path=news.path, revision=news.revision, others=news.others, parts=parts)
+    runs = studio.runs_of(news.path)
+    return NewsMessage(path=news.path, revision=news.revision, others=news.others, parts=parts, runs=runs)
 
 
 async def _until_closed(socket: WebSocket) -> None:

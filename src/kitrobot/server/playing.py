@@ -16,7 +16,7 @@ from kitrobot.mission import Breakpoint
 from kitrobot.server.shapes import StartedMessage
 from kitrobot.server.telling import MOST_EVENTS_TOLD, Teller
 from kitrobot.sim.breakpoints import Hit
-from kitrobot.trace import TickRecord
+from kitrobot.trace import TickRecord, TraceEvent
 from kitrobot.trace.reading import kept
 from kitrobot.workspace import OpenTrace
 
@@ -51,6 +51,11 @@ class Player:
     def path(self) -> Path:
         """Its file."""
         return self._reader.path
+
+    @property
+    def mission(self) -> None:
+        """Not known here: what is open where it is played came with it."""
+        return None
 
     # -- where it stands
 
@@ -179,9 +184,16 @@ class Player:
         `TickMessage`; the first time with all events.
         """
         again, self._again = self._again, False
-        happened = [event for _, event in self._reader.events[-MOST_EVENTS_TOLD:]] if again else []
+        happened = self._all_events() if again else []
         news = self._teller.news(self._now, self._reader.last_tick, again, happened)
         return self._teller.frame(self._now), news
+
+    def tell_whole(self) -> tuple[bytes, dict[str, Any]]:
+        """All poses and everything that `tell` has told so far, for somebody who joins now."""
+        return self._teller.frame(self._now), self._teller.whole(self._now, self._reader.last_tick, self._all_events())
+
+    def _all_events(self) -> list[TraceEvent]:
+        return [event for _, event in self._reader.events[-MOST_EVENTS_TOLD:]]
 
     def close(self) -> None:
         """Lets go of the file."""

@@ -5,6 +5,9 @@ a second: so many ticks as the pace asks for, computed in a thread so that nobod
 one binary frame with the poses and one JSON message with the rest. Requests are read meanwhile; they change the pace
 or set a flag and wake the task, so they take hold at its next round. A request that is not understood is answered
 with a sentence, one that comes too late (a pause after the end) is passed over.
+
+Other pages may watch a run (audience). A socket steers a run of its own or watches another's: who watches steers
+nothing, not even STOP, and when the page that steers is gone its run ends for all of them.
 """
 
 from __future__ import annotations
@@ -18,11 +21,11 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any
 
-import orjson
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, ValidationError
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.audience import MOST_WATCHERS, Audience, Seat, Telling
 from kitrobot.server.pacing import SLOWEST, UNPACED, Pace
 from kitrobot.server.playing import Player
 from kitrobot.server.sentences import spoken
@@ -46,6 +49,7 @@ from kitrobot.server.shapes import (
     Steering,
     StepRequest,
     StopRequest,
+    WatchRequest,
     breakpoint_from_shape,
     mission_from_shape,
     problem_shapes,
@@ -84,7 +88,11 @@ class Session:
         self._wake = asyncio.Event()
         self._pace: Pace | None = None
         self._watch: Watch | Player | None = None
+        self._audience: Audience | None = None
         self._name = ""
+        self._seat: Seat | None = None
+        """The place from which this socket watches another's run."""
+        self._looks: tuple[str, ...] = ()
         self._early: list[Steering] = []
         """What was asked for while the mission was still being compiled."""
         self._steps = 0
@@ -94,6 +102,7 @@ class Session:
         self._counts = False
         """Whether it is one of the studio's runs; one that stands at its end is not."""
         self._said: tuple[str, int] = ("", -1)
+        self._state_now: StateMessage | None = None
 
     async def serve(self) -> None:
         """Reads requests until the socket closes, then ends the run."""
@@ -108,10 +117,14 @@ class Session:
                 self._task.cancel()
                 await asyncio.gather(self._task, return_exceptions=True)
             self._let_go()
+            await self._stand_up()
 
     def _let_go(self) -> None:
         """The run of this socket is looked at no more, and cannot be saved any more."""
         self._studio.watches.pop(self._name, None)
+        self._studio.audiences.pop(self._name, None)
+        if self._audience is not None:
+            self._audience.end("the page that steered this run is gone, and the run with it", "start one of your own")
         if self._watch is not None:
             self._watch.close()
 
@@ -126,6 +139,13 @@ class Session:
             return
         if isinstance(request, StartRequest | ReplayRequest):
             await self._start(request)
+        elif isinstance(request, WatchRequest):
+            await self._sit_down(request)
+        elif self._seat is not None:
+            if isinstance(request, LookRequest):
+                self._seat.look(request.agents)
+            else:
+                await self._fail("the page that started this run steers it", "to steer one, start a run of your own")
         elif self._task is not None and not self._task.done():
             self._steer(request)
 
@@ -140,10 +160,35 @@ class Session:
             await self._fail(f"this studio has {MOST_RUNS} runs already", "stop one of them, perhaps in another tab")
             return
         self._let_go()
+        await self._stand_up()
         self._pace, self._watch, self._early, self._steps, self._jobs = None, None, [], 0, []
-        self._stopping, self._said = False, ("", -1)
+        self._stopping, self._said, self._state_now, self._audience, self._looks = False, ("", -1), None, None, ()
         self._wake.clear()
         self._task = asyncio.create_task(self._whole_run(request))
+
+    async def _sit_down(self, request: WatchRequest) -> None:
+        if self._task is not None and not self._task.done():
+            await self._fail("a run is on already", "stop it first")
+            return
+        await self._stand_up()
+        try:
+            mission = await asyncio.to_thread(mission_from_shape, request.mission)
+        except KitRobotError as error:
+            await self._fail(error.message, error.help, ended=True)
+            return
+        audience = self._studio.audiences.get(request.run)
+        if audience is None or not audience.on:
+            await self._fail("this run is over", "start one of your own", ended=True)
+        elif len(audience) >= MOST_WATCHERS:
+            await self._fail(f"{MOST_WATCHERS} pages watch this run already", "try again later", ended=True)
+        else:
+            self._seat = Seat(audience, self._socket, another=not audience.is_of(mission))
+
+    async def _stand_up(self) -> None:
+        """This socket watches nothing any more."""
+        seat, self._seat = self._seat, None
+        if seat is not None:
+            await seat.leave()
 
     def _steer(self, request: Steering) -> None:
         if isinstance(request, StopRequest):
@@ -177,7 +222,8 @@ class Session:
             case HarmRequest():
                 self._jobs.append(lambda: watch.harm(request.agent, request.kind))
             case LookRequest():
-                self._jobs.append(lambda: watch.look_at(request.agents))
+                self._looks = tuple(request.agents)
+                self._jobs.append(lambda: watch.look_at(self._looks))
             case BreakpointsRequest():
                 self._jobs.append(lambda: watch.pause_at(breakpoint_from_shape(one) for one in request.breakpoints))
         if isinstance(request, StepRequest | SeekRequest) and (request.type == "seek" or request.back):
@@ -195,18 +241,26 @@ class Session:
             elif self._stopping:
                 await self._state(watch, "stopped")
             else:
-                await self._drive(watch, Pace(watch.tick_s, self._clock, _speed(request.speed)))
+                path = request.path if isinstance(request, StartRequest) else ""
+                self._audience = Audience(path, watch.mission, self._wake.set)
+                await self._drive(watch, Pace(watch.tick_s, self._clock, _speed(request.speed)), self._audience)
         except KitRobotError as error:
-            await self._fail(error.message, error.help, ended=True)
+            await self._break_off(error.message, error.help)
         except (RuntimeError, OSError, WebSocketDisconnect):
             # The page is gone in the middle of a message; `serve` hears of it too.
             _log.debug("the page left during a run", exc_info=True)
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a run broke: %s: %s", type(error).__name__, error, exc_info=debugging)
-            await self._fail("something went wrong inside KitRobot", "the run has ended; please report it", ended=True)
+            await self._break_off("something went wrong inside KitRobot", "the run has ended; please report it")
         finally:
             self._count(False)
+
+    async def _break_off(self, message: str, help: str) -> None:
+        """Says to everybody why the run is over."""
+        if self._audience is not None:
+            self._audience.end(message, help)
+        await self._fail(message, help, ended=True)
 
     def _count(self, counts: bool) -> None:
         self._studio.runs += counts - self._counts
@@ -217,14 +271,15 @@ class Session:
             return Player(self._studio.recordings.open(request.recording))
         opened = self._studio.open(mission_from_shape(request.mission), request.path)
         try:
-            return Watch(opened, opened.simulation(request.seed))
+            return Watch(opened, opened.simulation(request.seed, fail_rate=request.fail_rate))
         except ProblemsError as error:
             return ProblemsMessage(problems=problem_shapes(error.diagnostics))
 
-    async def _drive(self, watch: Watch | Player, pace: Pace) -> None:
+    async def _drive(self, watch: Watch | Player, pace: Pace, audience: Audience) -> None:
         """Goes round until the run is stopped. At its end it stands still, and can be taken back from there."""
         self._watch, self._pace, self._name = watch, pace, f"run-{next(_numbers)}"
         self._studio.watches[self._name] = watch
+        self._studio.audiences[self._name] = audience
         for request in self._early:
             self._steer(request)
         await self._tell(watch.started(self._name))
@@ -236,10 +291,13 @@ class Session:
                 watch.stop()
                 await self._news(watch)
                 await self._state(watch, "stopped")
+                audience.on = False
                 return
             if await self._do_jobs(watch):
                 pace.set_paused(pace.paused, watch.tick)
                 await self._news(watch)
+            self._attend(watch, audience)
+            audience.on = not watch.outcome
             if watch.outcome:
                 await self._state(watch, watch.outcome)
                 pace.set_paused(True, watch.tick)
@@ -259,6 +317,16 @@ class Session:
                 if pace.paused and not watch.outcome:
                     await self._state(watch, "paused")
             await self._rest(pace, watch, began)
+
+    def _attend(self, watch: Watch | Player, audience: Audience) -> None:
+        """Looks after those who watch; everything is told to everybody else at this moment."""
+        looks = audience.looks()
+        if looks is not None:
+            watch.look_at((*self._looks, *looks))
+        now = self._state_now
+        if now is not None:
+            now = now.model_copy(update={"tick": watch.tick, "seconds": watch.seconds})
+        audience.welcome(self._name, watch, now)
 
     async def _do_jobs(self, watch: Watch | Player) -> bool:
         """Does what was asked for meanwhile; says whether there was anything."""
@@ -287,9 +355,11 @@ class Session:
             return
 
     async def _news(self, watch: Watch | Player) -> None:
-        frame, news = watch.tell()
-        await self._socket.send_bytes(frame)
-        await self._socket.send_text(orjson.dumps(news).decode())
+        telling = Telling(*watch.tell())
+        if self._audience is not None:
+            self._audience.tell(telling)
+        await self._socket.send_bytes(telling.frame)
+        await self._socket.send_text(telling.text())
 
     async def _state(self, watch: Watch | Player, status: Any) -> None:
         """Says what became of the run, when that is new."""
@@ -297,15 +367,16 @@ class Session:
         if said == self._said:
             return
         self._said = said
-        await self._tell(
-            StateMessage(
-                status=status,
-                tick=watch.tick,
-                seconds=watch.seconds,
-                sentence=spoken(watch.sentence),
-                hits=[HitShape(**asdict(hit)) for hit in watch.hits] if status == "paused" else [],
-            )
+        self._state_now = StateMessage(
+            status=status,
+            tick=watch.tick,
+            seconds=watch.seconds,
+            sentence=spoken(watch.sentence),
+            hits=[HitShape(**asdict(hit)) for hit in watch.hits] if status == "paused" else [],
         )
+        if self._audience is not None:
+            self._audience.state(self._state_now)
+        await self._tell(self._state_now)
 
     async def _tell(self, message: BaseModel) -> None:
         await self._socket.send_text(message.model_dump_json())

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
+from kitrobot.server.audience import Audience
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.playing import Player
 from kitrobot.server.recordings import Recordings
@@ -49,6 +50,8 @@ class Studio:
         self.runs = 0
         self.watches: dict[str, Watch | Player] = {}
         """The runs and recordings that are on, by their names."""
+        self.audiences: dict[str, Audience] = {}
+        """Who watches them, by the same names."""
         self.recordings = Recordings(self._recordings_are_in)
         self.saving = threading.Lock()
         """Held while a run is recorded once more: one at a time is quick enough."""
@@ -58,6 +61,12 @@ class Studio:
         self._lock = threading.Lock()
         self._kept: dict[tuple[Path, ...], tuple[Stamp, Catalogue, CatalogueShape]] = {}
         self._worlds: dict[str, Path] = {}
+
+    def runs_of(self, path: str) -> list[str]:
+        """The runs that are on of the mission of that path; none where it is of no file."""
+        return [
+            name for name, audience in list(self.audiences.items()) if path and audience.on and audience.path == path
+        ]
 
     def _recordings_are_in(self, folder: Path) -> None:
         self.folder.recordings = folder

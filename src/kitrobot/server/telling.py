@@ -4,7 +4,7 @@ The one road from a trace to the page: a run that is on is recorded tick by tick
 is told from those that were kept, so both look alike to the byte. A record speaks of instructions, the page of
 vertices: each agent's threads are brought to vertices through the header. What is told is remembered, so that an agent
 that did not change is not told again. Numbers of a recording may be anything; what no page could hold is cut to what it
-can.
+can. Texts are English here: who sends them says them in the reader's language.
 """
 
 from __future__ import annotations
@@ -14,10 +14,9 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from kitrobot.server.shapes import EVENT_KINDS, StartedAgentShape, StartedMessage, world_shape
+from kitrobot.server.shapes import EVENT_CAUSES, EVENT_KINDS, StartedAgentShape, StartedMessage, world_shape
 from kitrobot.sim import DOING
-from kitrobot.trace import TEAM, Threads, TickRecord, TraceError, TraceEvent, TraceHeader
-from kitrobot.translation import said
+from kitrobot.trace import PROGRAM, TEAM, Threads, TickRecord, TraceError, TraceEvent, TraceHeader
 from kitrobot.world import World
 
 MOST_EVENTS_TOLD = 5000
@@ -124,6 +123,7 @@ class Teller:
             stock=self.stock(first),
             total=header.total,
             recording=recording,
+            fail_rate=header.fail_rate,
         )
 
     def stock(self, record: TickRecord) -> dict[str, int]:
@@ -159,13 +159,29 @@ class Teller:
             if key != self._before[index]:
                 self._before[index] = key
                 changed[agent.name] = self._report(agent, record.active[index], row)
+        return self._tick(record, latest, again, happened, changed)
+
+    def whole(self, record: TickRecord, latest: int, happened: Iterable[TraceEvent]) -> dict[str, Any]:
+        """Everything, for somebody who was told nothing yet, in the shape of a `TickMessage`; `happened` is everything
+        up to `latest`. To the others nothing is told by this.
+        """
+        agents = {
+            self._agents[index].name: self._report(self._agents[index], record.active[index], record.numbers)
+            for index in sorted(self.reported)
+        }
+        return self._tick(record, latest, True, happened, agents)
+
+    def _tick(
+        self, record: TickRecord, latest: int, again: bool, happened: Iterable[TraceEvent], agents: dict[str, Any]
+    ) -> dict[str, Any]:
+        row = record.numbers
         return {
             "type": "tick",
             "tick": record.tick,
             "latest": latest,
             "again": again,
             "seconds": record.tick * self._header.tick_ms / 1000,
-            "agents": changed,
+            "agents": agents,
             "stock": self.stock(record),
             "delivered": {name: _bounded(row[at]) for name, at in self._delivered},
             "collisions": _bounded(row[self._collisions]),
@@ -188,7 +204,8 @@ class Teller:
             "tick": event.tick,
             "kind": event.kind if event.kind in EVENT_KINDS else "message",
             "agent": self._header.agents[event.agent].name if event.agent >= 0 else "",
-            "text": said(event.text[:LONGEST_TEXT]),
+            "text": event.text[:LONGEST_TEXT],
+            "cause": event.cause if event.cause in EVENT_CAUSES else PROGRAM,
         }
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
-from kitrobot.mission import Breakpoint
+from kitrobot.mission import Breakpoint, Mission
 from kitrobot.server.shapes import StartedMessage
 from kitrobot.server.telling import MOST_EVENTS_TOLD, Teller
 from kitrobot.sim import Event, Recorder, Simulation, record_again
@@ -48,6 +48,11 @@ class Watch:
         self._portion = max(1, min(_TICKS_BETWEEN_LOOKS, _ROBOT_TICKS_BETWEEN_LOOKS // len(simulation.members)))
         self.hits: list[Hit] = []
         """Why `advance` came to an end before its time: who came to a breakpoint."""
+
+    @property
+    def mission(self) -> Mission:
+        """What runs."""
+        return self._opened.mission
 
     @property
     def tick(self) -> int:
@@ -192,6 +197,11 @@ class Watch:
         record = self._record(happened)
         news = self._teller.news(record, self._timeline.latest, again, record.events)
         return self._teller.frame(record), news
+
+    def tell_whole(self) -> tuple[bytes, dict[str, Any]]:
+        """All poses and everything that `tell` has told so far, for somebody who joins now."""
+        record = self._record([*self._timeline.events[-MOST_EVENTS_TOLD:], *self._early])
+        return self._teller.frame(record), self._teller.whole(record, self._timeline.latest, record.events)
 
     def _record(self, happened: Iterable[Event] = ()) -> TickRecord:
         """The run as it stands, as a trace would hold it."""

@@ -155,15 +155,16 @@ class OpenMission:
             else:
                 yield self.kept.of(program, self.catalogue).report
 
-    def simulation(self, seed: int = 1) -> Simulation:
-        """The mission in its world, before its first tick.
+    def simulation(self, seed: int = 1, fail_rate: float = 0.0) -> Simulation:
+        """The mission in its world, before its first tick; `fail_rate` is the probability (0…1) that an agent fails for
+        good within a minute, by chance.
 
         Raises:
             ProblemsError: the mission has errors.
         """
         from kitrobot.workspace.running import simulation
 
-        return simulation(self, seed)
+        return simulation(self, seed, fail_rate=fail_rate)
 
     def run(
         self,

@@ -35,6 +35,7 @@ from kitrobot.server.shapes.problem import FailureShape, ProblemShape, problem_s
 from kitrobot.server.shapes.recording import RecordingEntryShape, RecordingShape
 from kitrobot.server.shapes.report import CheckShape, ProgramReportShape, ReportShape
 from kitrobot.server.shapes.run import (
+    EVENT_CAUSES,
     EVENT_KINDS,
     REQUEST,
     REQUEST_MODELS,
@@ -64,10 +65,12 @@ from kitrobot.server.shapes.run import (
     StepRequest,
     StopRequest,
     TickMessage,
+    WatchRequest,
 )
 from kitrobot.server.shapes.world import WorldShape, world_shape
 
 __all__ = [
+    "EVENT_CAUSES",
     "EVENT_KINDS",
     "REQUEST",
     "REQUEST_MODELS",
@@ -127,6 +130,7 @@ __all__ = [
     "StopRequest",
     "TextShape",
     "TickMessage",
+    "WatchRequest",
     "WorldShape",
     "breakpoint_from_shape",
     "catalogue_shape",

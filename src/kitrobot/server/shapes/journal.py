@@ -99,7 +99,8 @@ class HelloMessage(_Message):
 class NewsMessage(_Message):
     """What is on disk for the page's mission ("" when nothing is), and how many other pages have it open.
 
-    `parts` names the state of the XML files that the mission depends on: robots, constructors, its world.
+    `parts` names the state of the XML files that the mission depends on: robots, constructors, its world. `runs` are
+    the runs of the mission that are on, on this page or another.
     """
 
     type: Literal["news"] = "news"
@@ -107,6 +108,7 @@ class NewsMessage(_Message):
     revision: str
     others: int
     parts: str
+    runs: list[str] = []
 
 
 WATCH_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (HelloMessage, NewsMessage)

@@ -23,13 +23,16 @@ MOST_LOOKED_AT = 200
 
 
 class StartRequest(BaseModel):
-    """Run this mission; `path` is the file it was opened from, "" for a new one."""
+    """Run this mission; `path` is the file it was opened from, "" for a new one. `fail_rate` is the probability that
+    an agent fails by chance within a minute.
+    """
 
     type: Literal["start"]
     mission: MissionShape
     path: str
     seed: Annotated[int, Field(ge=0, le=2**53)]
     speed: Speed
+    fail_rate: Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)] = 0.0
 
 
 class ReplayRequest(BaseModel):
@@ -38,6 +41,14 @@ class ReplayRequest(BaseModel):
     type: Literal["replay"]
     recording: Annotated[str, Field(max_length=20)]
     speed: Speed
+
+
+class WatchRequest(BaseModel):
+    """Watch a run that another page steers; `run` is its name, `mission` what this page has open."""
+
+    type: Literal["watch"]
+    run: Annotated[str, Field(max_length=40)]
+    mission: MissionShape
 
 
 class PauseRequest(BaseModel):
@@ -136,8 +147,8 @@ Steering = (
 )
 """What can be asked of a run that is on."""
 
-RunRequest = Annotated[StartRequest | ReplayRequest | Steering, Field(discriminator="type")]
-REQUEST: TypeAdapter[StartRequest | ReplayRequest | Steering] = TypeAdapter(RunRequest)
+RunRequest = Annotated[StartRequest | ReplayRequest | WatchRequest | Steering, Field(discriminator="type")]
+REQUEST: TypeAdapter[StartRequest | ReplayRequest | WatchRequest | Steering] = TypeAdapter(RunRequest)
 
 
 class StartedAgentShape(BaseModel):
@@ -155,7 +166,9 @@ class _Message(BaseModel):
 
 
 class StartedMessage(_Message):
-    """The run is on, or a recording of one."""
+    """The run is on, or a recording of one. `watching`: another page steers it; `another`: what runs there is not the
+    mission that this page has open.
+    """
 
     type: Literal["started"] = "started"
     run: str
@@ -166,6 +179,9 @@ class StartedMessage(_Message):
     stock: dict[str, int]
     total: int
     recording: bool = False
+    fail_rate: float = 0.0
+    watching: bool = False
+    another: bool = False
 
 
 class HitShape(BaseModel):
@@ -202,6 +218,9 @@ class AgentReportShape(BaseModel):
 EventKind = Literal["load", "unload", "message", "collision", "failure", "revival", "end", "outside"]
 EVENT_KINDS: tuple[str, ...] = get_args(EventKind)
 """outside: what somebody did to the run."""
+EventCause = Literal["program", "world", "person", "mission", "chance"]
+EVENT_CAUSES: tuple[str, ...] = get_args(EventCause)
+"""What brings an event about: mission is its schedule, person a hand during the run."""
 
 
 class RunEventShape(BaseModel):
@@ -211,6 +230,7 @@ class RunEventShape(BaseModel):
     kind: EventKind
     agent: str
     text: str
+    cause: EventCause
 
 
 class TickMessage(_Message):
@@ -255,6 +275,7 @@ RunMessage = Annotated[
 REQUEST_MODELS: tuple[type[BaseModel], ...] = (
     StartRequest,
     ReplayRequest,
+    WatchRequest,
     PauseRequest,
     ResumeRequest,
     StepRequest,

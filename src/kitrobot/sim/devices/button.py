@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor
 
-BUTTON = 0
+BUTTON = 1
 
 
 class Button(Sensor):

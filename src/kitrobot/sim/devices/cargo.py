@@ -5,7 +5,7 @@ from __future__ import annotations
 from kitrobot.sim.columns import BED
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Values
 
-CARGO = 1
+CARGO = 2
 
 
 class Cargo(Sensor):

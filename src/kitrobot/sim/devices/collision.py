@@ -25,7 +25,7 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
 from kitrobot.sim.sight import ray_to_discs
 
-COLLISION_SENSOR = 2
+COLLISION_SENSOR = 3
 
 
 class Collision(Sensor):

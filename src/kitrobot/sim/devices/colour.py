@@ -7,7 +7,7 @@ from kitrobot.sim.columns import DIRECTED, ENDED, S_P, S_Q, S_ROBOT, S_VALUE, UX
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
 from kitrobot.sim.sight import colour_at, floor_at
 
-COLOUR = 3
+COLOUR = 4
 
 
 class Colour(Sensor):

@@ -6,7 +6,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, A_S, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
 
-DOOR = 1
+DOOR = 2
 
 
 class Door(Actuator):

@@ -17,7 +17,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
 
-DRIVE = 2
+DRIVE = 3
 _STOP, _ADVANCE, _REVERSE = range(3)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator
 
-LAMP_DEVICE = 3
+LAMP_DEVICE = 4
 
 
 class Lamp(Actuator):

@@ -7,7 +7,7 @@ from kitrobot.sim.columns import LOAD, S_DOCK, S_P, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
 from kitrobot.sim.docks import carrier_in
 
-PRESENCE = 4
+PRESENCE = 7
 ANY, EMPTY, LOADED = "any", "empty", "loaded"
 
 

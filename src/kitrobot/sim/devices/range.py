@@ -26,7 +26,7 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.sight import ray_to_discs, ray_to_walls
 
-RANGE = 5
+RANGE = 9
 
 
 class Range(Sensor):

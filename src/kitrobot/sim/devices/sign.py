@@ -7,7 +7,7 @@ from kitrobot.sim.columns import AT, ROAD, S_CUT, S_P, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.physics import CLOSED, CUT_FIRST, CUT_LAST
 
-SIGN = 6
+SIGN = 10
 
 
 class Sign(Sensor):

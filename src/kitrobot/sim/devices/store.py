@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor
 
-STORE = 7
+STORE = 11
 
 
 class Store(Sensor):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from kitrobot.sim.columns import A_WAY
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator
 
-SWITCH = 4
+SWITCH = 7
 
 
 class Switch(Actuator):

@@ -8,7 +8,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
 
-TURN_DEVICE = 5
+TURN_DEVICE = 8
 _STOP, _TURN, _ABSOLUTE = range(3)
 
 

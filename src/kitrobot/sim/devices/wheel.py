@@ -29,7 +29,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
 
-WHEEL_DEVICE = 6
+WHEEL_DEVICE = 9
 _STOP, _FORWARD, _BACKWARD = range(3)
 
 
