@@ -101,7 +101,8 @@ def open_studio(browser: Browser, tmp_path: Path) -> Iterator[object]:
         assert server.stdout is not None
         address = re.search(r"http://\S+", server.stdout.readline())
         assert address is not None, "the studio says its address on its first line"
-        context = browser.new_context(**{"viewport": {"width": WIDTH, "height": HEIGHT}, **device})
+        words = {"viewport": {"width": WIDTH, "height": HEIGHT}, "reduced_motion": "reduce", **device}
+        context = browser.new_context(**words)
         page = context.new_page()
         faults: list[str] = []
         page.on("pageerror", lambda error: faults.append(str(error)))
