@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import uvicorn
+from fastapi import FastAPI
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.app import create_app
@@ -56,15 +57,7 @@ def serve(target: Path | None, host: str = "127.0.0.1", port: int | None = None,
     listening = _listen(_loopback(host), port)
     token = secrets.token_urlsafe(24)
     address = f"http://{_name(host)}:{listening.getsockname()[1]}/?token={token}"
-    config = uvicorn.Config(
-        create_app(place.workspace, place.mission, token),
-        log_level="warning",
-        access_log=False,
-        server_header=False,
-        ws="websockets-sansio",
-        ws_max_size=LARGEST_MESSAGE_BYTES,
-        timeout_graceful_shutdown=END_WITHIN_S,
-    )
+    config = server_config(create_app(place.workspace, place.mission, token))
 
     _calm_collector()
 
@@ -81,6 +74,20 @@ def serve(target: Path | None, host: str = "127.0.0.1", port: int | None = None,
         pass
     finally:
         listening.close()
+
+
+def server_config(app: FastAPI) -> uvicorn.Config:
+    """How the studio is served. Nothing is compressed on a WebSocket: to the same machine that only costs time."""
+    return uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        server_header=False,
+        ws="websockets-sansio",
+        ws_max_size=LARGEST_MESSAGE_BYTES,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=END_WITHIN_S,
+    )
 
 
 def _calm_collector() -> None:
