@@ -1,4 +1,4 @@
-# Reading an image (a .kri file) into the arrays that `tick` works on. The same code reads it on a robot and on a host.
+# The file of an image (.kri), and whether one is whole. `arrays` reads what is in it.
 #
 # The file, little-endian: "KRI\0", format, 0, robot fingerprint (8 bytes), tick and wait unit in ms, then the sizes:
 # inputs, variables, counters, temporaries, constants, slots, parallels, stops, commands, actuators, most arguments
@@ -11,10 +11,9 @@ try:
 except ImportError:
     import ustruct as struct
 
+from kitrobot_onboard.arrays import HEADER, HEADER_SIZE, arrays
+
 FORMAT = 1
-HEADER = "<4sHH8sHHHHHHHHHHHHHI"
-HEADER_SIZE = 46
-NO_PARALLEL = 65535
 
 
 def crc32(data, end):
@@ -54,53 +53,16 @@ def load(data):
         raise ValueError("this image is damaged: %d bytes where %d belong" % (len(data), size + 4))
     if crc32(data, size) != struct.unpack("<I", bytes(data[size : size + 4]))[0]:
         raise ValueError("this image is damaged: its checksum does not fit")
-    return arrays(data, fields)
+    return whole_arrays(data, fields)
 
 
-def arrays(data, fields):
+def whole_arrays(data, fields):
     """The arrays of an image whose header was read and whose length and checksum are right."""
-    slots = fields[11]
-    parallels = fields[12]
-    stops = fields[13]
-    commands = fields[14]
-    count = 1 + fields[6] + fields[7] + fields[8] + fields[9] + fields[10]
     at = HEADER_SIZE
-    cells = list(struct.unpack("<%di" % count, bytes(data[at : at + 4 * count])))
-    at += 4 * count
-    table = struct.unpack("<%dH" % (4 * slots), bytes(data[at : at + 8 * slots]))
-    at += 8 * slots
-    joins = struct.unpack("<%dH" % (3 * parallels), bytes(data[at : at + 6 * parallels]))
-    at += 6 * parallels
-    ends = struct.unpack("<%dH" % (2 * stops), bytes(data[at : at + 4 * stops]))
-    at += 4 * stops
-    parts = struct.unpack("<%dH" % commands, bytes(data[at : at + 2 * commands]))
-    at += 2 * commands
-    width = 3 + fields[16]
-    pars = [slots, parallels, stops, width]
-    for i in range(0, 4 * slots, 4):
-        pars.append(-1 if table[i] == NO_PARALLEL else table[i])
-        pars.append(table[i + 1])
-        pars.append(table[i + 2])
-        pars.append(table[i + 3])
-    for i in range(parallels):
-        branches = 0
-        unmarked = 0
-        for k in range(0, 4 * slots, 4):
-            if table[k] == i:
-                branches += 1
-                if table[k + 2] == 0:
-                    unmarked += 1
-        pars.append(0)
-        pars.append(joins[3 * i + 1])
-        pars.append(joins[3 * i + 2])
-        pars.append(branches)
-        pars.append(unmarked)
-    for i in range(0, 2 * stops, 2):
-        pars.append(0)
-        pars.append(ends[i])
-        pars.append(ends[i + 1])
-    for part in parts:
-        pars.append(width * part)
-    threads = [-1, 0] * slots
-    threads[0] = table[1]
-    return bytes(data[at : at + 4 * fields[17]]), cells, threads, pars, [0] * (width * fields[15])
+
+    def read(size):
+        nonlocal at
+        at += size
+        return bytes(data[at - size : at])
+
+    return arrays(read, fields)

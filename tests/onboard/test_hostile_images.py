@@ -14,7 +14,7 @@ from typing import SupportsIndex
 import pytest
 
 from kitrobot.image import LARGEST_VALUE, Image, ImageError, Machine, most_instructions_a_tick, verify
-from kitrobot_onboard.image import arrays, header, load
+from kitrobot_onboard.image import header, load, whole_arrays
 from kitrobot_onboard.interpreter import tick
 from tests.oracle.agreement import machine_for, random_case
 
@@ -72,7 +72,7 @@ def refused(data: bytes) -> bool:
         assert len(sentence) > 20
         return True
     assert image.to_bytes() == data
-    code, cells, threads, pars, out = arrays(data, header(data))
+    code, cells, threads, pars, out = whole_arrays(data, header(data))
     rng = random.Random(len(data))
     most = most_instructions_a_tick(image)
     numbers = Guarded(cells)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from kitrobot.image.model import Image, ImageError
 from kitrobot.image.verification import verify
 from kitrobot.primitives import Robot, RobotObject
-from kitrobot_onboard.image import arrays, header
+from kitrobot_onboard.image import header, whole_arrays
 from kitrobot_onboard.interpreter import tick
 
 _VERIFIED = 64
@@ -95,7 +95,7 @@ class Machine:
         if image.commands != tuple(number for number, _, _ in self.layout.commands):
             raise ImageError("this image's commands are not those of its robot", "compile the program again")
         data = image.to_bytes()
-        code, self.cells, self.threads, self.pars, self.out = arrays(data, header(data))
+        code, self.cells, self.threads, self.pars, self.out = whole_arrays(data, header(data))
         self.code: list[int] = list(code)
         self.seen: list[int] = [0] * image.instructions if watch else []
         self.width: int = self.pars[3]

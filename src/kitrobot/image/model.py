@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot_onboard import image as onboard
+from kitrobot_onboard.arrays import NO_PARALLEL
 
 MOST_CELLS = 256
 MOST_SLOTS = 256
@@ -113,7 +114,7 @@ class Image:
             )
             body += struct.pack(f"<{len(self.cells)}i", *self.cells)
             for slot in self.slots:
-                parallel = onboard.NO_PARALLEL if slot.parallel is None else slot.parallel
+                parallel = NO_PARALLEL if slot.parallel is None else slot.parallel
                 body += struct.pack("<4H", parallel, slot.entry, slot.marked, slot.end)
             for record in self.parallels:
                 body += struct.pack("<3H", *record)
@@ -156,7 +157,7 @@ class Image:
             constants=fields[10],
             cells=cells,
             slots=tuple(
-                SlotRecord(None if p == onboard.NO_PARALLEL else p, entry, marked == 1, end)
+                SlotRecord(None if p == NO_PARALLEL else p, entry, marked == 1, end)
                 for p, entry, marked, end in zip(*(slots[i::4] for i in range(4)), strict=True)
             ),
             parallels=tuple(ParallelRecord(*row) for row in zip(*(parallels[i::3] for i in range(3)), strict=True)),
