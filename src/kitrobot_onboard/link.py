@@ -22,7 +22,7 @@ def checksum(data):
 
 def wrap(kind, number, payload):
     """The frame of a message: `kind` is one character, `number` 0...255."""
-    data = kind.encode() + bytes((number,)) + payload
+    data = bytes((ord(kind), number)) + payload  # the smallest board has no str.encode
     check = checksum(data)
     data += bytes((check & 255, check >> 8))
     for plain, escaped in ESCAPES:
@@ -32,7 +32,7 @@ def wrap(kind, number, payload):
 
 def unwrap(data):
     """(kind, number, payload) of what stands between two "~", or None when that is no whole frame."""
-    for plain, escaped in ESCAPES[::-1]:
+    for plain, escaped in reversed(ESCAPES):  # the smallest board slices with no step
         data = data.replace(escaped, plain)
     end = len(data) - 2
     if end < 2 or data[0] > 127 or checksum(data[:end]) != data[end] | data[end + 1] << 8:
