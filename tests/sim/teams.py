@@ -47,6 +47,32 @@ def _settings(rng: random.Random, noise: int) -> str:
     return " ".join(words)
 
 
+def _board_parts(rng: random.Random) -> list[str]:
+    """What is on a small board: a display, a buzzer, a pin each way, a key, an accelerometer, chance."""
+
+    def parameters(*names: str) -> str:
+        return "".join(f'<parameter name="{name}" min="0" max="100"/>' for name in names)
+
+    return [
+        f"""<actuator name="Display" device="display" delay="{rng.choice((10, 35))}" {_settings(rng, 0)}>
+        <procedure name="Clear"/><procedure name="Image">{parameters("number")}</procedure>
+        <procedure name="Number">{parameters("value")}</procedure>
+        <procedure name="Scroll" completes="later" stop="Clear">{parameters("value")}</procedure>
+        <procedure name="Pixel" completes="later">{parameters("x", "y", "brightness")}</procedure></actuator>""",
+        f"""<actuator name="Music" device="music" {_settings(rng, 0)}>
+        <procedure name="Tone" completes="later" stop="Stop">{parameters("frequency", "duration")}</procedure>
+        <procedure name="Play" completes="later" stop="Stop">{parameters("melody")}</procedure>
+        <procedure name="Stop"/></actuator>""",
+        f"""<actuator name="Pin" device="pin-out" {_settings(rng, 0)}>
+        <procedure name="Write">{parameters("value")}</procedure>
+        <procedure name="Servo">{parameters("angle")}</procedure></actuator>""",
+        _tests("Key", 0, 1, "key", _settings(rng, 20)),
+        _tests("Tilt", -2000, 2000, "accelerometer", _settings(rng, 20) + rng.choice((' axis="z"', ' what="shake"'))),
+        _tests("Wire", 0, 1023, "pin-in", _settings(rng, 20)),
+        _tests("Chance", 1, 6, "random", _settings(rng, 0)),
+    ]
+
+
 @cache
 def robot(number: int) -> Robot:
     """A robot kind: the devices of a carrier, of someone at a dock, or of one that drives where it likes."""
@@ -113,6 +139,8 @@ def robot(number: int) -> Robot:
         <procedure name="SwitchOn"/><procedure name="SwitchOff"/></actuator>"""
     )
     parts.append(_tests("Button", 0, 1, "button", some()))
+    if rng.random() < 0.6:
+        parts += _board_parts(rng)
     parts.sort(key=lambda part: ("<actuator" not in part, "<sensor" not in part))
     return avatar(*parts, tick=rng.choice((10, 20, 20, 30)), name=f"kind-{number}")
 
@@ -124,7 +152,7 @@ def program(rng: random.Random, of: Robot) -> str:
 
 def _test(rng: random.Random, of: Robot) -> str:
     sensor = rng.choice(of.sensors)
-    name, value = sensor.name, rng.randint(sensor.minimum, sensor.maximum)
+    name, value = sensor.name, max(0, rng.randint(sensor.minimum, sensor.maximum))
     return rng.choice((f"{name}.LessThan({value})", f"{name}.EqualTo({value})", f"Own.LessThan({rng.randint(1, 99)})"))
 
 

@@ -50,8 +50,10 @@ def test_every_device_that_a_shipped_robot_names_is_there_with_its_settings_and_
 
 
 def test_devices_are_found_by_their_names() -> None:
-    assert {"arm", "door", "drive", "lamp", "switch", "turn", "wheel"} == set(actuators())
-    assert {"button", "cargo", "collision", "colour", "presence", "range", "sign", "store"} == set(sensors())
+    moving = {"arm", "door", "drive", "lamp", "switch", "turn", "wheel"}
+    assert moving | {"display", "music", "pin-out"} == set(actuators())
+    places = {"button", "cargo", "collision", "colour", "presence", "range", "sign", "store"}
+    assert places | {"accelerometer", "key", "pin-in", "random"} == set(sensors())
     assert all(issubclass(device, Actuator) for device in actuators().values())
     assert all(issubclass(device, Sensor) for device in sensors().values())
 
@@ -453,7 +455,8 @@ def test_every_device_has_latency_and_drop_outs_and_every_measure_has_noise() ->
     for device in (*actuators().values(), *sensors().values()):
         names = {setting.name for setting in device.settings}
         assert {"latency", "dropout"} <= names, device.name
-        assert "noise" in names or device.name in {"lamp", "switch"}, device.name
+        certain = {"display", "lamp", "music", "pin-out", "random", "switch"}
+        assert ("noise" in names) != (device.name in certain), device.name
 
 
 def test_the_kinds_of_devices_are_numbered_in_the_order_of_their_names() -> None:

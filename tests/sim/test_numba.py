@@ -88,7 +88,7 @@ def test_a_run_that_changes_over_in_the_middle_is_the_same_run() -> None:
 
 
 def test_many_robots_run_alike_plain_and_compiled() -> None:
-    plain, compiled = random_team(11, 300), hurried(random_team(11, 300))
+    plain, compiled = random_team(15, 300), hurried(random_team(15, 300))
     assert states(plain, [40, 160]) == states(compiled, [40, 160])
     assert plain.collisions == compiled.collisions > 0
 

@@ -6,8 +6,9 @@ from kitrobot.image import Command, Machine
 from kitrobot.primitives import Robot
 from kitrobot.sim.columns import A_FRESH, CAUSE, DOWN, ENDED, FAILED, SINCE, TICK, WELL, WIRES
 from kitrobot.sim.commanding import busy
+from kitrobot.sim.devices import actuators
 from kitrobot.sim.failures import CAUSES
-from kitrobot.sim.state import State
+from kitrobot.sim.state import State, numbers
 from kitrobot.trace import Threads
 
 
@@ -26,6 +27,12 @@ class Agent:
         self.period = period
         self.kind = "robot"
         self.number = 1
+        known = actuators()
+        self._showing = [
+            (part.name, known[part.device].shown, at)
+            for at, part in enumerate(robot.actuators)
+            if part.device in known and known[part.device].shown
+        ]
         self._state: State | None = None
 
     def show(self, state: State) -> None:
@@ -63,6 +70,14 @@ class Agent:
         if not fresh:
             return []
         return [command for command in self.machine.commands() if command.actuator in fresh]
+
+    def faces(self) -> list[tuple[str, list[int]]]:
+        """What each of its actuators that shows something shows, by the actuator's name (see devices.base)."""
+        state = self.state
+        found = []
+        for name, shown, at in self._showing:
+            found.append((name, numbers(state.faces[state.wires[state.whole[WIRES][self.index] + at]][:shown])))
+        return found
 
     @property
     def busy(self) -> bool:

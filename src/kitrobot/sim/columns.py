@@ -91,8 +91,9 @@ WELL, STALLED, FAILED = range(3)
     S_DOCK,
     S_STORE,
     S_CUT,  # the section it was in
-) = range(21)
-SENSOR_WHOLES = 21
+    S_RESTLESS,  # 1: what it reads may change although nothing does
+) = range(22)
+SENSOR_WHOLES = 22
 S_NOISE, S_DROPOUT, S_P, S_Q, S_R = range(5)
 SENSOR_REALS = 5
 
@@ -132,7 +133,7 @@ ACTUATOR_REALS = 6
     CONTACTS,  # pairs that touched after the last step
     ROLLING,  # robots that rolled or turned in the last step
     MOVED,  # 1: robots moved since the grid was filled
-    CHANCE,  # sensors whose reading may change although nothing does
+    CHANCE,  # sensors whose reading may change although nothing does: by chance, or by a person's hand
     QUIET,  # steps without motion or command
     KEPT,  # 1: a state is kept to compare with
     DISTANCE,

@@ -2,7 +2,7 @@
 
 A command that says again what a device took last is no news and goes no further, unless it is one that takes longer.
 A command that is late waits in its device's queue: when it is due, its procedure (the device's number for it), whether
-it takes longer, how many arguments it has, and the first and last of them, which is all that devices read.
+it takes longer, how many arguments it has, and the first, second and last of them, which is all that devices read.
 """
 
 from __future__ import annotations
@@ -37,14 +37,17 @@ from kitrobot.sim.columns import (
     tell,
 )
 from kitrobot.sim.devices.arm import ARM_DEVICE, take_arm
+from kitrobot.sim.devices.display import DISPLAY, take_display
 from kitrobot.sim.devices.door import DOOR, take_door
 from kitrobot.sim.devices.drive import DRIVE, take_drive
 from kitrobot.sim.devices.lamp import LAMP_DEVICE, take_lamp
+from kitrobot.sim.devices.music import MUSIC, take_music
+from kitrobot.sim.devices.pin_out import PIN_OUT, take_pin_out
 from kitrobot.sim.devices.switch import SWITCH, take_switch
 from kitrobot.sim.devices.turn import TURN_DEVICE, take_turn
 from kitrobot.sim.devices.wheel import WHEEL_DEVICE, take_wheel
 
-QUEUE = 6
+QUEUE = 7
 """Numbers a queued command has."""
 
 COMMAND = 3
@@ -63,6 +66,7 @@ def give(
     actuator_real: list[list[float]],
     real: list[list[float]],
     whole: list[list[int]],
+    faces: list[list[int]],
     queue: list[int],
     events: list[int],
     clock: list[int],
@@ -92,9 +96,10 @@ def give(
     for n in range(count):
         taken[n] = out[at + n]
     first = out[at] if count > 0 else 0
+    second = out[at + 1] if count > 1 else 0
     last = out[at + count - 1] if count > 0 else 0
     if actuator[A_DELAY][k] == 0:
-        take(k, procedure, count, first, last, actuator, actuator_real, real, whole)
+        take(k, procedure, count, first, second, last, actuator, actuator_real, real, whole, faces)
         return
     size = actuator[A_SIZE][k]
     q = actuator[A_QUEUE][k] + QUEUE * ((actuator[A_HEAD][k] + actuator[A_QUEUED][k]) % size)
@@ -103,7 +108,8 @@ def give(
     queue[q + 2] = later
     queue[q + 3] = count
     queue[q + 4] = first
-    queue[q + 5] = last
+    queue[q + 5] = second
+    queue[q + 6] = last
     actuator[A_QUEUED][k] += 1
     actuator[A_QUEUED_LATER][k] += later
 
@@ -113,11 +119,13 @@ def take(
     procedure: int,
     count: int,
     first: int,
+    second: int,
     last: int,
     actuator: list[list[int]],
     actuator_real: list[list[float]],
     real: list[list[float]],
     whole: list[list[int]],
+    faces: list[list[int]],
 ) -> None:
     """Actuator k begins to do what a command says, in place of what it did before."""
     deviate = 0.0
@@ -139,6 +147,12 @@ def take(
         take_wheel(k, procedure, first, deviate, actuator_real)
     elif kind == ARM_DEVICE:
         take_arm(k, procedure, deviate, actuator, actuator_real, whole[ARM])
+    elif kind == DISPLAY:
+        take_display(k, procedure, first, second, last, actuator, actuator_real, faces[k])
+    elif kind == MUSIC:
+        take_music(k, procedure, count, first, last, actuator, actuator_real, faces[k])
+    elif kind == PIN_OUT:
+        take_pin_out(procedure, first, faces[k])
 
 
 def deliver(
@@ -148,6 +162,7 @@ def deliver(
     actuator_real: list[list[float]],
     real: list[list[float]],
     whole: list[list[int]],
+    faces: list[list[int]],
     queue: list[int],
 ) -> None:
     """Hands over the commands whose time has come; those to a failed robot wait."""
@@ -161,7 +176,19 @@ def deliver(
             actuator[A_HEAD][k] = (actuator[A_HEAD][k] + 1) % actuator[A_SIZE][k]
             actuator[A_QUEUED][k] -= 1
             actuator[A_QUEUED_LATER][k] -= queue[q + 2]
-            take(k, queue[q + 1], queue[q + 3], queue[q + 4], queue[q + 5], actuator, actuator_real, real, whole)
+            take(
+                k,
+                queue[q + 1],
+                queue[q + 3],
+                queue[q + 4],
+                queue[q + 5],
+                queue[q + 6],
+                actuator,
+                actuator_real,
+                real,
+                whole,
+                faces,
+            )
 
 
 def busy(

@@ -43,10 +43,14 @@ _MODULES = (
     "devices.cargo",
     "devices.collision",
     "devices.colour",
+    "devices.display",
     "devices.door",
     "devices.drive",
     "devices.lamp",
+    "devices.music",
+    "devices.pin_out",
     "devices.presence",
+    "devices.random",
     "devices.range",
     "devices.sign",
     "devices.store",
@@ -67,7 +71,7 @@ _MODULES = (
     "state",
     "stepping",
 )
-_NOT_LOOPS = frozenset(("fixed", "numbers", "as_arrays", "row_lengths", "advance", "same", "copy_row"))
+_NOT_LOOPS = frozenset(("fixed", "numbers", "as_arrays", "row_lengths", "advance", "same", "copy_row", "_rows"))
 """Functions of those modules that are not for Numba, or told to it in another way."""
 
 _OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False}

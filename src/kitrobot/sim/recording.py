@@ -2,8 +2,8 @@
 
 Recorded before the first step and after each: of each agent x and y (tenths of a mm), heading (thousandths of a rad),
 load, flags, what it is doing, which of its sensors are forced (a bit each, in the order of its robot), its fault,
-inputs and variables, and where its threads stand; of the team the stock, what was delivered, and collisions. Nothing
-depends on a clock or on this machine, so the same run gives the same bytes.
+inputs and variables, what its displays and the like show, and where its threads stand; of the team the stock, what was
+delivered, and collisions. Nothing depends on a clock or on this machine, so the same run gives the same bytes.
 """
 
 from __future__ import annotations
@@ -62,6 +62,9 @@ class Recorder:
             columns += [Column(agent.name, f"input {name}") for name in layout.sensors]
             columns += [Column(agent.name, f"done {name}") for name in layout.done]
             columns += [Column(agent.name, f"variable {name}") for name in layout.variables]
+            columns += [
+                Column(agent.name, f"shown {name} {n}") for name, face in agent.faces() for n in range(len(face))
+            ]
             self._widths.append(len(columns) - before)
         columns += [Column(TEAM, f"stock {house.name}") for house in simulation.world.storehouses]
         columns += [Column(TEAM, f"delivered {simulation.members[index].name}") for index in self._carriers]
@@ -110,6 +113,8 @@ class Recorder:
             recorded.append(DOING.index(agent.doing))
             recorded.append(simulation.forced_bits(i))
             recorded += numbers(agent.machine.cells[: agent.machine.layout.cells])
+            for _, face in agent.faces():
+                recorded += face
             commands += [
                 TraceCommand(i, command.actuator, command.procedure, tuple(command.arguments))
                 for command in agent.commands

@@ -41,6 +41,7 @@ from kitrobot.sim.columns import (
     S_FORCED,
     S_NOISE,
     S_PLAIN,
+    S_RESTLESS,
     S_SIZE,
     STUCK,
     TICK,
@@ -73,7 +74,7 @@ _LIGHTS = (columns.LAMP, columns.ALARM, columns.ARM)
 _STATES = (columns.DOWN, columns.MUTED)
 _MOTION = (columns.SPEED, columns.TURN)
 
-SNAPSHOT_VERSION = 2
+SNAPSHOT_VERSION = 3
 SNAPSHOT_MARK = b"KRSNAP\n" + bytes([SNAPSHOT_VERSION])
 
 
@@ -260,7 +261,7 @@ class Simulation:
         table, clock = self.state.sensor, self.state.clock
         by_chance = self.state.sensor_real[S_NOISE][k] > 0 or self.state.sensor_real[S_DROPOUT][k] > 0
         was_forced, is_forced = bool(table[S_FORCED][k]), value is not None
-        if by_chance and was_forced != is_forced:
+        if table[S_RESTLESS][k] and was_forced != is_forced:
             clock[CHANCE] += -1 if is_forced else 1
         table[S_FORCED][k] = 1 if is_forced else 0
         # A noise of ten million or a forced value beyond all range would not fit the tables.

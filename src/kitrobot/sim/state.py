@@ -64,6 +64,7 @@ class State(NamedTuple):
     waited_for: Wholes
     late: Wholes
     takens: WholeRows
+    faces: WholeRows
     queue: Wholes
     # Shared variables.
     shared: WholeRows
@@ -167,6 +168,7 @@ class Packing:
     def __init__(self, state: State) -> None:
         self._lengths = dict(zip(("cells", "threads", "pars", "out", "seen"), row_lengths(state), strict=True))
         self._takens = [len(row) for row in state.takens]
+        self._faces = [(k, len(row)) for k, row in enumerate(state.faces) if row]
 
     def _tables(self, state: State, kept: bool, contacts: int, events: int) -> Iterator[tuple[str, Any, int]]:
         """(kind of number, row, how much of it) of all that changes in a run, the clock aside."""
@@ -180,6 +182,8 @@ class Packing:
         yield "q", state.events, EVENT * events
         for row, length in zip(state.takens, self._takens, strict=True):
             yield "q", row, length
+        for k, length in self._faces:
+            yield "q", state.faces[k], length
         for name, lengths in self._lengths.items():
             for row, length in zip(getattr(state, name), lengths, strict=True):
                 yield "i", row, length

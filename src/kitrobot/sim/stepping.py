@@ -42,8 +42,11 @@ from kitrobot.sim.devices.button import BUTTON, sense_buttons
 from kitrobot.sim.devices.cargo import CARGO, sense_cargo
 from kitrobot.sim.devices.collision import COLLISION_SENSOR, sense_collisions
 from kitrobot.sim.devices.colour import COLOUR, sense_colours
+from kitrobot.sim.devices.display import DISPLAY, move_displays
 from kitrobot.sim.devices.door import DOOR, move_doors
+from kitrobot.sim.devices.music import MUSIC, move_music
 from kitrobot.sim.devices.presence import PRESENCE, sense_presence
+from kitrobot.sim.devices.random import RANDOM, sense_randoms
 from kitrobot.sim.devices.range import RANGE, sense_ranges
 from kitrobot.sim.devices.sign import SIGN, sense_signs
 from kitrobot.sim.devices.store import STORE, sense_stores
@@ -106,6 +109,7 @@ def advance(state: State, steps: int) -> int:
         waited_for,
         late,
         takens,
+        faces,
         queue,
         shared,
         apart,
@@ -267,6 +271,8 @@ def advance(state: State, steps: int) -> int:
                 road_length,
                 closed,
             )
+        if sensor_bank[RANDOM] < sensor_bank[RANDOM + 1]:
+            sense_randoms(sensor_bank[RANDOM], sensor_bank[RANDOM + 1], step, sensor, whole)
         if sensor_bank[RANGE] < sensor_bank[RANGE + 1]:
             sense_ranges(
                 sensor_bank[RANGE],
@@ -326,13 +332,14 @@ def advance(state: State, steps: int) -> int:
             actuator,
             actuator_real,
             real,
+            faces,
             queue,
             events,
             clock,
         )
 
         if len(late) > 0:
-            deliver(step, late, actuator, actuator_real, real, whole, queue)
+            deliver(step, late, actuator, actuator_real, real, whole, faces, queue)
         if actuator_bank[ARM_DEVICE] < actuator_bank[ARM_DEVICE + 1]:
             move_arms(
                 actuator_bank[ARM_DEVICE],
@@ -352,8 +359,20 @@ def advance(state: State, steps: int) -> int:
                 events,
                 clock,
             )
+        if actuator_bank[DISPLAY] < actuator_bank[DISPLAY + 1]:
+            move_displays(
+                actuator_bank[DISPLAY],
+                actuator_bank[DISPLAY + 1],
+                dt,
+                actuator,
+                actuator_real,
+                faces,
+                whole[DOWN],
+            )
         if actuator_bank[DOOR] < actuator_bank[DOOR + 1]:
             move_doors(actuator_bank[DOOR], actuator_bank[DOOR + 1], dt, actuator, actuator_real, whole[DOWN])
+        if actuator_bank[MUSIC] < actuator_bank[MUSIC + 1]:
+            move_music(actuator_bank[MUSIC], actuator_bank[MUSIC + 1], dt, actuator, actuator_real, faces, whole[DOWN])
         if actuator_bank[TURN_DEVICE] < actuator_bank[TURN_DEVICE + 1]:
             move_turns(
                 actuator_bank[TURN_DEVICE],

@@ -176,10 +176,8 @@ class Tables:
             ),
             default=0,
         )
-        clock[c.CHANCE] = sum(
-            noise > 0 or dropout > 0
-            for noise, dropout in zip(sensor.real[c.S_NOISE], sensor.real[c.S_DROPOUT], strict=True)
-        )
+        by_hand = [item for item in sensor.fitted if issubclass(item.device, Sensor) and item.device.by_hand]
+        clock[c.CHANCE] = sum(sensor.whole[c.S_RESTLESS]) + len(by_hand)
         machines = self.machines
         room = max(4 * max(len(self.world.walls), FEW), 2 * in_grid) + 32
         state = State(
@@ -219,6 +217,7 @@ class Tables:
             waited_for=[k for k, cell in enumerate(actuator.whole[c.A_CELL]) if cell >= 0],
             late=[k for k, delay in enumerate(actuator.whole[c.A_DELAY]) if delay],
             takens=actuator.takens,
+            faces=actuator.faces,
             queue=[0] * actuator.room,
             shared=shared.rows,
             apart=shared.apart,
@@ -272,13 +271,16 @@ class Tables:
         for k, item in enumerate(made.fitted):
             robot = self.robots[item.robot]
             size = ticks(item.values.number("latency"), robot.tick_ms / 1000) + 1
-            flips = any(setting.name == "noise" and setting.unit == "%" for setting in item.device.settings)
-            noise = item.values.part("noise") if flips else item.values.number("noise")
+            unit = next((setting.unit for setting in item.device.settings if setting.name == "noise"), None)
+            flips = unit == "%"
+            noise = 0.0 if unit is None else item.values.part("noise") if flips else item.values.number("noise")
             dropout = item.values.part("dropout")
+            assert issubclass(item.device, Sensor)
             made.put_whole(
                 k,
                 {
                     c.S_ROBOT: item.robot,
+                    c.S_VALUE: item.device.resting(item.values),
                     c.S_LAST: NEVER,
                     c.S_CELL: self.machines[item.robot].layout.sensors[item.part.name],
                     c.S_LEAST: item.part.minimum,
@@ -291,6 +293,7 @@ class Tables:
                     c.S_SIZE: size,
                     c.S_DOCK: item.standing.dock,
                     c.S_STORE: item.standing.storehouse,
+                    c.S_RESTLESS: 1 if noise > 0 or dropout > 0 or item.device.restless else 0,
                 },
             )
             made.put_real(k, (noise, dropout, *item.device.reals(item.part, item.values)))
@@ -323,6 +326,8 @@ class Tables:
             made.put_real(k, (item.values.part("noise"), item.values.part("dropout"), *reals))
             made.room += QUEUE * size
             made.takens.append([0] * max((len(method.parameters) for method in item.part.methods), default=0))
+            assert issubclass(item.device, Actuator)
+            made.faces.append([0] * item.device.face)
         return made
 
 
@@ -342,6 +347,7 @@ class _DeviceTables:
         self.whole = [[0] * len(fitted) for _ in range(wholes)]
         self.real = [[0.0] * len(fitted) for _ in range(reals)]
         self.takens: list[list[int]] = []
+        self.faces: list[list[int]] = []
         self.room = 0
 
     def put_whole(self, k: int, numbers: dict[int, int]) -> None:

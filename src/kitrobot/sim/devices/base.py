@@ -5,7 +5,7 @@ attributes of the robot's XML it understands, with their units and bounds, so th
 the XML. The class only describes; a device's state and numbers are its entries in the tables of the run (see columns),
 where `reals` fills the columns P, Q, … that are its own. What it does is in loops beside the class, in the Python that
 Numba compiles: a sensor's `sense_…` measures into S_VALUE, an actuator's `take_…` begins what a command says and its
-`move_…` goes on for a step. `stepping` calls them.
+`move_…` goes on for a step. `stepping` calls them. What a device shows to the eye or the ear is its row of `faces`.
 
 What all of them share, latency, noise and drop-outs, is done in one place each: `sampling` for sensors, `commanding`
 for actuators; only how noise changes what an actuator does is its own.
@@ -106,10 +106,24 @@ class Actuator(Device):
     """A device that does something; `procedures` are numbered in the order in which they stand."""
 
     procedures: ClassVar[tuple[str, ...]] = ()
+    face: ClassVar[int] = 0
+    """How many whole numbers of its own it has in `faces`, all 0 at the start."""
+    shown: ClassVar[int] = 0
+    """So many of these, the first ones, are for everybody to see: what a display shows, what a buzzer plays."""
 
 
 class Sensor(Device):
     """A device that measures."""
+
+    by_hand: ClassVar[bool] = False
+    """Whether it measures what only a person does: a run in which somebody waits for that is not at a standstill."""
+    restless: ClassVar[bool] = False
+    """Whether what it measures changes although nothing else does."""
+
+    @classmethod
+    def resting(cls, values: Values) -> int:
+        """What it measures where no loop measures for it."""
+        return 0
 
 
 def ticks(time_ms: float, dt: float) -> int:

@@ -1,0 +1,29 @@
+"""Feels how the board lies: one axis of an accelerometer, or whether it is shaken."""
+
+from __future__ import annotations
+
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
+
+ACCELEROMETER = 0
+_LEVEL_MG = -1024
+
+
+class Accelerometer(Sensor):
+    """The pull along an axis in thousandths of the earth's, or 1 while the board is shaken; in the simulator it lies
+    level and still (x and y 0, z −1024), until somebody puts a number in its place.
+    """
+
+    name = "accelerometer"
+    kind = ACCELEROMETER
+    by_hand = True
+    settings = (
+        LATENCY,
+        LOST_READINGS,
+        SPREAD,
+        Setting("what", "axis", "what it feels", words=("axis", "shake")),
+        Setting("axis", "x", "along which axis", words=("x", "y", "z")),
+    )
+
+    @classmethod
+    def resting(cls, values: Values) -> int:
+        return _LEVEL_MG if values.says("what", "axis") and values.says("axis", "z") else 0

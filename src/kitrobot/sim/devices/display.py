@@ -1,0 +1,172 @@
+"""A display of five by five lights, each from 0 (dark) to 9 (bright), as on a micro:bit.
+
+What it shows is its face: five numbers, a row each from the top, whose five decimal digits are the lights from the
+left. The pictures and digits are those that the board shows.
+"""
+
+from __future__ import annotations
+
+from kitrobot.primitives import RobotObject
+from kitrobot.sim.columns import A_DONE, A_P, A_Q, A_ROBOT, FAILED
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
+
+DISPLAY = 1
+SIDE = 5
+_CLEAR, _IMAGE, _NUMBER, _SCROLL, _PIXEL = range(5)
+_SCROLLED = SIDE
+"""Where the number that scrolls stands, behind the rows."""
+
+
+def _rows(*pictures: str) -> tuple[int, ...]:
+    """Pictures as numbers, five rows each of five bits."""
+    return tuple(int(row.replace(".", "0").replace("#", "1"), 2) for picture in pictures for row in picture.split())
+
+
+IMAGES = _rows(
+    ".#.#. ##### ##### .###. ..#..",  # 0 heart
+    "..... .#.#. .###. ..#.. .....",  # 1 small heart
+    "..... .#.#. ..... #...# .###.",  # 2 happy
+    "..... .#.#. ..... .###. #...#",  # 3 sad
+    "..... .#.#. ..... .#.#. #.#.#",  # 4 confused
+    "#...# .#.#. ..... ##### #.#.#",  # 5 angry
+    "..... ##.## ..... .###. .....",  # 6 asleep
+    ".#.#. ..... ..#.. .#.#. ..#..",  # 7 surprised
+    "..... ....# ...#. #.#.. .#...",  # 8 yes
+    "#...# .#.#. ..#.. .#.#. #...#",  # 9 no
+    "..#.. .###. #.#.# ..#.. ..#..",  # 10 arrow up
+    "..#.. ...#. ##### ...#. ..#..",  # 11 arrow right
+    "..#.. ..#.. #.#.# .###. ..#..",  # 12 arrow down
+    "..#.. .#... ##### .#... ..#..",  # 13 arrow left
+    "..#.. .#.#. #...# .#.#. ..#..",  # 14 diamond
+    "..... ..#.. .#.#. ..#.. .....",  # 15 small diamond
+    "##### #...# #...# #...# #####",  # 16 square
+    "..... .###. .#.#. .###. .....",  # 17 small square
+    "..#.. .###. ##.## .###. ..#..",  # 18 target
+    ".#.#. #.#.# .#.#. #.#.# .#.#.",  # 19 chessboard
+)
+_DIGITS = _rows(
+    ".##.. #..#. #..#. #..#. .##..",
+    "..#.. .##.. ..#.. ..#.. .###.",
+    "###.. ...#. .##.. #.... ####.",
+    "####. ...#. ..#.. #..#. .##..",
+    "..##. .#.#. #..#. ##### ...#.",
+    "##### #.... ####. ....# ####.",
+    "...#. ..#.. .###. #...# .###.",
+    "##### ...#. ..#.. .#... #....",
+    ".###. #...# .###. #...# .###.",
+    ".###. #...# .###. ..#.. .#...",
+    "..... ..... .###. ..... .....",
+)
+_MINUS = 10
+_LIT = tuple(int(f"{bits:05b}") * 9 for bits in range(32))
+"""Five bits as five lights, dark or bright."""
+_PLACES = (10_000, 1000, 100, 10, 1)
+LAST_IMAGE = len(IMAGES) // SIDE - 1
+
+
+class Display(Actuator):
+    """`Image(number)` shows a picture, `Number(value)` a digit, `Scroll(value)` lets a number run through,
+    `Pixel(x, y, brightness)` sets one light, counted from the top left, `Clear()` darkens all.
+    """
+
+    name = "display"
+    kind = DISPLAY
+    procedures = ("Clear", "Image", "Number", "Scroll", "Pixel")
+    shown = SIDE
+    face = SIDE + 1
+    settings = (
+        LATENCY,
+        LOST_COMMANDS,
+        Setting("delay", 150.0, "how long a number that runs through takes for each column", "ms", 1.0, 60_000.0),
+    )
+
+    @classmethod
+    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+        return (values.number("delay") / 1000,)
+
+
+def take_display(
+    k: int,
+    procedure: int,
+    first: int,
+    second: int,
+    last: int,
+    actuator: list[list[int]],
+    actuator_real: list[list[float]],
+    face: list[int],
+) -> None:
+    """Does what a command says. P is the seconds for each column, Q how long the number runs already."""
+    actuator[A_DONE][k] = 1
+    if procedure == _PIXEL:
+        x = min(max(first, 0), SIDE - 1)
+        y = min(max(second, 0), SIDE - 1)
+        place = _PLACES[x]
+        face[y] += (min(max(last, 0), 9) - face[y] // place % 10) * place
+        return
+    for y in range(SIDE):
+        face[y] = 0
+    if procedure == _IMAGE:
+        at = SIDE * min(max(first, 0), LAST_IMAGE)
+        for y in range(SIDE):
+            face[y] = _LIT[IMAGES[at + y]]
+    elif procedure == _NUMBER:
+        at = SIDE * min(max(first, 0), 9)
+        for y in range(SIDE):
+            face[y] = _LIT[_DIGITS[at + y]]
+    elif procedure == _SCROLL:
+        face[_SCROLLED] = first
+        actuator_real[A_Q][k] = 0.0
+        actuator[A_DONE][k] = 0
+
+
+def move_displays(
+    first: int,
+    last: int,
+    dt: float,
+    actuator: list[list[int]],
+    actuator_real: list[list[float]],
+    faces: list[list[int]],
+    down: list[int],
+) -> None:
+    """Goes on for a step with the devices `first` … `last` - 1."""
+    done = actuator[A_DONE]
+    for k in range(first, last):
+        if done[k] or down[actuator[A_ROBOT][k]] == FAILED:
+            continue
+        actuator_real[A_Q][k] += dt
+        face = faces[k]
+        if run_through(face[_SCROLLED], int(actuator_real[A_Q][k] / actuator_real[A_P][k] + 1e-9), face):
+            done[k] = 1
+
+
+def run_through(value: int, column: int, face: list[int]) -> bool:
+    """Shows a number that has run in from the right by so many columns; True when it has run out again.
+
+    Each character is five columns wide, with a dark one behind it.
+    """
+    magnitude = -value if value < 0 else value
+    count = 1
+    highest = 1
+    while magnitude // highest >= 10:
+        highest *= 10
+        count += 1
+    signs = 1 if value < 0 else 0
+    width = (SIDE + 1) * (count + signs)
+    for y in range(SIDE):
+        face[y] = 0
+    for x in range(SIDE):
+        at = column + x - SIDE
+        across = at % (SIDE + 1)
+        if at < 0 or at >= width or across == SIDE:
+            continue
+        number = at // (SIDE + 1) - signs
+        digit = _MINUS
+        if number >= 0:
+            digit = magnitude
+            for _ in range(count - 1 - number):
+                digit //= 10
+            digit %= 10
+        for y in range(SIDE):
+            if _DIGITS[SIDE * digit + y] >> (SIDE - 1 - across) & 1:
+                face[y] += 9 * _PLACES[x]
+    return column >= SIDE + width

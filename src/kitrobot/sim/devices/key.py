@@ -1,0 +1,16 @@
+"""A push button that a person holds."""
+
+from __future__ import annotations
+
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor
+
+KEY = 5
+
+
+class Key(Sensor):
+    """1 while a person holds it: in the simulator while somebody puts a 1 in its place."""
+
+    name = "key"
+    kind = KEY
+    by_hand = True
+    settings = (LATENCY, LOST_READINGS, WRONG)
