@@ -35,7 +35,7 @@ def _bounded(number: int) -> int:
 
 @dataclass(frozen=True)
 class _Told:
-    """Where an agent's numbers stand in a record. `values` and `inputs` are names with their places."""
+    """Where an agent's numbers stand in a record. `values`, `inputs` and `shown` are names with their places."""
 
     name: str
     pose: tuple[tuple[int, float], ...]
@@ -44,6 +44,7 @@ class _Told:
     fault: int
     inputs: tuple[tuple[str, int], ...]
     values: tuple[tuple[str, int], ...]
+    shown: tuple[tuple[str, tuple[int, ...]], ...]
     vertices: tuple[str | None, ...]
     watched: tuple[int, ...]
 
@@ -87,9 +88,11 @@ class Teller:
         scales = self._header.columns
         pose = tuple((at[word], scales[at[word]].scale) for word in _POSE)
         inputs, values = _named("input ", mine), _named("variable ", mine)
+        shown = _faces(mine)
         watched = (at["doing"], at["forced"], at["fault"], *(place for _, place in (*inputs, *values)))
+        watched += tuple(place for _, places in shown for place in places)
         vertices = self._header.vertices.get(program, ())
-        return _Told(name, pose, at["doing"], at["forced"], at["fault"], inputs, values, vertices, watched)
+        return _Told(name, pose, at["doing"], at["forced"], at["fault"], inputs, values, shown, vertices, watched)
 
     def _first_ones(self) -> frozenset[int]:
         """The first agent of each program."""
@@ -196,6 +199,7 @@ class Teller:
             "values": {name: _bounded(row[at]) for name, at in agent.values},
             "inputs": {name: _bounded(row[at]) for name, at in agent.inputs},
             "fault": _bounded(row[agent.fault]),
+            "shown": {name: [_bounded(row[at]) for at in places] for name, places in agent.shown},
             "forced": [name for bit, (name, _) in enumerate(agent.inputs) if forced >> bit & 1],
         }
 
@@ -207,6 +211,14 @@ class Teller:
             "text": event.text[:LONGEST_TEXT],
             "cause": event.cause if event.cause in EVENT_CAUSES else PROGRAM,
         }
+
+
+def _faces(columns: Sequence[tuple[str, int]]) -> tuple[tuple[str, tuple[int, ...]], ...]:
+    """What actuators show: each one's numbers, in their order."""
+    found: dict[str, list[int]] = {}
+    for name, at in _named("shown ", columns):
+        found.setdefault(name.rpartition(" ")[0], []).append(at)
+    return tuple((name, tuple(places)) for name, places in found.items())
 
 
 def _named(start: str, columns: Sequence[tuple[str, int]]) -> tuple[tuple[str, int], ...]:

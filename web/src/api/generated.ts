@@ -17,12 +17,13 @@ export interface Agent {
   start: string;
 }
 
-/** What an agent does: where its threads stand, its variables and sensors. */
+/** What an agent does: where its threads stand, its variables and sensors, what its displays and the like show. */
 export interface AgentReport {
   active: [number, string][];
   state: "running" | "waiting" | "idle" | "failed" | "stalled";
   values: Record<string, number>;
   inputs: Record<string, number>;
+  shown: Record<string, number[]>;
   fault: number;
   forced: string[];
 }
@@ -378,7 +379,8 @@ export interface MissionText {
 
 /**
  * What is on disk for the page's mission ("" when nothing is), and how many other pages have it open. `parts` names the
- * state of the XML files that the mission depends on: robots, constructors, its world.
+ * state of the XML files that the mission depends on: robots, constructors, its world. `runs` are the runs of the
+ * mission that are on, on this page or another.
  */
 export interface NewsMessage {
   type: "news";
@@ -386,6 +388,7 @@ export interface NewsMessage {
   revision: string;
   others: number;
   parts: string;
+  runs: string[];
 }
 
 /** A comment of the user. */
@@ -678,11 +681,12 @@ export interface ProgramReport {
 
 /**
  * A recording that was opened: its name, by which it is played, and the mission that it brought along. `cut`: its file
- * ends before its run did.
+ * ends before its run did. `fail_rate` is the probability that an agent failed by chance within a minute.
  */
 export interface Recording {
   recording: string;
   seed: number;
+  fail_rate: number;
   cut: boolean;
   file: MissionFile;
 }
@@ -753,6 +757,7 @@ export interface RunEvent {
   kind: "load" | "unload" | "message" | "collision" | "failure" | "revival" | "end" | "outside";
   agent: string;
   text: string;
+  cause: "program" | "world" | "person" | "mission" | "chance";
 }
 
 /** A mission to be written; `revision` is the one that the page last read or wrote, "" for a new file. */
@@ -847,13 +852,17 @@ export interface StartPose {
   heading_rad: number;
 }
 
-/** Run this mission; `path` is the file it was opened from, "" for a new one. */
+/**
+ * Run this mission; `path` is the file it was opened from, "" for a new one. `fail_rate` is the probability that an
+ * agent fails by chance within a minute.
+ */
 export interface StartRequest {
   type: "start";
   mission: Mission;
   path: string;
   seed: number;
   speed: number;
+  fail_rate?: number;
 }
 
 /** A robot of the run; the binary frames follow the order of this list. */
@@ -865,7 +874,10 @@ export interface StartedAgent {
   kind: string;
 }
 
-/** The run is on, or a recording of one. */
+/**
+ * The run is on, or a recording of one. `watching`: another page steers it; `another`: what runs there is not the
+ * mission that this page has open.
+ */
 export interface StartedMessage {
   type: "started";
   run: string;
@@ -876,6 +888,9 @@ export interface StartedMessage {
   stock: Record<string, number>;
   total: number;
   recording: boolean;
+  fail_rate: number;
+  watching: boolean;
+  another: boolean;
 }
 
 /** What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only. */
@@ -1010,6 +1025,13 @@ export interface Wall {
   y2: number;
 }
 
+/** Watch a run that another page steers; `run` is its name, `mission` what this page has open. */
+export interface WatchRequest {
+  type: "watch";
+  run: string;
+  mission: Mission;
+}
+
 /** The place of a mission. */
 export interface World {
   name: string;
@@ -1044,6 +1066,7 @@ export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsM
 export type RunRequest =
   | StartRequest
   | ReplayRequest
+  | WatchRequest
   | PauseRequest
   | ResumeRequest
   | StepRequest

@@ -26,6 +26,8 @@ export interface AgentReport {
   state: AgentActivity;
   values: Record<string, number>;
   inputs: Record<string, number>;
+  /** What its displays and the like show, by the name of the actuator: the numbers that a trace has of it. */
+  shown: Record<string, number[]>;
   fault: number;
   /** Sensors in whose place a value stands. */
   forced: string[];
@@ -41,11 +43,15 @@ export interface Hit {
 
 export type RunEventKind = "load" | "unload" | "message" | "collision" | "failure" | "revival" | "end" | "outside";
 
+/** What brings an event about: `mission` is its schedule, `person` somebody's hand during the run. */
+export type RunEventCause = "program" | "world" | "person" | "mission" | "chance";
+
 export interface RunEvent {
   tick: number;
   kind: RunEventKind;
   agent: string;
   text: string;
+  cause: RunEventCause;
 }
 
 export type RunMessage =
@@ -60,6 +66,11 @@ export type RunMessage =
       total: number;
       /** Whether it is played from a recording. */
       recording: boolean;
+      /** The probability (0…1) that a robot fails by chance within a minute. */
+      fail_rate: number;
+      /** Whether another page steers it; `another`: what runs there is not the mission that is open here. */
+      watching: boolean;
+      another: boolean;
     }
   | {
       type: "state";
@@ -92,7 +103,8 @@ export type Harm = "fail" | "stall" | "mute" | "revive";
 
 export type RunRequest =
   | { type: "replay"; recording: string; speed: number }
-  | { type: "start"; mission: Mission; path: string; seed: number; speed: number }
+  | { type: "start"; mission: Mission; path: string; seed: number; speed: number; fail_rate: number }
+  | { type: "watch"; run: string; mission: Mission }
   | { type: "pause" }
   | { type: "resume" }
   | { type: "stop" }

@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 
 import type { AgentReport, RunMessage } from "../api/wire";
 import { clearFrames, posesAt, pushFrame } from "./poses";
-import { applyMessage, canGoBack, useActiveVertices, useRun, watchedAgent } from "./run";
+import { applyMessage, canGoBack, canInterfere, useActiveVertices, useRun, watchedAgent } from "./run";
 
 const report = (active: [number, string][], inputs: Record<string, number> = {}): AgentReport => ({
   active,
@@ -12,6 +12,7 @@ const report = (active: [number, string][], inputs: Record<string, number> = {})
   inputs,
   fault: 0,
   forced: [],
+  shown: {},
 });
 
 const agent = (name: string, program: string, number: number) => ({ name, program, robot: "r", number, kind: "r" });
@@ -26,6 +27,9 @@ const STARTED: RunMessage = {
   stock: { A: 12 },
   total: 12,
   recording: false,
+  fail_rate: 0,
+  watching: false,
+  another: false,
 };
 
 function tick(agents: Record<string, AgentReport>, at = 1): RunMessage {
@@ -39,7 +43,7 @@ function tick(agents: Record<string, AgentReport>, at = 1): RunMessage {
     stock: { A: 11 },
     delivered: {},
     collisions: 0,
-    events: [{ tick: at, kind: "load", agent: "l", text: "" }],
+    events: [{ tick: at, kind: "load", agent: "l", text: "", cause: "program" }],
   };
 }
 
@@ -114,7 +118,7 @@ describe("a run in its past", () => {
     hear(at(1, 2, { events: [] }));
     expect([useRun.getState().tick, useRun.getState().latest]).toEqual([1, 2]);
     expect(useRun.getState().events.map((event) => event.tick)).toEqual([1, 2]);
-    hear(at(1, 1, { again: true, events: [{ tick: 1, kind: "load", agent: "l", text: "" }] }));
+    hear(at(1, 1, { again: true, events: [{ tick: 1, kind: "load", agent: "l", text: "", cause: "program" }] }));
     expect([useRun.getState().latest, useRun.getState().events.length]).toEqual([1, 1]);
   });
 
@@ -129,6 +133,34 @@ describe("a run in its past", () => {
     const yes = ["running", "paused", "done", "failed", "stuck", "time"] as const;
     expect(yes.every(canGoBack)).toBe(true);
     expect((["idle", "connecting", "stopped"] as const).some(canGoBack)).toBe(false);
+  });
+});
+
+describe("a run that another page steers", () => {
+  const WATCHED: RunMessage = { ...STARTED, watching: true, another: true, fail_rate: 0.1 };
+
+  it("is watched: it shows everything, and nothing can be done to it", () => {
+    hear(WATCHED);
+    hear({ type: "state", status: "paused", tick: 3, seconds: 0.06, sentence: "", hits: [] });
+    const run = useRun.getState();
+    expect([run.watching, run.another, run.status, run.seed, run.failRate]).toEqual([true, true, "paused", 3, 0.1]);
+    expect(canInterfere(run)).toBe(false);
+    hear(STARTED);
+    expect([useRun.getState().watching, canInterfere(useRun.getState())]).toEqual([false, true]);
+  });
+
+  it("is left with STOP, which shows the mission's own world again", () => {
+    hear(WATCHED);
+    useRun.getState().stop();
+    const { watching, status, agents } = useRun.getState();
+    expect([watching, status, agents]).toEqual([false, "idle", []]);
+  });
+
+  it("is over when the page that steers is gone", () => {
+    hear(WATCHED);
+    hear({ type: "error", message: "Gone.", help: "", ended: true });
+    const { watching, status, error } = useRun.getState();
+    expect([watching, status, error?.message]).toEqual([false, "stopped", "Gone."]);
   });
 });
 

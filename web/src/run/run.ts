@@ -3,7 +3,9 @@
  *
  * One run at a time. Agents are in the server's order, the order of the binary pose frames too; an agent's `active` keeps
  * its identity while the same vertices are active, so that a canvas redraws only when something changed. Poses are not
- * here but in `poses.ts`. The mission that runs is the one that was given to `start`; later edits do not reach it.
+ * here but in `poses.ts`. Real robots are shown as a run too (`showReal`). The mission that runs is the one that was given to `start`; later edits do not reach it.
+ *
+ * A run that another page steers can be watched: then nothing here steers it, and STOP ends the watching.
  */
 import { useMemo } from "react";
 import { create } from "zustand";
@@ -37,6 +39,8 @@ export interface RunState {
   collisions: number;
   events: RunEvent[];
   seed: number;
+  /** The probability (0…1) that a robot fails by chance within a minute, of this run and the next one. */
+  failRate: number;
   /** The mission that runs; null without a run. Later edits do not reach it. */
   mission: Mission | null;
   /** How many times real time; 0 is as fast as it goes. */
@@ -50,9 +54,17 @@ export interface RunState {
   name: string;
   /** Whether it is a recording: then nothing can be done to it. */
   recording: boolean;
+  /** Whether real robots run: they go on at their own pace, and never back. */
+  real: boolean;
+  /** Whether another page steers it. */
+  watching: boolean;
+  /** While watching: whether what runs there is not the mission that is open here. */
+  another: boolean;
   start: (what: { mission: Mission; path: string }) => void;
   /** Plays a recording that was opened, of this mission. */
   replay: (what: { mission: Mission; recording: string }) => void;
+  /** Watches a run of this mission that another page steers. */
+  watch: (what: { mission: Mission; run: string }) => void;
   pause: () => void;
   resume: () => void;
   stop: () => void;
@@ -97,6 +109,8 @@ const NOTHING = {
   mission: null as Mission | null,
   name: "",
   recording: false,
+  watching: false,
+  another: false,
 };
 
 let socket: RunSocket | null = null;
@@ -134,6 +148,9 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
         mission: state.mission,
         name: String(message.run),
         recording: message.recording,
+        watching: message.watching,
+        another: message.another,
+        failRate: message.fail_rate,
         status: "running",
         tickMs: message.tick_ms,
         seed: message.seed,
@@ -146,6 +163,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
           state: "idle",
           values: {},
           inputs: {},
+          shown: {},
           fault: 0,
           forced: [],
         })),
@@ -174,6 +192,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
     case "error":
       return {
         status: statusAfter(state.status, message.ended),
+        watching: state.watching && !message.ended,
         error: { message: message.message, help: message.help },
       };
   }
@@ -186,6 +205,11 @@ export function isLive(status: RunStatus): boolean {
 /** Whether the run has a past that can be gone to: one that was stopped is over. */
 export function canGoBack(status: RunStatus): boolean {
   return status === "running" || status === "paused" || isEnded(status);
+}
+
+/** Whether the person here may do something to what runs. */
+export function canInterfere({ status, recording, watching }: RunState): boolean {
+  return canGoBack(status) && !recording && !watching;
 }
 
 /** Whether it stands at its end. */
@@ -218,11 +242,29 @@ function sendLook({ agents, selectedAgent }: Pick<RunState, "agents" | "selected
   socket?.send({ type: "look", agents: Object.values(selectedAgent).slice(0, MOST_LOOKED_AT) });
 }
 
+/** Names of the runs that this page started: those that others started can be watched. */
+const ours = new Set<string>();
+
+export function isOurs(run: string): boolean {
+  return ours.has(run);
+}
+
 function hangUp(): void {
   wanted = null;
   seeking = false;
   socket?.close();
   socket = null;
+}
+
+/** Shows real robots as the run, in the place of what was on; `line` takes what is asked of them. */
+export function showReal(line: RunSocket, run: Partial<RunState>): void {
+  if (!useRun.getState().real) {
+    hangUp();
+    clearFrames();
+    useRun.setState(NOTHING);
+    socket = line;
+  }
+  useRun.setState({ ...run, real: true });
 }
 
 /** Begins a run, or plays a recording, in the place of what was on. */
@@ -234,7 +276,10 @@ function connect(mission: Mission, request: RunRequest): void {
     onOpen: (opened) => opened.send(request),
     onMessage: (message) => {
       useRun.setState((state) => applyMessage(state, message));
-      if (message.type === "started") sendLook(useRun.getState());
+      if (message.type === "started") {
+        if (!message.watching) ours.add(String(message.run));
+        sendLook(useRun.getState());
+      }
       if (seeking && message.type === "tick") sought();
       if (
         message.type === "problems" ||
@@ -251,26 +296,35 @@ function connect(mission: Mission, request: RunRequest): void {
   });
 }
 
+/** Asks something of the run; of one that another page steers nothing is asked. */
+function steer(request: RunRequest): void {
+  if (!useRun.getState().watching) socket?.send(request);
+}
+
 export const useRun = create<RunState>((set, get) => ({
   ...NOTHING,
   seed: 1,
   speed: 1,
+  failRate: 0,
   selectedAgent: {},
 
   start: ({ mission, path }) => {
-    const { seed, speed } = get();
-    connect(mission, { type: "start", mission, path, seed, speed });
+    const { seed, speed, failRate } = get();
+    connect(mission, { type: "start", mission, path, seed, speed, fail_rate: failRate });
   },
+  watch: ({ mission, run }) => connect(mission, { type: "watch", run, mission }),
   replay: ({ mission, recording }) => connect(mission, { type: "replay", recording, speed: get().speed }),
   pause: () => {
-    if (get().status === "running") socket?.send({ type: "pause" });
+    if (get().status === "running") steer({ type: "pause" });
   },
   resume: () => {
-    if (get().status === "paused") socket?.send({ type: "resume" });
+    if (get().status === "paused") steer({ type: "resume" });
   },
   stop: () => {
     if (socket === null || !isLive(get().status)) return;
-    if (get().status === "connecting") {
+    if (get().watching) {
+      get().reset();
+    } else if (get().status === "connecting") {
       hangUp();
       set({ status: "idle" });
     } else {
@@ -279,28 +333,28 @@ export const useRun = create<RunState>((set, get) => ({
   },
   step: (by = "tick", back = false, agent = "") => {
     const { status, tick } = get();
-    if (back ? tick > 0 && canGoBack(status) : status === "paused") socket?.send({ type: "step", by, back, agent });
+    if (back ? tick > 0 && canGoBack(status) : status === "paused") steer({ type: "step", by, back, agent });
   },
   seek: (tick) => {
-    if (!canGoBack(get().status)) return;
+    if (!canGoBack(get().status) || get().watching) return;
     wanted = Math.round(tick);
     if (!seeking) sendSeek();
   },
   force: (agent, sensor, value) => {
-    socket?.send({ type: "force", agent, sensor, value });
+    steer({ type: "force", agent, sensor, value });
   },
   pauseAt: (breakpoints) => {
-    socket?.send({ type: "breakpoints", breakpoints });
+    steer({ type: "breakpoints", breakpoints });
   },
   setVariable: (agent, variable, value) => {
-    socket?.send({ type: "set", agent, variable, value });
+    steer({ type: "set", agent, variable, value });
   },
   harm: (agent, kind) => {
-    socket?.send({ type: "harm", agent, kind });
+    steer({ type: "harm", agent, kind });
   },
   setSpeed: (speed) => {
     set({ speed });
-    if (isLive(get().status)) socket?.send({ type: "speed", value: speed });
+    if (isLive(get().status)) steer({ type: "speed", value: speed });
   },
   selectAgent: (name, program) => {
     set((state) => {
@@ -312,7 +366,7 @@ export const useRun = create<RunState>((set, get) => ({
   reset: () => {
     hangUp();
     clearFrames();
-    set({ ...NOTHING, selectedAgent: {} });
+    set({ ...NOTHING, selectedAgent: {}, failRate: 0 });
   },
   dismissError: () => set({ error: null, problems: [] }),
 }));

@@ -205,12 +205,13 @@ class StateMessage(_Message):
 
 
 class AgentReportShape(BaseModel):
-    """What an agent does: where its threads stand, its variables and sensors."""
+    """What an agent does: where its threads stand, its variables and sensors, what its displays and the like show."""
 
     active: list[tuple[int, str]]
     state: Literal["running", "waiting", "idle", "failed", "stalled"]
     values: dict[str, int]
     inputs: dict[str, int]
+    shown: dict[str, list[int]]
     fault: int
     forced: list[str]
 
