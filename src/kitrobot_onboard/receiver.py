@@ -7,7 +7,7 @@
 #   d  the payload is written to the file that `o` opened; answered by K
 #   q  the end; answered by K
 #
-# What goes wrong is answered by E and the exception. 0x03 twice in a row, which never stands in a frame, ends it too.
+# A small board's stack is small too: what a value calls must not call much further. What goes wrong is answered by E and the exception. 0x03 twice in a row, which never stands in a frame, ends it too.
 
 import builtins
 import os
@@ -62,10 +62,10 @@ def e(name):
 
 def z(name):
     """How long a file is, and the sum of it."""
-    o(name, "rb")
+    it = open(name, "rb")
     a = b = size = 0
     while True:
-        data = r(64)
+        data = it.read(64)
         if not data:
             break
         for x in data:
@@ -74,18 +74,8 @@ def z(name):
         a %= 255
         b %= 255
         size += len(data)
-    c()
+    it.close()
     return "%d %d" % (size, b << 8 | a)
-
-
-def obey(kind, data):
-    """The kind and payload of the answer to a request."""
-    if kind == "d":
-        file.write(data)
-    elif kind == "x":
-        data = builtins.eval(data)  # by this name, so that the rest may be made shorter
-        return "D", data if isinstance(data, bytes) else bytes(str(data), "utf8")
-    return "K", b""
 
 
 def receive():
@@ -107,8 +97,13 @@ def receive():
             continue
         if found[:2] != last:
             last = found[:2]
+            answer = "K", b""
             try:
-                answer = obey(found[0], found[2])
+                if found[0] == "d":
+                    file.write(found[2])
+                elif found[0] == "x":
+                    data = builtins.eval(found[2])  # by this name, so that the rest may be made shorter
+                    answer = "D", data if isinstance(data, bytes) else bytes(str(data), "utf8")
             except Exception as error:
                 answer = "E", bytes(repr(error), "utf8")
         give(wrap(answer[0], found[1], answer[1]))
