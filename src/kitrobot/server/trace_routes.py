@@ -91,6 +91,7 @@ def _opened(studio: Studio, file: Path) -> RecordingShape:
         return RecordingShape(
             recording=name,
             seed=reader.header.seed,
+            fail_rate=reader.header.fail_rate,
             cut=reader.cut,
             file=mission_file(studio, studio.read(data, path, path), path, revision_of(data)),
         )

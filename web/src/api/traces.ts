@@ -7,6 +7,8 @@ export interface Recording {
   /** By this name it is played. */
   recording: string;
   seed: number;
+  /** The probability (0…1) that a robot failed by chance within a minute. */
+  fail_rate: number;
   /** Whether its file ends before its run did. */
   cut: boolean;
   file: MissionFile;

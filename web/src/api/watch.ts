@@ -13,6 +13,8 @@ export interface News {
   others: number;
   /** The state of the XML files that the mission depends on. */
   parts: string;
+  /** The runs of this mission that are on, here or on another page. */
+  runs: string[];
 }
 
 type Message = { type: "hello"; tab: string } | ({ type: "news" } & News);

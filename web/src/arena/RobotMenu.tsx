@@ -5,7 +5,7 @@ import { FAILED, MUTED, STALLED } from "../api/wire";
 import { FloatingMenu } from "../shell/FloatingMenu";
 import type { MenuEntry } from "../shell/menu-model";
 import { posesAt } from "../run/poses";
-import { canGoBack, useRun } from "../run/run";
+import { canInterfere, useRun } from "../run/run";
 import { t } from "../words/words";
 import { follow, harm, useRobots } from "./robots";
 
@@ -18,7 +18,7 @@ export function RobotMenu({ onClosed }: { onClosed: () => void }) {
 /** What can be done to a robot as it is now. */
 export function entriesOf(name: string): MenuEntry[] {
   const run = useRun.getState();
-  const on = canGoBack(run.status) && !run.recording;
+  const on = canInterfere(run);
   const index = run.agents.findIndex((agent) => agent.name === name);
   const flags = posesAt(0, false)?.poses[index]?.flags ?? 0;
   const isDown = (flags & (FAILED | STALLED)) !== 0;

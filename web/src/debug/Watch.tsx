@@ -10,7 +10,7 @@ import { useMemo, useState } from "react";
 import { useStudio } from "../model/studio";
 import { text } from "../model/texts";
 import type { RobotObject } from "../model/types";
-import { canGoBack, type RunAgent, useRun, watchedAgent } from "../run/run";
+import { canInterfere, type RunAgent, useRun, watchedAgent } from "../run/run";
 import { Icon } from "../theme";
 import { t } from "../words/words";
 import { samplesNow, seriesOf, stepsPath } from "./samples";
@@ -106,7 +106,7 @@ function Column({
 
 function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; sensor: boolean }) {
   const { name } = object;
-  const live = useRun((run) => canGoBack(run.status) && !run.recording);
+  const live = useRun(canInterfere);
   const value = (sensor ? agent.inputs[name] : agent.values[name]) ?? 0;
   const forced = sensor && agent.forced.includes(name);
   const put = (wanted: number) => {

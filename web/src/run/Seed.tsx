@@ -8,6 +8,7 @@ import "./seed.css";
 import { useState } from "react";
 
 import { Icon } from "../theme";
+import { decimal } from "../words/numbers";
 import { t } from "../words/words";
 import { isLive, useRun } from "./run";
 
@@ -15,6 +16,7 @@ const LARGEST = 999_999;
 
 export function Seed() {
   const seed = useRun((run) => run.seed);
+  const failRate = useRun((run) => run.failRate);
   const live = useRun((run) => isLive(run.status));
   const [typed, setTyped] = useState<string | null>(null);
   const put = (wanted: number) => {
@@ -61,6 +63,16 @@ export function Seed() {
       >
         <Icon name="dices" size={16} />
       </button>
+      {failRate > 0 ? (
+        <span
+          className="seed-chance"
+          data-testid="chance-on"
+          title={t("team.chance-on", { percent: decimal(failRate * 100) })}
+        >
+          <Icon name="circle-x" size={14} /> {decimal(failRate * 100)} %
+          <span className="only-spoken">{t("team.chance-on", { percent: decimal(failRate * 100) })}</span>
+        </span>
+      ) : null}
     </span>
   );
 }

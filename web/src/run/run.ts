@@ -3,7 +3,8 @@
  *
  * One run at a time. Agents are in the server's order, the order of the binary pose frames too; an agent's `active` keeps
  * its identity while the same vertices are active, so that a canvas redraws only when something changed. Poses are not
- * here but in `poses.ts`. Real robots are shown as a run too (`showReal`). The mission that runs is the one that was given to `start`; later edits do not reach it.
+ * here but in `poses.ts`. Real robots are shown as a run too (`showReal`). The mission that runs is the one that was given
+ * to `start`; later edits do not reach it.
  *
  * A run that another page steers can be watched: then nothing here steers it, and STOP ends the watching.
  */
@@ -321,10 +322,12 @@ export const useRun = create<RunState>((set, get) => ({
     if (get().status === "paused") steer({ type: "resume" });
   },
   stop: () => {
-    if (socket === null || !isLive(get().status)) return;
     if (get().watching) {
       get().reset();
-    } else if (get().status === "connecting") {
+      return;
+    }
+    if (socket === null || !isLive(get().status)) return;
+    if (get().status === "connecting") {
       hangUp();
       set({ status: "idle" });
     } else {

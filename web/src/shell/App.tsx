@@ -45,6 +45,7 @@ import { Separator } from "./Separator";
 import { Tabs } from "./Tabs";
 import { Title } from "./Title";
 import { TeamStop, Toolbar } from "./Toolbar";
+import { Watching } from "./Watching";
 import "./chrome.css";
 import "./layout.css";
 import "./menus.css";
@@ -186,6 +187,7 @@ export function App() {
       </header>
       <Banner />
       <RecordingBar />
+      <Watching />
       <div className="middle">
         {folded.palette ? null : (
           <nav className="parts-frame" aria-label={t("app.parts")}>

@@ -34,7 +34,7 @@ export function RunStatus() {
   const time = useRun((run) => clock(run.seconds));
   const key: Key = `status.${status}`;
   const timed = status === "running" || status === "paused" || status === "stopped";
-  const running = useRun((run) => (isLive(run.status) ? run.mission : null));
+  const running = useRun((run) => (isLive(run.status) && !run.watching ? run.mission : null));
   const edited = useStudio(({ mission }) => running !== null && isAnother(mission, running));
   const hit = useRun(({ hits }) => hits[0]);
   const ended = status === "done" || status === "failed" || status === "stuck" || status === "time" || status === "end";

@@ -13,6 +13,7 @@ export function speedWords(speed: number): string {
 export function SpeedControl() {
   const speed = useRun((run) => run.speed);
   const setSpeed = useRun((run) => run.setSpeed);
+  const watching = useRun((run) => run.watching);
   const position = positionOf(speed);
   return (
     <div className="speed" title={t("run.speed")}>
@@ -24,6 +25,7 @@ export function SpeedControl() {
         max={MAX_POSITION}
         step={1}
         value={position}
+        disabled={watching}
         style={{ "--share": `${String((position / MAX_POSITION) * 100)}%` } as React.CSSProperties}
         aria-label={t("run.speed")}
         aria-valuetext={speed === 0 ? t("run.as-fast") : speedWords(speed)}

@@ -39,8 +39,10 @@ export function Toolbar() {
   const { canUndo, canRedo, undoLabel, redoLabel } = useStudio();
   const { undo, redo } = useStudio.getState();
   const status = useRun((state) => state.status);
-  const goesBack = useRun((state) => canGoBack(state.status) && state.tick > 0);
-  const paused = status === "paused";
+  const watching = useRun((state) => state.watching);
+  const goesBack = useRun((state) => canGoBack(state.status) && state.tick > 0 && !state.watching);
+  // What another page steers is not paused here, whatever it does there.
+  const paused = status === "paused" && !watching;
   const live = isLive(status);
   return (
     <div className="toolbar" role="toolbar" aria-label={t("menu.run")}>
@@ -76,7 +78,7 @@ export function Toolbar() {
         icon="pause"
         label={t("run.pause")}
         keys={keyFor.page("pause")}
-        disabled={status !== "running" && !paused}
+        disabled={(status !== "running" || watching) && !paused}
         pressed={paused}
         testId="pause-button"
         onPress={pause}
@@ -107,7 +109,7 @@ export function Toolbar() {
       />
       <Tool
         icon="square"
-        label={t("run.stop")}
+        label={t(watching ? "watching.leave" : "run.stop")}
         keys={keyFor.page("stop")}
         disabled={!live}
         testId="stop-button"

@@ -11,7 +11,7 @@ import { hearOfParts } from "../parts/files";
 import { t } from "../words/words";
 import { fileName, loadFromDisk, question, showDifference, useDocument } from "./document";
 
-export const useDisk = create<News>(() => ({ path: "", revision: "", others: 0, parts: "" }));
+export const useDisk = create<News>(() => ({ path: "", revision: "", others: 0, parts: "", runs: [] }));
 
 /** A revision that is not worth a word: the person was asked, or it is what our own save has just replaced. */
 let settled = "";

@@ -222,9 +222,9 @@ function neighbours(several: boolean): MenuEntry[] {
 }
 
 function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
-  const { stop, step, setSpeed, tick, name } = useRun.getState();
-  const goesBack = tick > 0 && canGoBack(useRun.getState().status);
-  const paused = status === "paused";
+  const { stop, step, setSpeed, tick, name, watching } = useRun.getState();
+  const goesBack = tick > 0 && canGoBack(useRun.getState().status) && !watching;
+  const paused = status === "paused" && !watching;
   return [
     {
       kind: "item",
@@ -239,7 +239,7 @@ function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
       id: "run-pause",
       label: t("run.pause"),
       keys: keyFor.page("pause"),
-      disabled: status !== "running",
+      disabled: status !== "running" || watching,
       run: pause,
     },
     {
@@ -274,7 +274,14 @@ function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
       disabled: !goesBack,
       run: () => stepVertex(true),
     },
-    { kind: "item", id: "run-stop", label: t("run.stop"), keys: keyFor.page("stop"), disabled: !live, run: stop },
+    {
+      kind: "item",
+      id: "run-stop",
+      label: t(watching ? "watching.leave" : "run.stop"),
+      keys: keyFor.page("stop"),
+      disabled: !live,
+      run: stop,
+    },
     { kind: "item", id: "run-save", label: t("recording.save"), disabled: name === "", run: () => void saveTheRun() },
     { kind: "heading", id: "run-speed", label: t("run.speed") },
     { kind: "item", id: "run-slower", label: t("run.slower"), keys: keyFor.page("slower"), run: () => changeSpeed(-1) },

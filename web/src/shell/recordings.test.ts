@@ -15,6 +15,9 @@ const STARTED: RunMessage = {
   stock: {},
   total: 0,
   recording: true,
+  fail_rate: 0.25,
+  watching: false,
+  another: false,
 };
 
 function hear(message: RunMessage): void {
@@ -37,8 +40,8 @@ describe("a recording", () => {
 
   it("is a run that says what it is, by which name it can be saved, and with which seed it was made", () => {
     hear(STARTED);
-    const { recording, name, seed, status } = useRun.getState();
-    expect([recording, name, seed, status]).toEqual([true, "run-7", 4, "running"]);
+    const { recording, name, seed, failRate, status } = useRun.getState();
+    expect([recording, name, seed, failRate, status]).toEqual([true, "run-7", 4, 0.25, "running"]);
     useRun.getState().reset();
     expect([useRun.getState().recording, useRun.getState().name]).toEqual([false, ""]);
   });

@@ -15,6 +15,7 @@ export interface OpenRecording {
   /** The server's name for it. */
   recording: string;
   seed: number;
+  failRate: number;
   cut: boolean;
   /** Its mission as it was recorded, and where that is. */
   mission: Mission;
@@ -46,9 +47,9 @@ export function useOpenRecording(): OpenRecording | null {
 }
 
 /** Plays a recording whose mission has just been opened. */
-export function begin({ recording, seed, cut, file }: Recording): void {
+export function begin({ recording, seed, fail_rate, cut, file }: Recording): void {
   const { mission, path } = file;
-  useRecording.setState({ open: { recording, seed, cut, mission, path } });
+  useRecording.setState({ open: { recording, seed, failRate: fail_rate, cut, mission, path } });
   playAgain();
 }
 
@@ -61,7 +62,7 @@ export function playAgain(): void {
 export function runRecorded(): void {
   const { open } = useRecording.getState();
   if (open === null) return;
-  useRun.setState({ seed: open.seed });
+  useRun.setState({ seed: open.seed, failRate: open.failRate });
   useRun.getState().start({ mission: open.mission, path: open.path });
 }
 

@@ -187,7 +187,13 @@ describe("a menu", () => {
 });
 
 describe("the strip of events", () => {
-  const event = (tick: number, kind: RunEvent["kind"]): RunEvent => ({ tick, kind, agent: "a", text: "" });
+  const event = (tick: number, kind: RunEvent["kind"]): RunEvent => ({
+    tick,
+    kind,
+    agent: "a",
+    text: "",
+    cause: "program",
+  });
 
   it("doubles its axis before the label of the moment leaves it", () => {
     expect(axisFor(0).length).toBe(60);

@@ -6,6 +6,7 @@ import { useStudio } from "../model/studio";
 import type { ScheduledFailure } from "../model/types";
 import { Icon } from "../theme";
 import { t } from "../words/words";
+import { Chance } from "./Chance";
 
 const KINDS = ["fail", "stall", "mute", "revive"] as const;
 const LATEST_S = 1_000_000;
@@ -143,6 +144,7 @@ export function Failures() {
       >
         <Icon name="plus" size={16} /> {t("team.add-failure")}
       </button>
+      <Chance />
     </section>
   );
 }

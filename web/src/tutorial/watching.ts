@@ -58,7 +58,7 @@ export function keepWatching(): () => void {
   });
   const offRun = useRun.subscribe((state, before) => {
     if (state.status === "connecting" && before.status !== "connecting") running = useStudio.getState().mission;
-    const events = eventsOf(state.status, before.status);
+    const events = state.watching ? [] : eventsOf(state.status, before.status);
     if (events.length > 0) void happened(events, running);
   });
   return () => {

@@ -31,6 +31,11 @@ export const FAILURES_EN = {
     "Nothing goes wrong on schedule. Let a robot fail here, or with its menu in the arena while it runs.",
   "team.failures-nobody": "Failures need a robot: add one above.",
   "team.add-failure": "Add a failure",
+  "team.chance": "By chance, each robot fails for good within a minute with a probability of",
+  "team.chance-help":
+    "The seed decides when, so the same seed gives the same failures. Holds for the runs of this window until another mission is opened; it is not kept in the mission.",
+  "team.chance-wrong": "A number from 0 to 100, please.",
+  "team.chance-on": "By chance, each robot fails within a minute with a probability of {percent} % (tab Team)",
   "team.failure-who": "Who",
   "team.failure-when": "At, in seconds",
   "team.failure-what": "What happens",

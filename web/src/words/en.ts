@@ -9,6 +9,7 @@ import { FAILURES_EN } from "./en-failures";
 import { TEAM_EN } from "./en-team";
 import { TUTORIAL_EN } from "./en-tutorial";
 import { WORLD_EN } from "./en-world";
+import { WATCHING_EN } from "./en-watching";
 
 /** English: the complete table, whose keys every other language has. */
 export const EN = {
@@ -20,6 +21,7 @@ export const EN = {
   ...RECORDING_EN,
   ...TEAM_EN,
   ...WORLD_EN,
+  ...WATCHING_EN,
   ...DEBUG_EN,
   ...FAILURES_EN,
   ...TUTORIAL_EN,

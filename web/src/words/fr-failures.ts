@@ -33,6 +33,12 @@ export const FAILURES_FR = {
     "Rien ne tourne mal à heure fixe. Mettez un robot en panne ici, ou par son menu dans l’arène pendant l’exécution.",
   "team.failures-nobody": "Il faut un robot : ajoutez-en un ci-dessus.",
   "team.add-failure": "Ajouter une défaillance",
+  "team.chance": "Par hasard, chaque robot tombe en panne pour de bon en une minute avec une probabilité de",
+  "team.chance-help":
+    "La graine décide quand : la même graine donne les mêmes pannes. Vaut pour les exécutions de cette fenêtre jusqu’à ce qu’on ouvre une autre mission ; ce n’est pas gardé dans la mission.",
+  "team.chance-wrong": "Un nombre de 0 à 100, s’il vous plaît.",
+  "team.chance-on":
+    "Par hasard, chaque robot tombe en panne en une minute avec une probabilité de {percent} % (onglet Équipe)",
   "team.failure-who": "Qui",
   "team.failure-when": "À, en secondes",
   "team.failure-what": "Ce qui arrive",

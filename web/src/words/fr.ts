@@ -10,6 +10,7 @@ import { FAILURES_FR } from "./fr-failures";
 import { TEAM_FR } from "./fr-team";
 import { TUTORIAL_FR } from "./fr-tutorial";
 import { WORLD_FR } from "./fr-world";
+import { WATCHING_FR } from "./fr-watching";
 import type { Table } from "./words";
 
 export const FR = {
@@ -21,6 +22,7 @@ export const FR = {
   ...RECORDING_FR,
   ...TEAM_FR,
   ...WORLD_FR,
+  ...WATCHING_FR,
   ...DEBUG_FR,
   ...FAILURES_FR,
   ...TUTORIAL_FR,

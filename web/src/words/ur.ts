@@ -10,6 +10,7 @@ import { FAILURES_UR } from "./ur-failures";
 import { TEAM_UR } from "./ur-team";
 import { TUTORIAL_UR } from "./ur-tutorial";
 import { WORLD_UR } from "./ur-world";
+import { WATCHING_UR } from "./ur-watching";
 import type { Table } from "./words";
 
 export const UR = {
@@ -21,6 +22,7 @@ export const UR = {
   ...RECORDING_UR,
   ...TEAM_UR,
   ...WORLD_UR,
+  ...WATCHING_UR,
   ...DEBUG_UR,
   ...FAILURES_UR,
   ...TUTORIAL_UR,

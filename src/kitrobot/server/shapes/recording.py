@@ -18,10 +18,12 @@ class RecordingEntryShape(BaseModel):
 class RecordingShape(BaseModel):
     """A recording that was opened: its name, by which it is played, and the mission that it brought along.
 
-    `cut`: its file ends before its run did.
+    `cut`: its file ends before its run did. `fail_rate` is the probability that an agent failed by chance within a
+    minute.
     """
 
     recording: str
     seed: int
+    fail_rate: float
     cut: bool
     file: MissionFileShape
