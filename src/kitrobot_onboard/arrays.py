@@ -1,10 +1,7 @@
 # Reading an image into the arrays that `tick` works on, a few bytes at a time: the same code on a robot, where a file
 # does not fit beside its arrays, and on a host. The layout of the file is in `image`, which says whether one is whole.
 
-try:
-    import struct
-except ImportError:
-    import ustruct as struct
+import struct
 
 HEADER = "<4sHH8sHHHHHHHHHHHHHI"
 HEADER_SIZE = 46

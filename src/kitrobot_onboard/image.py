@@ -6,10 +6,7 @@
 # 65535, entry, marked, end), parallels (3 x 16: parent slot, first slot, end), stops (2 x 16: slot, command), commands
 # (16: actuator), the code (4 bytes an instruction), CRC-32 of all that.
 
-try:
-    import struct
-except ImportError:
-    import ustruct as struct
+import struct
 
 from kitrobot_onboard.arrays import HEADER, HEADER_SIZE, arrays
 

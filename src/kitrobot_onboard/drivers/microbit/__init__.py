@@ -1,0 +1,1 @@
+"""Drivers for the micro:bit of 2016."""

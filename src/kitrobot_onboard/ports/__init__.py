@@ -1,0 +1,1 @@
+"""What each platform adds to the loop: its serial line, its clock, how it shows itself."""

@@ -1,0 +1,116 @@
+"""A board on CPython: the loop that runs on real boards, with a TCP socket on loopback for its serial line.
+
+    python -m tests.boards.host_board --port 0 [--program FILE.krp] [--generation N]
+
+prints its address (`socket://127.0.0.1:PORT`) and serves one host after the other until one of them says `q`. Its
+drivers are those of `tests.boards.drivers`, by their plain names.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import hashlib
+import select
+import socket
+import tempfile
+import time
+from pathlib import Path
+from types import SimpleNamespace
+
+from kitrobot_onboard.start import start
+from tests.boards import drivers
+
+PACKAGE = "c0ffee00"
+
+
+class SocketPort:
+    """The port of `kitrobot_onboard.robot` over a listening socket; a host that goes is like a cable that is pulled."""
+
+    BYTE_US = 0
+
+    def __init__(self, port: int = 0) -> None:
+        self.listener = socket.create_server(("127.0.0.1", port))
+        self.peer: socket.socket | None = None
+        self.shows = False
+
+    @property
+    def address(self) -> str:
+        return f"socket://127.0.0.1:{self.listener.getsockname()[1]}"
+
+    def ticks(self) -> int:
+        return time.monotonic_ns() // 1_000_000
+
+    def diff(self, later: int, earlier: int) -> int:
+        return later - earlier
+
+    def add(self, ticks: int, ms: int) -> int:
+        return ticks + ms
+
+    def read(self, ms: int) -> bytes:
+        sockets = [self.listener] if self.peer is None else [self.listener, self.peer]
+        ready, _, _ = select.select(sockets, [], [], ms / 1000)
+        if self.listener in ready:
+            self.drop()
+            self.peer, _ = self.listener.accept()
+            self.peer.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            return b""
+        if self.peer is None or self.peer not in ready:
+            return b""
+        try:
+            data = self.peer.recv(64)
+        except OSError:
+            data = b""
+        if not data:
+            self.drop()
+        return data
+
+    def write(self, data: bytes) -> None:
+        if self.peer is not None:
+            try:
+                self.peer.sendall(data)
+            except OSError:
+                self.drop()
+
+    def drop(self) -> None:
+        if self.peer is not None:
+            self.peer.close()
+            self.peer = None
+
+    def free(self) -> int:
+        return 1_000_000
+
+    def identify(self, on: bool) -> None:
+        self.shows = on
+
+    def driver(self, name: str) -> SimpleNamespace:
+        return drivers.driver(name)
+
+    def enter(self) -> None:
+        pass
+
+    def leave(self) -> None:
+        self.drop()
+        self.listener.close()
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--port", type=int, default=0)
+    parser.add_argument("--program", type=Path)
+    parser.add_argument("--generation", type=int, default=1)
+    given = parser.parse_args()
+    port = SocketPort(given.port)
+    print(port.address, flush=True)
+    with tempfile.TemporaryDirectory() as folder:
+        name = None
+        if given.program is not None:
+            data = given.program.read_bytes()
+            name = "kp" + hashlib.sha256(data).hexdigest()[:8]
+            (Path(folder) / name).write_bytes(data)
+        with contextlib.chdir(folder):
+            start(port, PACKAGE, name, given.generation)
+
+
+if __name__ == "__main__":
+    main()
