@@ -1,0 +1,100 @@
+"""Two windows on one mission: what runs in the one is watched in the other."""
+
+from __future__ import annotations
+
+import pytest
+from playwright.sync_api import expect
+
+pytestmark = pytest.mark.browser
+
+TRANSPORT = "transport/transport.krt"
+SLOW_MS = 30_000
+
+
+def another_window(studio):
+    """The same studio in a second window."""
+    page = studio.page.context.new_page()
+    page.on("pageerror", lambda error: studio.faults.append(str(error)))
+    page.on("console", lambda message: studio.faults.append(message.text) if message.type == "error" else None)
+    page.goto(studio.page.url)
+    expect(page.get_by_test_id("canvas")).to_be_visible(timeout=SLOW_MS)
+    return page
+
+
+def status_is(page, status: str) -> None:
+    expect(page.get_by_test_id("status")).to_have_attribute("data-status", status, timeout=SLOW_MS)
+
+
+def watched(studio):
+    """A second window that watches the run of the first one."""
+    studio.at("run-button").click()
+    status_is(studio.page, "running")
+    other = another_window(studio)
+    other.get_by_test_id("watch-run").click(timeout=SLOW_MS)
+    expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "true", timeout=SLOW_MS)
+    status_is(other, "running")
+    return other
+
+
+def test_a_run_is_offered_to_the_other_window_and_watched_there(open_studio):
+    studio = open_studio(TRANSPORT)
+    expect(studio.at("watching-bar")).to_have_count(0)
+    other = watched(studio)
+    expect(studio.at("watching-bar")).to_have_count(0)
+    studio.at("pause-button").click()
+    status_is(studio.page, "paused")
+    status_is(other, "paused")
+    for window in (studio.page, other):
+        expect(window.get_by_test_id("arena-summary")).to_contain_text("carrier-1", timeout=SLOW_MS)
+    said = studio.at("event-strip").get_attribute("aria-valuenow")
+    assert said is not None
+    expect(other.get_by_test_id("event-strip")).to_have_attribute("aria-valuenow", said, timeout=SLOW_MS)
+    for control in ("run-button", "pause-button", "step-button", "step-back-button", "speed"):
+        expect(other.get_by_test_id(control)).to_be_disabled()
+    expect(other.get_by_test_id("event-strip")).to_have_attribute("aria-disabled", "true")
+    studio.at("step-button").click()
+    expect(other.get_by_test_id("event-strip")).to_have_attribute("aria-valuenow", str(int(said) + 1), timeout=SLOW_MS)
+
+
+def test_who_watches_leaves_and_the_run_goes_on(open_studio):
+    studio = open_studio(TRANSPORT)
+    other = watched(studio)
+    other.get_by_test_id("team-stop").click()
+    status_is(other, "idle")
+    expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "false", timeout=SLOW_MS)
+    status_is(studio.page, "running")
+    other.get_by_test_id("watch-run").click()
+    status_is(other, "running")
+    other.get_by_test_id("watch-leave").click()
+    status_is(other, "idle")
+
+
+def test_the_end_of_the_run_is_seen_and_the_offer_goes_away(open_studio):
+    studio = open_studio(TRANSPORT)
+    other = watched(studio)
+    studio.at("team-stop").click()
+    status_is(other, "stopped")
+    other.get_by_test_id("watch-leave").click()
+    expect(other.get_by_test_id("watching-bar")).to_have_count(0, timeout=SLOW_MS)
+    other.get_by_test_id("run-button").click()
+    status_is(other, "running")
+
+
+def test_the_run_is_over_when_its_window_is_closed(open_studio):
+    studio = open_studio(TRANSPORT)
+    other = watched(studio)
+    studio.page.close()
+    expect(other.get_by_test_id("banner")).to_contain_text("is gone, and the run with it", timeout=SLOW_MS)
+    status_is(other, "stopped")
+
+
+def test_a_window_with_another_state_of_the_mission_is_told_so(open_studio):
+    studio = open_studio(TRANSPORT)
+    studio.page.keyboard.press("Escape")
+    studio.page.locator(".vertex .vertex-name").first.click()
+    studio.page.keyboard.press("/")
+    studio.at("add-find").fill("wait")
+    studio.page.keyboard.press("Enter")
+    expect(studio.at("undo")).to_be_enabled()
+    other = watched(studio)
+    expect(other.get_by_test_id("watching-bar")).to_contain_text("is not what is open here")
