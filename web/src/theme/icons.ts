@@ -47,9 +47,11 @@ import Gauge from "lucide-react/icons/gauge";
 import GitFork from "lucide-react/icons/git-fork";
 import Grab from "lucide-react/icons/grab";
 import GraduationCap from "lucide-react/icons/graduation-cap";
+import Grid3x3 from "lucide-react/icons/grid-3x3";
 import Hand from "lucide-react/icons/hand";
 import Hash from "lucide-react/icons/hash";
 import Hourglass from "lucide-react/icons/hourglass";
+import ImageIcon from "lucide-react/icons/image";
 import InfinityIcon from "lucide-react/icons/infinity";
 import Info from "lucide-react/icons/info";
 import Lightbulb from "lucide-react/icons/lightbulb";
@@ -62,6 +64,7 @@ import Maximize from "lucide-react/icons/maximize";
 import MessageCircle from "lucide-react/icons/message-circle";
 import Minus from "lucide-react/icons/minus";
 import MousePointer2 from "lucide-react/icons/mouse-pointer-2";
+import Music from "lucide-react/icons/music";
 import OctagonX from "lucide-react/icons/octagon-x";
 import Package from "lucide-react/icons/package";
 import PackageMinus from "lucide-react/icons/package-minus";
@@ -100,6 +103,7 @@ import Undo2 from "lucide-react/icons/undo-2";
 import Upload from "lucide-react/icons/upload";
 import Users from "lucide-react/icons/users";
 import Variable from "lucide-react/icons/variable";
+import Vibrate from "lucide-react/icons/vibrate";
 import Warehouse from "lucide-react/icons/warehouse";
 import Wrench from "lucide-react/icons/wrench";
 import X from "lucide-react/icons/x";
@@ -150,9 +154,11 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "git-fork": GitFork,
   grab: Grab,
   "graduation-cap": GraduationCap,
+  "grid-3x3": Grid3x3,
   hand: Hand,
   hash: Hash,
   hourglass: Hourglass,
+  image: ImageIcon,
   infinity: InfinityIcon,
   info: Info,
   lightbulb: Lightbulb,
@@ -165,6 +171,7 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "message-circle": MessageCircle,
   minus: Minus,
   "mouse-pointer-2": MousePointer2,
+  music: Music,
   "octagon-x": OctagonX,
   package: Package,
   "package-minus": PackageMinus,
@@ -203,6 +210,7 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   upload: Upload,
   users: Users,
   variable: Variable,
+  vibrate: Vibrate,
   warehouse: Warehouse,
   wrench: Wrench,
   x: X,
