@@ -27,8 +27,11 @@ run: $(STAMP) page ## install, build the page, open the studio with an example t
 
 test: install page ## run every test: the page's, Python's and those in a browser
 	$(PAGE) npm run test
-	@$(PY) tools/chromium.py --install
-	@if $(PY) tools/chromium.py > /dev/null; then $(BIN)/pytest -n auto; else $(BIN)/pytest -n auto -m 'not browser'; fi
+	@$(PY) -m tools.chromium --install
+	@$(PY) -m tools.qemu --install
+	@browser="$$($(PY) -m tools.chromium > /dev/null || echo 'not browser')"; \
+	boards="$$($(PY) -m tools.qemu > /dev/null || echo 'not boards')"; \
+	$(BIN)/pytest -n auto -m "$$browser$${browser:+$${boards:+ and }}$$boards"
 
 check: install ## format, lint, types, the stairs; changes nothing
 	$(BIN)/ruff format --check $(SOURCES)

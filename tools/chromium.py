@@ -1,7 +1,7 @@
 """Find the Chromium that the browser tests drive; with `--install`, install it where that is possible.
 
-    python tools/chromium.py              print its path; status 1 if there is none
-    python tools/chromium.py --install    install it with apt if this is root's Debian, else say what is left out
+    python -m tools.chromium              print its path; status 1 if there is none
+    python -m tools.chromium --install    install it with apt if this is root's Debian, else say what is left out
 
 Never a browser downloaded by a test tool: the one of the system, or the one that KITROBOT_CHROMIUM names.
 """
@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 import sys
+
+from tools import debian
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 PACKAGES = ("chromium", "fonts-noto-core")
@@ -36,23 +37,9 @@ def find() -> str | None:
     return next((path for path in map(shutil.which, NAMES) if path), None)
 
 
-def install() -> str:
-    """Install Chromium with apt if that is allowed; the reason why not, else an empty text."""
-    if shutil.which("apt-get") is None:
-        return "no apt-get here"
-    if os.geteuid() != 0:
-        return "only root may install it"
-    environment = os.environ | {"DEBIAN_FRONTEND": "noninteractive"}
-    for arguments in (["update"], ["install", "--yes", "--no-install-recommends", *PACKAGES]):
-        command = ["apt-get", "--quiet", *arguments]
-        if subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, check=False).returncode != 0:
-            return f"`{' '.join(command)}` failed"
-    return ""
-
-
 def main(arguments: list[str]) -> int:
     if arguments == ["--install"]:
-        reason = "" if find() else install()
+        reason = "" if find() else debian.install(PACKAGES)
         if reason:
             print(f"browser tests left out: no Chromium ({reason}); install it, or name it in KITROBOT_CHROMIUM")
         return 0

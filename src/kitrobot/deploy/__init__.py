@@ -1,0 +1,36 @@
+"""Real robots: the line to a board, what is put onto it, and talking to what runs there."""
+
+from kitrobot.deploy.board import FAULTS, Board, Fault, Hello, News, Step, Text, connect
+from kitrobot.deploy.errors import BoardError, DeployError, LineError, PackageError, SilentError
+from kitrobot.deploy.installing import Deployed, Progress, deploy
+from kitrobot.deploy.package import OWN_SUFFIX, Package
+from kitrobot.deploy.ports import BOARDS_VARIABLE, Port, list_ports
+from kitrobot.deploy.program_file import ProgramFile, make_program_file, program_name, read_program_file
+
+__all__ = [
+    "BOARDS_VARIABLE",
+    "FAULTS",
+    "OWN_SUFFIX",
+    "Board",
+    "BoardError",
+    "DeployError",
+    "Deployed",
+    "Fault",
+    "Hello",
+    "LineError",
+    "News",
+    "Package",
+    "PackageError",
+    "Port",
+    "ProgramFile",
+    "Progress",
+    "SilentError",
+    "Step",
+    "Text",
+    "connect",
+    "deploy",
+    "list_ports",
+    "make_program_file",
+    "program_name",
+    "read_program_file",
+]

@@ -1,0 +1,25 @@
+"""What can go wrong between a host and a board; each says in a sentence what, and what to do about it."""
+
+from __future__ import annotations
+
+from kitrobot.diagnostics import KitRobotError
+
+
+class DeployError(KitRobotError):
+    """Something that was asked of a board could not be done."""
+
+
+class LineError(DeployError):
+    """The line to the board cannot be opened, or broke."""
+
+
+class SilentError(DeployError):
+    """Nobody answers on the line, or nobody that we understand."""
+
+
+class BoardError(DeployError):
+    """The board answers and says no, or does not hold what it should."""
+
+
+class PackageError(DeployError):
+    """A file that belongs on the board is missing or no Python that a board can read."""

@@ -1,0 +1,284 @@
+"""Putting a program, and the package that it needs, onto a board.
+
+The order is what makes it safe to break off anywhere: what nobody names is removed; missing files are sent and read
+back; last of all a line is written beside the one that counts. Until that line is whole the board starts what it
+started before. When the board then does not greet as what was sent, the line is removed again. The files of the
+installation before stay until the next one.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from kitrobot.deploy.board import Board, Hello
+from kitrobot.deploy.errors import BoardError, SilentError
+from kitrobot.deploy.line import Line
+from kitrobot.deploy.lying import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
+from kitrobot.deploy.memory import refuse_what_does_not_fit
+from kitrobot.deploy.package import MODULE, PROGRAM, Built, Package
+from kitrobot.deploy.program_file import ProgramFile, program_name, read_program_file
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import RawRepl
+from kitrobot_onboard.link import checksum
+
+Progress = Callable[[str, int, int], None]
+"""Is told what is going on (`connect`, `compare`, `send`, `start`), and of how many bytes how many are done."""
+
+_TRIES = 3
+_WRITES = 3
+_GREETING_S = 15.0
+_MEMORY, _DAMAGED, _NO_DRIVER = 3, 4, 5
+
+
+@dataclass(frozen=True)
+class Deployed:
+    """What was done: `free` bytes of memory are left while the program runs.
+
+    `program` and `package` by eight digits, as in `Hello`; files by their names on the board.
+    """
+
+    name: str
+    program: str
+    package: str
+    free: int
+    generation: int
+    sent_files: tuple[str, ...]
+    kept_files: tuple[str, ...]
+    bytes_sent: int
+    seconds: float
+    hello: Hello
+
+
+def deploy(
+    address: str,
+    program: bytes,
+    package: Package,
+    progress: Progress = lambda stage, done, total: None,
+    *,
+    replace: bool = False,
+    fresh: bool = False,
+) -> Deployed:
+    """Puts a program onto a board and starts it.
+
+    Args:
+        address: a port or URL.
+        program: a program file in which drivers have the names that robots' XML gives them.
+        package: where drivers are looked for.
+        progress: is told how far it is.
+        replace: whether a `main.py` of somebody else may be overwritten.
+        fresh: whether to remove what KitRobot put there first; for boards that have no room for two.
+
+    Raises:
+        LineError, SilentError: the board cannot be reached.
+        PackageError: a driver is missing or is no Python.
+        BoardError: the board refuses, is full, or did not start it; then it starts what it had before.
+    """
+    meant = read_program_file(program)
+    began = time.monotonic()
+    progress("connect", 0, 0)
+    line = Line(address)
+    try:
+        job = _Job(line, meant, package, progress, replace, fresh)
+        for attempt in range(_TRIES):
+            try:
+                job.install()
+                break
+            except SilentError:
+                # All that was done stands: it goes on where it was.
+                if attempt + 1 == _TRIES:
+                    raise
+        hello = job.started()
+    finally:
+        line.close()
+    sent = job.sent
+    return Deployed(
+        job.line.address,
+        job.name[len(PROGRAM) :],
+        job.built.module[len(MODULE) :],
+        hello.free,
+        hello.generation,
+        tuple(sent),
+        tuple(name for name in job.wanted if name not in sent),
+        sum(sent.values()),
+        time.monotonic() - began,
+        hello,
+    )
+
+
+@dataclass
+class _Job:
+    line: Line
+    program: ProgramFile
+    package: Package
+    progress: Progress
+    replace: bool
+    fresh: bool
+    sent: dict[str, int] = field(default_factory=dict)
+    """Sizes of the files that were sent."""
+
+    wanted: Mapping[str, bytes] = field(default_factory=dict)
+    name: str = ""
+    slot: str = ""
+    old: StartLine | None = None
+    new: StartLine | None = None
+    done: int = 0
+    total: int = 0
+
+    def install(self) -> None:
+        """All up to the line that says what starts."""
+        board = self.board = Receiver(RawRepl(self.line))
+        board.begin()
+        self.progress("compare", 0, 0)
+        family = "microbit" if board.value("sys.platform") == b"microbit" else "machine"
+        self.built: Built = self.package.built(family, self.program.drivers)
+        content = self.program.to_bytes(self.built.drivers)
+        self.name = program_name(content)
+        refuse_what_does_not_fit(self.program.image, self.built, board.free, family)
+        self.wanted = {**self.built.files, self.name: content}
+        names = board.names()
+        lines = self._lines(names)
+        self._guard_main(names, lines)
+        if self.fresh and self.new is None:
+            for name in [*SLOTS, *filter(is_ours, names)]:
+                board.remove(name)
+            names, lines = [name for name in names if name not in SLOTS and not is_ours(name)], {}
+        counts = newest(lines)
+        if self.new is not None and counts is not None and counts[1] == self.new:
+            return  # an attempt before this one had come to its end
+        self.slot = SLOTS[0] if counts is None or counts[0] == SLOTS[1] else SLOTS[1]
+        self.old = counts[1] if counts is not None else None
+        missing = {name: data for name, data in self.wanted.items() if not self._holds(names, name, data)}
+        self._clear(names, lines)
+        main = not self._holds(names, MAIN, self.built.main)
+        self.done = 0
+        self.total = 2 * sum(map(len, [*missing.values(), *([self.built.main] if main else [])]))
+        board.told = self._told
+        self.progress("send", 0, self.total)
+        for name, data in missing.items():
+            self._send(name, data)
+        if main:
+            self._send(MAIN, self.built.main)
+        first, name = self.built.module, self.name
+        if self.old is not None and (self.old.module, self.old.program) == (first, name):
+            self.new = self.old
+        else:
+            generation = (self.old.generation if self.old is not None else 0) % LAST_GENERATION + 1
+            self.new = StartLine(generation, first, name)
+            self._send(self.slot, self.new.to_bytes(), count=False)
+            if generation == 1 and counts is not None:
+                board.remove(counts[0])  # the count begins anew: now, not earlier, this line counts
+        board.told = lambda count: None
+        board.end()
+
+    def started(self) -> Hello:
+        """Restarts the board; how it greets.
+
+        Raises:
+            BoardError: it does not run what was sent. What it had before is what it starts again.
+        """
+        self.progress("start", self.total, self.total)
+        try:
+            hello = self._greeting()
+        except SilentError as error:
+            self._undo()
+            raise BoardError(
+                "the board did not start what was sent, and now starts what it had before"
+                if self.old is not None
+                else "the board did not start what was sent",
+                "send it once more; `kitrobot log` shows what the board printed",
+            ) from error
+        if hello.state != 0 and hello.fault not in (_MEMORY, _DAMAGED, _NO_DRIVER):
+            return hello
+        said = self._said
+        self._undo()
+        if hello.fault == _MEMORY:
+            raise BoardError(
+                "the program needs more memory than the board has",
+                "make the program smaller, or take a board with more memory",
+            )
+        raise BoardError(f"the board cannot run the program: {said}", "look at the settings in the robot's XML")
+
+    def _greeting(self) -> Hello:
+        assert self.new is not None
+        until = time.monotonic() + _GREETING_S
+        self._said = ""
+        while True:
+            self.board.repl.leave()
+            self.line.drain(0.2, 2)
+            for _ in range(3):
+                try:
+                    board = Board(self.line, 3)
+                except SilentError:
+                    if time.monotonic() > until:
+                        raise
+                    continue
+                hello = board.hello
+                if hello.generation != self.new.generation or hello.program != self.name[2:]:
+                    raise SilentError("the board starts something else")
+                fault = board.last_fault()
+                self._said = "" if fault is None else f"{fault.meaning}: {fault.text}"
+                return hello
+
+    def _undo(self) -> None:
+        """Takes the new line away, so that what was there before starts."""
+        if self.new is None or self.new == self.old:
+            return
+        board = Receiver(RawRepl(self.line))
+        board.begin()
+        board.remove(self.slot)
+        board.end()
+        board.repl.leave()
+        self.line.drain(0.2, 1)
+
+    def _lines(self, names: list[str]) -> dict[str, StartLine]:
+        found = {slot: read_line(self.board.read(slot)) for slot in SLOTS if slot in names}
+        return {slot: line for slot, line in found.items() if line is not None}
+
+    def _guard_main(self, names: list[str], lines: Mapping[str, StartLine]) -> None:
+        if self.replace or MAIN not in names or self._holds(names, MAIN, self.built.main):
+            return
+        theirs = self.board.read(MAIN)
+        if b"kr0" not in theirs and not self.built.main.startswith(theirs):
+            self.board.end()
+            raise BoardError(
+                "the board holds a `main.py` that is not KitRobot's",
+                "save it if you need it (`mpremote cp :main.py .`), then deploy with --replace",
+            )
+
+    def _holds(self, names: list[str], name: str, data: bytes) -> bool:
+        return name in names and self.board.sum_of(name) == (len(data), checksum(data))
+
+    def _clear(self, names: list[str], lines: Mapping[str, StartLine]) -> None:
+        """Removes what neither the line that counts nor the new one needs: the older line first."""
+        if self.slot in names:
+            self.board.remove(self.slot)
+        left = [name for name in names if is_ours(name) and name not in self.wanted]
+        if left:
+            kept = needed(self.old.files, self._content(names)) if self.old is not None else set()
+            for name in left:
+                if name not in kept:
+                    self.board.remove(name)
+
+    def _content(self, names: list[str]) -> Callable[[str], bytes | None]:
+        def content(name: str) -> bytes | None:
+            if name in self.wanted:
+                return self.wanted[name]
+            return self.board.read(name) if name in names else None
+
+        return content
+
+    def _send(self, name: str, data: bytes, *, count: bool = True) -> None:
+        """Writes a file and reads it back."""
+        for _ in range(_WRITES):
+            self.board.write(name, data)
+            if self.board.read(name) == data:
+                if count:
+                    self.sent[name] = len(data)
+                return
+        raise BoardError(f"what was written into `{name}` cannot be read back", "the board's flash may be worn out")
+
+    def _told(self, count: int) -> None:
+        self.done = min(self.done + count, self.total)
+        self.progress("send", self.done, self.total)

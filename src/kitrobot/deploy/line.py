@@ -1,0 +1,138 @@
+"""A line to a board: bytes there and back, over a serial port or whatever else a pyserial URL means.
+
+Reading never waits longer than it is told and gives what is there. Whatever pyserial raises becomes a `LineError`. Left
+to others: what the bytes mean (repl, receiver, board).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import socket
+import time
+from typing import Any
+
+import serial
+from serial.tools import list_ports
+
+from kitrobot.deploy.errors import LineError
+
+BAUD = 115200
+_SLICE_S = 0.02
+"""How long one read of the port waits; a fixed number, because to change it means to set the port up anew."""
+
+_WRITE_S = 10.0
+_SILICON_LABS = 0x10C4
+
+Trouble = (OSError, ValueError, serial.SerialException)
+
+
+class Line:
+    """An open line.
+
+    Args:
+        address: a serial port (`/dev/ttyACM0`, `COM3`), or a pyserial URL (`socket://127.0.0.1:4000`).
+
+    Raises:
+        LineError: it cannot be opened.
+    """
+
+    def __init__(self, address: str) -> None:
+        self.address = address
+        try:
+            self.port = _opened(address)
+        except Trouble as error:
+            raise LineError(f"`{address}` cannot be opened: {_reason(error)}", _way_out(address, error)) from error
+
+    def read(self, timeout_s: float) -> bytes:
+        """What has come, at once when there is something, else as soon as it comes; empty when the time is over."""
+        until = time.monotonic() + timeout_s
+        try:
+            while True:
+                data: bytes = self.port.read(1)
+                if data:
+                    while waiting := self.port.in_waiting:
+                        data += self.port.read(waiting)
+                        if len(data) > 4096:
+                            break
+                    return data
+                if time.monotonic() >= until:
+                    return b""
+        except Trouble as error:
+            raise self._broken(error) from error
+
+    def write(self, data: bytes) -> None:
+        """Sends bytes."""
+        try:
+            self.port.write(data)
+            self.port.flush()
+        except Trouble as error:
+            raise self._broken(error) from error
+
+    def read_until(self, end: bytes, timeout_s: float) -> bytes:
+        """What came up to `end`, or all that came in that time; what came after `end` in the same breath is dropped."""
+        until = time.monotonic() + timeout_s
+        data = b""
+        while end not in data:
+            left = until - time.monotonic()
+            if left <= 0:
+                return data
+            data += self.read(left)
+        return data[: data.index(end) + len(end)]
+
+    def drain(self, quiet_s: float, most_s: float = 1.0) -> bytes:
+        """Takes in what still comes, until it is quiet for a moment."""
+        until = time.monotonic() + most_s
+        data = b""
+        while time.monotonic() < until and (piece := self.read(quiet_s)):
+            data += piece
+        return data
+
+    def close(self) -> None:
+        """Closes the line; a line that is broken already closes as well."""
+        with contextlib.suppress(*Trouble):
+            # In this order a board whose reset hangs on these two wires is not reset.
+            self.port.rts = False
+            self.port.dtr = False
+        with contextlib.suppress(*Trouble):
+            self.port.close()
+
+    def _broken(self, error: BaseException) -> LineError:
+        return LineError(
+            f"the line to `{self.address}` broke: {_reason(error)}", "look at the cable, then run the command again"
+        )
+
+
+def _opened(address: str) -> Any:
+    port = serial.serial_for_url(address, do_not_open=True, baudrate=BAUD, timeout=_SLICE_S, write_timeout=_WRITE_S)
+    if "://" not in address:
+        port.exclusive = True
+        if os.name == "nt" and any(found.vid == _SILICON_LABS for found in list_ports.grep(address)):
+            # Its driver sets both wires at different moments, which resets an ESP32: they are set here, in order.
+            port.dtr = port.rts = False
+            port.open()
+            port.dtr = port.rts = True
+            return port
+    port.open()
+    wire = getattr(port, "_socket", None)
+    if isinstance(wire, socket.socket):
+        # Each of our messages waits for its answer: none may wait for the next.
+        wire.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    return port
+
+
+def _reason(error: BaseException) -> str:
+    """The last thing that pyserial's error says, without the numbers and names before it."""
+    text = getattr(error, "strerror", None) or str(error).strip() or type(error).__name__
+    return text.rpartition("] ")[2].partition("\n")[0][:120]
+
+
+def _way_out(address: str, error: BaseException) -> str:
+    text = str(error)
+    if "ermission" in text or "Access is denied" in text:
+        return "another program may hold it; on Linux you must be in the group `dialout` (`sudo adduser $USER dialout`)"
+    if "busy" in text or "exclusively lock" in text:
+        return "another program holds it: close the studio, Mu or Thonny where it is open on this board"
+    if "://" in address:
+        return "look whether the board is on and in the same network, and whether the address is right"
+    return "look at the cable; `kitrobot boards` lists the boards that are there"

@@ -1,0 +1,43 @@
+"""Boards with MicroPython 1.20 and later: a text of any length is told at once, through mpremote's transport.
+
+They have raw paste mode, which tells the host when to wait, so nothing is lost in a burst. mpremote's class opens its
+port itself and says nothing of why it could not; this one takes a line that is open, whatever kind of URL it came from.
+"""
+
+from __future__ import annotations
+
+from kitrobot.deploy.errors import LineError
+from kitrobot.deploy.line import Line, Trouble
+from kitrobot.deploy.repl import GarbledError
+
+
+def tell_at_once(line: Line, text: str) -> None:
+    """Runs a text on a board that stands at the prompt of its raw REPL.
+
+    Raises:
+        GarbledError: it did not come through.
+        LineError: the line broke.
+    """
+    # Only who talks to such a board waits for it.
+    from mpremote.transport import TransportError
+    from mpremote.transport_serial import SerialTransport
+
+    class OnOpenLine(SerialTransport):  # type: ignore[misc]
+        def __init__(self) -> None:
+            self.in_raw_repl = True
+            self.use_raw_paste = True
+            self.device_name = line.address
+            self.mounted = False
+            self.is_pty = False
+            self.serial = line.port
+
+    transport = OnOpenLine()
+    # Its first step is to look for the prompt, which was read already: a new one is asked for.
+    line.write(b"\r\x03\x01")
+    try:
+        transport.exec(text)
+    except TransportError as error:
+        raise GarbledError(str(error)) from error
+    except Trouble as error:
+        raise LineError(f"the line to `{line.address}` broke", "run the command again") from error
+    line.read_until(b">", 1)

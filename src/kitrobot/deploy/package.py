@@ -1,0 +1,178 @@
+"""What lands on a board: the modules of `kitrobot_onboard` that it needs, and the drivers of a program's devices.
+
+A small board has a flat folder, so every module becomes one file, shortened, named by the start of the SHA-256 of what
+is in it; its imports of other modules of ours are rewritten to such names first. So the name of the first module stands
+for all of them, a module that did not change keeps its name, and two installations can lie side by side.
+
+Drivers are looked for by the name that a robot's XML gives: shipped ones by family of boards, then those for any; a
+user's own `NAME.driver.py` in the configuration folder and then in the mission's, of which the later one wins.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+
+import kitrobot_onboard
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.shortening import parsed, shortened
+
+ONBOARD = Path(kitrobot_onboard.__file__).parent
+_ROOT = "kitrobot_onboard"
+MODULE, PROGRAM, DIGITS = "kr", "kp", 8
+OWN_SUFFIX = ".driver.py"
+_MOST_BYTES = 200_000
+
+FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
+"""Kinds of boards, with the folders of shipped drivers that they look into; each has its port in `ports`."""
+
+
+def name_of(content: bytes, kind: str = MODULE) -> str:
+    """The name of something by its content."""
+    return kind + hashlib.sha256(content).hexdigest()[:DIGITS]
+
+
+@dataclass(frozen=True)
+class Built:
+    """A package for one kind of board: `files` by name, the first `module`, the `drivers`' modules, `main.py`."""
+
+    files: Mapping[str, bytes]
+    module: str
+    drivers: Mapping[str, str]
+    main: bytes
+
+
+@dataclass(frozen=True)
+class Package:
+    """The package, with the folders in which drivers of the user are looked for, the one that wins last."""
+
+    folders: Sequence[Path] = ()
+
+    def looked_for(self, driver: str, family: str) -> list[Path]:
+        """Where a driver may be, the one that wins first."""
+        plain = driver.replace("-", "_")
+        own = [folder / f"{name}{OWN_SUFFIX}" for folder in self.folders for name in dict.fromkeys((plain, driver))]
+        shipped = [ONBOARD / "drivers" / folder / f"{plain}.py" for folder in FAMILIES[family]]
+        return [*reversed(own), *shipped]
+
+    def driver_file(self, driver: str, family: str) -> Path | None:
+        """The file of a driver, or None. A name that could lead elsewhere has none."""
+        if not driver.replace("-", "_").isidentifier():
+            return None
+        return next((path for path in self.looked_for(driver, family) if path.is_file()), None)
+
+    def missing(self, drivers: Iterable[str], family: str | None = None) -> list[str]:
+        """Those drivers that are there for no board, or not for this family."""
+        families = (family,) if family is not None else tuple(FAMILIES)
+        return [one for one in dict.fromkeys(drivers) if all(self.driver_file(one, each) is None for each in families)]
+
+    def built(self, family: str, drivers: Iterable[str]) -> Built:
+        """The package for a kind of board, with these drivers.
+
+        Raises:
+            PackageError: a driver is missing, or is no Python.
+        """
+        making = _Making()
+        first = making.add(ONBOARD / "ports" / f"{family}.py")
+        modules = {}
+        for driver in dict.fromkeys(drivers):
+            path = self.driver_file(driver, family)
+            if path is None:
+                raise missing_driver(driver, self, family)
+            modules[driver] = making.add(path)
+        main = shortened(parsed(_read(ONBOARD / "boot.py"), "boot.py")).encode()
+        return Built(making.files, first, modules, main)
+
+
+def missing_driver(driver: str, package: Package, family: str) -> PackageError:
+    """The error that names the files which were looked for."""
+    files = [path for path in package.looked_for(driver, family) if ".." not in driver and "/" not in driver]
+    own = driver.replace("-", "_") + OWN_SUFFIX
+    where = ", ".join(dict.fromkeys(str(path.parent) for path in files if path.name.endswith(OWN_SUFFIX)))
+    shipped = f"drivers/{family}/{driver.replace('-', '_')}.py"
+    return PackageError(
+        f"there is no driver `{driver}` for this kind of board: neither `{own}` in {where or 'the mission’s folder'}"
+        f" nor `{shipped}` of KitRobot",
+        f"write `{own}` beside the mission, or name another driver in the robot's XML",
+    )
+
+
+@dataclass
+class _Making:
+    """Files by name, and the names of the modules that were made already."""
+
+    files: dict[str, bytes] = field(default_factory=dict)
+    names: dict[Path, str] = field(default_factory=dict)
+    open: list[Path] = field(default_factory=list)
+
+    def add(self, path: Path) -> str:
+        """Adds a module and those that it imports; its name."""
+        if path in self.names:
+            return self.names[path]
+        if path in self.open:
+            raise PackageError(f"`{path.name}` imports itself through others", "undo the circle of imports")
+        self.open.append(path)
+        tree = _Imports(self, path).visit(parsed(_read(path), str(path)))
+        self.open.pop()
+        content = _short(ast.unparse(ast.fix_missing_locations(tree))).encode()
+        name = self.names[path] = name_of(content)
+        self.files[name + ".py"] = content
+        return name
+
+
+@cache
+def _short(text: str) -> str:
+    return shortened(ast.parse(text))
+
+
+def _read(path: Path) -> str:
+    try:
+        data = path.read_bytes()
+        if len(data) > _MOST_BYTES:
+            raise PackageError(f"`{path}` is too large for a board: {len(data)} bytes", "make it shorter")
+        return data.decode("utf-8-sig")
+    except OSError as error:
+        raise PackageError(f"`{path}` cannot be read: {error.strerror}", "look at its rights") from error
+    except UnicodeDecodeError:
+        raise PackageError(f"`{path}` is no UTF-8 text", "save it as UTF-8") from None
+
+
+class _Imports(ast.NodeTransformer):
+    """Rewrites imports of modules of ours to the names that these have on the board."""
+
+    def __init__(self, making: _Making, path: Path) -> None:
+        self.making = making
+        self.path = path
+
+    def visit_ImportFrom(self, node: ast.ImportFrom) -> ast.AST | list[ast.stmt]:
+        words = (node.module or "").split(".")
+        if node.level or words[0] != _ROOT:
+            return node
+        place = ONBOARD.joinpath(*words[1:])
+        if place.with_suffix(".py").is_file() and place != ONBOARD:
+            node.module = self.making.add(place.with_suffix(".py"))
+            return node
+        found: list[ast.stmt] = []
+        for alias in node.names:
+            path = place / f"{alias.name}.py"
+            if not path.is_file():
+                raise self._unknown(f"{node.module}.{alias.name}", node)
+            name = self.making.add(path)
+            found.append(ast.Import([ast.alias(name, alias.asname or alias.name)]))
+        return found
+
+    def visit_Import(self, node: ast.Import) -> ast.AST:
+        for alias in node.names:
+            if alias.name.split(".")[0] == _ROOT:
+                raise self._unknown(alias.name, node)
+        return node
+
+    def _unknown(self, name: str, node: ast.stmt) -> PackageError:
+        return PackageError(
+            f"`{self.path}` line {node.lineno} imports `{name}`, which cannot be brought onto a board so",
+            "import it as `from kitrobot_onboard.MODULE import NAME`, from a module that is there",
+        )

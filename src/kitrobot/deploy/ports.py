@@ -1,0 +1,48 @@
+"""Which boards may be there: serial ports on USB, and the addresses that KITROBOT_BOARDS names.
+
+A port is only listed, never spoken to: what answers there is found out by who connects.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import NamedTuple
+
+from serial.tools import list_ports as usb
+
+BOARDS_VARIABLE = "KITROBOT_BOARDS"
+
+
+class Port(NamedTuple):
+    """A place where a board may be: what to connect to, a short name, and what the port says of itself."""
+
+    address: str
+    name: str
+    description: str
+
+
+_KNOWN = {
+    0x0D28: "micro:bit",
+    0x2E8A: "Raspberry Pi Pico",
+    0x303A: "ESP32",
+    0xF055: "MicroPython board",
+    0x239A: "Adafruit board",
+    0x2341: "Arduino board",
+    0x10C4: "CP210x",
+    0x1A86: "CH340",
+    0x0403: "FTDI",
+}
+"""USB vendors → what their boards are called; of the last three, the chip is on boards of many makers."""
+
+
+def list_ports() -> list[Port]:
+    """The places where boards may be, in the order of their addresses; those of KITROBOT_BOARDS last."""
+    found = [
+        Port(port.device, _KNOWN.get(port.vid, port.product or "USB serial"), port.description or "")
+        for port in usb.comports()
+        if port.vid is not None
+    ]
+    found.sort()
+    known = {port.address for port in found}
+    named = dict.fromkeys(os.environ.get(BOARDS_VARIABLE, "").split())
+    return [*found, *(Port(address, "named", BOARDS_VARIABLE) for address in named if address not in known)]

@@ -1,0 +1,244 @@
+"""Files of a board, over a line that loses and garbles bytes.
+
+A small program that answers each frame is told to the board over the raw REPL and is gone after the next reset
+(`kitrobot_onboard.receiver`, with the frames of `kitrobot_onboard.link`). What is asked is asked again until the answer
+comes whole; the board does nothing twice. So what these methods say has happened, has happened.
+"""
+
+from __future__ import annotations
+
+import ast
+import time
+from collections.abc import Callable
+from importlib.resources import files
+from itertools import cycle
+
+from kitrobot.deploy.errors import BoardError, SilentError
+from kitrobot.deploy.line import Line
+from kitrobot.deploy.modern import tell_at_once
+from kitrobot.deploy.repl import LONGEST, GarbledError, RawRepl
+from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot_onboard import link
+
+_TRIES = 12
+_DEFINITION_TRIES = 5
+_READ = 64
+"""Bytes of a file that are asked for at once: a small board has no room for many."""
+
+Told = Callable[[int], None]
+"""Is told how many bytes more have come through."""
+
+
+class Receiver:
+    """The board's files. `told` counts the bytes that came through; a board's memory is empty but for the receiver."""
+
+    def __init__(self, repl: RawRepl, told: Told = lambda count: None) -> None:
+        self.repl = repl
+        self.line: Line = repl.line
+        self.told = told
+        self.modern = False
+        self.free = 0
+        """Bytes of memory that were free on the board when nothing ran."""
+
+        self._numbers = cycle(range(1, 256))
+        self._heard = b""
+
+    def begin(self) -> None:
+        """Has the board run the receiver.
+
+        Raises:
+            SilentError, BoardError: it cannot be brought to do so.
+        """
+        for attempt in range(_DEFINITION_TRIES):
+            try:
+                self.repl.enter()
+                self._define()
+                self.line.write(b"receive()\x04")
+                if self._frame(0, 5) is not None:
+                    return
+            except (GarbledError, SilentError):
+                if attempt + 1 == _DEFINITION_TRIES:
+                    raise
+        raise SilentError(
+            f"too much is lost on the way to `{self.line.address}`", "use another cable, or come nearer with the board"
+        )
+
+    def end(self) -> None:
+        """Back to the prompt of the raw REPL. That is no loss when it cannot be heard: a reset does the same."""
+        self._ask("q", b"", tries=2)
+        self.line.drain(0.1)
+
+    def value(self, expression: str, timeout_s: float = 2.0) -> bytes:
+        """The value of a Python expression on the board.
+
+        Raises:
+            BoardError: it raised an exception there.
+        """
+        data = expression.encode()
+        assert len(data) < LONGEST - 6, expression
+        kind, answer = self._asked("x", data, timeout_s)
+        if kind == "E":
+            text = answer.decode(errors="replace")
+            if "28" in text and "OSError" in text:
+                raise BoardError("the board's flash is full", "remove files of yours from the board, or use --fresh")
+            raise BoardError(f"the board failed: {text}", "reset it and run the command again")
+        return answer
+
+    def names(self) -> list[str]:
+        """The names of all files."""
+        found = b""
+        while piece := self.value(f"'\\n'.join(os.listdir())[{len(found)}:{len(found) + 400}]"):
+            found += piece
+            if len(piece) < 400:
+                break
+        return found.decode(errors="replace").split("\n") if found else []
+
+    def sum_of(self, name: str) -> tuple[int, int]:
+        """The length and the Fletcher-16 of a file, worked out by the board."""
+        size, _, check = self.value(f"z({name!r})", 20).partition(b" ")
+        return int(size), int(check)
+
+    def read(self, name: str) -> bytes:
+        """The content of a file."""
+        self.value(f"o({name!r},'rb')")
+        content = b""
+        while piece := self.value(f"r({_READ})"):
+            content += piece
+            self.told(len(piece))
+        self.value("c()")
+        return content
+
+    def write(self, name: str, content: bytes) -> None:
+        """Writes a file; it is whole when this comes back."""
+        self.value(f"o({name!r},'wb')")
+        at = 0
+        while at < len(content):
+            piece = _fitting(content, at)
+            kind, answer = self._asked("d", piece, 2)
+            if kind == "E":
+                raise BoardError(
+                    f"the board cannot take more: {answer.decode(errors='replace')}",
+                    "its flash may be full: remove files of yours, or use --fresh",
+                )
+            at += len(piece)
+            self.told(len(piece))
+        self.value("c()")
+
+    def remove(self, name: str) -> None:
+        """Removes a file; no matter if there is none."""
+        self.value(f"e({name!r})")
+
+    def _define(self) -> None:
+        version = self.repl.run("import sys,gc;print(sys.implementation[1][:2])").strip()
+        self.repl.run("gc.collect()")
+        free = self.repl.run("print(gc.mem_free())").strip()
+        try:
+            self.modern = ast.literal_eval(version) >= (1, 20)
+            self.free = int(free)
+        except (SyntaxError, TypeError, ValueError):
+            raise GarbledError(version) from None
+        for text in _texts():
+            if self.modern:
+                tell_at_once(self.line, text)
+            else:
+                self._tell(text)
+
+    def _tell(self, text: str) -> None:
+        """Runs a text that is longer than a command: it is laid down piece by piece, compared, and then executed."""
+        self.repl.run("import gc;t={}")
+        pieces = _pieces(text)
+        missing = list(range(len(pieces)))
+        for _ in range(_DEFINITION_TRIES):
+            for count, number in enumerate(missing):
+                self.repl.run(_laid_down(number, pieces[number]))
+                if count % 4 == 3:
+                    self.repl.run("gc.collect()")  # or what the compiler needs is too scattered
+            # A command that was garbled may have laid down something elsewhere: all is compared when all is there.
+            missing = [
+                number
+                for number, piece in enumerate(pieces)
+                if self.repl.run(f"print(repr(t.get({number})))").strip() != repr(piece)
+            ]
+            if not missing:
+                break
+        else:
+            raise GarbledError("the receiver")
+        self.repl.run("gc.collect()")
+        self.repl.run(f"s=''.join(t[i]for i in range({len(pieces)}))")
+        self.repl.run("t={};gc.collect()")
+        if self.repl.run("print(len(s))").strip() != str(len(text)):
+            raise GarbledError("the receiver")
+        self.repl.run("exec(s)")
+        self.repl.run("s=0;gc.collect()")
+
+    def _asked(self, kind: str, payload: bytes, timeout_s: float) -> tuple[str, bytes]:
+        answer = self._ask(kind, payload, timeout_s)
+        if answer is None:
+            raise SilentError(f"the board on `{self.line.address}` stopped answering", "run the command again")
+        return answer
+
+    def _ask(self, kind: str, payload: bytes, timeout_s: float = 1.0, tries: int = _TRIES) -> tuple[str, bytes] | None:
+        number = next(self._numbers)
+        frame = link.wrap(kind, number, payload)
+        assert len(frame) <= link.LONGEST
+        for attempt in range(tries):
+            self.line.write(frame)
+            answer = self._frame(number, min(timeout_s, 0.25 * 2**attempt) if kind == "d" else timeout_s)
+            if answer is not None:
+                return answer
+        return None
+
+    def _frame(self, number: int, timeout_s: float) -> tuple[str, bytes] | None:
+        """The answer to that request; others are older ones that came late."""
+        until = time.monotonic() + timeout_s
+        while True:
+            *whole, self._heard = self._heard.split(b"~")
+            for position, piece in enumerate(whole):
+                found = link.unwrap(piece)
+                if found is not None and found[1] == number:
+                    self._heard = b"~".join([*whole[position + 1 :], self._heard])
+                    return found[0], found[2]
+            left = until - time.monotonic()
+            if left <= 0:
+                return None
+            self._heard += self.line.read(left)
+
+
+def _texts() -> list[str]:
+    """What is told to the board: the frames, then the receiver without its import of them."""
+    found = []
+    for name in ("link", "receiver"):
+        source = files("kitrobot_onboard").joinpath(f"{name}.py").read_text(encoding="utf-8")
+        tree = parsed(source, f"{name}.py")
+        tree.body = [
+            one
+            for one in tree.body
+            if not (isinstance(one, ast.ImportFrom) and (one.module or "").startswith("kitrobot_onboard"))
+        ]
+        found.append(shortened(tree))
+    return found
+
+
+def _laid_down(number: int, piece: str) -> str:
+    return f"t[{number}]={piece!r}"
+
+
+def _pieces(text: str) -> list[str]:
+    """A text in pieces, each of which can be laid down by one command."""
+    found: list[str] = []
+    at = 0
+    while at < len(text):
+        size = LONGEST
+        while len(_laid_down(len(found), text[at : at + size])) >= LONGEST:
+            size -= 1
+        found.append(text[at : at + size])
+        at += size
+    return found
+
+
+def _fitting(content: bytes, at: int) -> bytes:
+    """As much of the content as fits a frame to a robot; how much that is hangs on what must be escaped."""
+    size = link.LONGEST - 6
+    while len(link.wrap("d", 0, content[at : at + size])) > link.LONGEST - 3:
+        size -= 1
+    return content[at : at + size]

@@ -1,0 +1,40 @@
+"""Python made short for a board: no comments, no docstrings, short names inside functions.
+
+What others call keeps its name. The result is still source, so any MicroPython reads it.
+"""
+
+from __future__ import annotations
+
+import ast
+
+from kitrobot.deploy.errors import PackageError
+
+
+def parsed(text: str, name: str) -> ast.Module:
+    """The tree of a module.
+
+    Raises:
+        PackageError: it is no Python.
+    """
+    try:
+        return ast.parse(text, name)
+    except (SyntaxError, ValueError, RecursionError) as error:
+        line = getattr(error, "lineno", None) or 1
+        reason = getattr(error, "msg", None) or str(error) or "nested too deeply"
+        raise PackageError(f"`{name}` line {line} is no Python: {reason}", "mend the file, then deploy again") from None
+
+
+def shortened(tree: ast.Module) -> str:
+    """The source of a module, as short as it can be said without changing what it does."""
+    import python_minifier  # only who installs waits for it
+
+    return python_minifier.minify(
+        ast.unparse(tree),
+        remove_literal_statements=True,
+        rename_locals=True,
+        rename_globals=False,
+        hoist_literals=False,
+        remove_annotations=True,
+        convert_posargs_to_args=False,
+        remove_asserts=False,
+    )

@@ -1,0 +1,9 @@
+from collections.abc import Iterable
+
+PROTOCOL: int
+LONGEST: int
+ESCAPES: tuple[tuple[bytes, bytes], ...]
+
+def checksum(data: Iterable[int]) -> int: ...
+def wrap(kind: str, number: int, payload: bytes) -> bytes: ...
+def unwrap(data: bytes) -> tuple[str, int, bytes] | None: ...
