@@ -123,6 +123,19 @@ def node(*arguments: str) -> None:
     Raises:
         WebToolError: node is not there or failed; what it said went to the terminal.
     """
+    program, environment = node_program()
+    status = subprocess.run([program, *arguments], cwd=WEB, env=environment, check=False).returncode
+    if status != 0:
+        shown = " ".join(Path(argument).name if os.sep in argument else argument for argument in arguments)
+        raise WebToolError(f"`node {shown}` in web/ ended with status {status}")
+
+
+def node_program() -> tuple[str, dict[str, str]]:
+    """The path of node, and the environment to run it in.
+
+    Raises:
+        WebToolError: node is not there.
+    """
     folder = _node_folder()
     environment = os.environ | {
         "NODE_USE_SYSTEM_CA": "1",
@@ -131,10 +144,7 @@ def node(*arguments: str) -> None:
     program = shutil.which("node", path=str(folder))
     if program is None:
         raise WebToolError(f"no node in {folder}; install `{NODE_REQUIREMENT}` again")
-    status = subprocess.run([program, *arguments], cwd=WEB, env=environment, check=False).returncode
-    if status != 0:
-        shown = " ".join(Path(argument).name if os.sep in argument else argument for argument in arguments)
-        raise WebToolError(f"`node {shown}` in web/ ended with status {status}")
+    return program, environment
 
 
 def _node_folder() -> Path:

@@ -1,0 +1,124 @@
+"""A board with a current MicroPython, without hardware: its WebAssembly build under Node (`webassembly/`).
+
+`ModernBoard` is one at the end of a line, with a file system, soft reset and power that can be cut; `run` runs a
+program there without a line, for what is to be compared or measured. Node and the build come with the page's tools.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import subprocess
+import tempfile
+import threading
+from pathlib import Path
+from queue import Queue
+from types import TracebackType
+from typing import Any
+
+from tools import page
+
+HERE = Path(__file__).resolve().parent / "webassembly"
+PACKAGE = "@micropython/micropython-webassembly-pyscript"
+START_S = 60
+
+
+def micropython() -> Path:
+    """The module that loads MicroPython; installed with the page's tools when it is not yet."""
+    page.install_modules()
+    return page.WEB / "node_modules" / PACKAGE / "micropython.mjs"
+
+
+def version() -> str:
+    """The version of MicroPython, as npm numbers it."""
+    described = json.loads(micropython().with_name("package.json").read_text(encoding="utf-8"))
+    return str(described["version"])
+
+
+def run(files: dict[str, bytes], name: str, timeout_s: float = 120) -> str:
+    """What MicroPython prints when it runs the file `name` of a flash that holds `files` (paths with `/`).
+
+    Then it calls `step` of that file until it returns false; garbage is collected between those calls.
+    """
+    node, environment = page.node_program()
+    with tempfile.TemporaryDirectory() as folder:
+        for path, content in files.items():
+            target = Path(folder, path)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content)
+        command = [node, str(HERE / "run.mjs"), str(micropython()), folder, name]
+        done = subprocess.run(command, env=environment, capture_output=True, timeout=timeout_s, check=False)
+    errors = done.stderr.decode(errors="replace")
+    assert done.returncode == 0, errors[-3000:]
+    return done.stdout.decode()
+
+
+class ModernBoard:
+    """A board that runs while the `with` lasts; `address` is what a host connects to.
+
+    Args:
+        files: what its flash holds at power-on.
+        port: of its serial line on loopback; 0 for any that is free.
+    """
+
+    def __init__(self, files: dict[str, bytes] | None = None, port: int = 0) -> None:
+        self.given = {
+            "port": port,
+            "files": {name: base64.b64encode(data).decode() for name, data in (files or {}).items()},
+        }
+        self.address = ""
+
+    def __enter__(self) -> ModernBoard:
+        node, environment = page.node_program()
+        self._folder = tempfile.TemporaryDirectory()
+        given = Path(self._folder.name, "given.json")
+        given.write_text(json.dumps(self.given), encoding="utf-8")
+        self.process = subprocess.Popen(
+            [node, str(HERE / "board.mjs"), str(micropython()), str(given)],
+            env=environment,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        self._answers: Queue[str] = Queue()
+        threading.Thread(target=self._listen, daemon=True).start()
+        self.address = self._answer()["address"]
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        assert self.process.stdin is not None
+        self.process.stdin.close()
+        try:
+            self.process.wait(10)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+        self._folder.cleanup()
+
+    def cut_power(self) -> None:
+        """Takes the power away at once and gives it back: the board starts as when it was switched on."""
+        self._ask("cut")
+
+    def files(self) -> dict[str, bytes]:
+        """What the flash holds: what was closed, whatever is still open."""
+        return {name: base64.b64decode(text) for name, text in self._ask("files")["files"].items()}
+
+    def _ask(self, command: str) -> dict[str, Any]:
+        assert self.process.stdin is not None
+        self.process.stdin.write(command + "\n")
+        self.process.stdin.flush()
+        return self._answer()
+
+    def _answer(self) -> dict[str, Any]:
+        line = self._answers.get(timeout=START_S)
+        assert line, "the board's process ended"
+        answer: dict[str, Any] = json.loads(line)
+        return answer
+
+    def _listen(self) -> None:
+        assert self.process.stdout is not None
+        for line in self.process.stdout:
+            self._answers.put(line)
+        self._answers.put("")

@@ -1,0 +1,102 @@
+// A board on this computer: MicroPython for WebAssembly behind a TCP port on loopback, which is its serial line.
+//
+//     node board.mjs MICROPYTHON.mjs GIVEN.json       GIVEN: {port, files: {name: base64}}
+//
+// Says {"address": "socket://127.0.0.1:PORT"} on standard output, then an answer to each line of standard input:
+// "cut" takes its power away, at once, whatever it does, and gives it back; "files" tells what its flash holds. It ends
+// with its standard input. What happens on the board is in interpreter.mjs, in a thread of its own, so that a program
+// that never ends there does not stop the line here. Its flash is kept here: a file is in it once it was closed.
+
+import { createInterface } from "node:readline";
+import { createServer } from "node:net";
+import { readFileSync } from "node:fs";
+import { Worker } from "node:worker_threads";
+import { HEAD, RING_BYTES, TAIL, ringOf } from "./ring.mjs";
+
+const [micropython, givenPath] = process.argv.slice(2);
+const given = JSON.parse(readFileSync(givenPath, "utf8"));
+const flash = new Map(Object.entries(given.files ?? {}).map(([name, text]) => [name, Buffer.from(text, "base64")]));
+
+let host; // the socket of who is connected
+let worker;
+let ring;
+let waiting = []; // bytes for which the ring has no room yet
+let unheard = []; // what was said before anybody ever listened
+let wasHeard = false;
+
+const say = (answer) => process.stdout.write(JSON.stringify(answer) + "\n");
+
+function tell(bytes) {
+  if (host !== undefined) host.write(bytes);
+  else if (!wasHeard) unheard.push(bytes);
+}
+
+function powerUp() {
+  ring = ringOf(new SharedArrayBuffer(RING_BYTES));
+  waiting = [];
+  const begun = new Worker(new URL("./interpreter.mjs", import.meta.url), {
+    workerData: { micropython, buffer: ring.buffer, files: [...flash] },
+  });
+  worker = begun;
+  begun.on("message", (message) => {
+    if (begun !== worker) return; // it has no power any more
+    if (message.out !== undefined) tell(message.out);
+    else if (message.put !== undefined) flash.set(message.put, Buffer.from(message.bytes));
+    else if (message.remove !== undefined) flash.delete(message.remove);
+  });
+  begun.on("error", (problem) => {
+    process.stderr.write(`${problem?.stack ?? problem}\n`);
+    process.exit(1);
+  });
+}
+
+function deliver() {
+  const { indices, bytes } = ring;
+  let head = Atomics.load(indices, HEAD);
+  const room = bytes.length - (head - Atomics.load(indices, TAIL));
+  for (const byte of waiting.splice(0, room)) bytes[head++ % bytes.length] = byte;
+  Atomics.store(indices, HEAD, head);
+  Atomics.notify(indices, HEAD);
+  if (waiting.length > 0) {
+    const line = ring;
+    const tail = Atomics.load(indices, TAIL);
+    void Promise.resolve(Atomics.waitAsync(indices, TAIL, tail).value).then(() => line === ring && deliver());
+  }
+}
+
+const server = createServer((socket) => {
+  host?.destroy();
+  host = socket;
+  socket.setNoDelay(true);
+  wasHeard = true;
+  for (const bytes of unheard.splice(0)) socket.write(bytes);
+  socket.on("data", (data) => {
+    waiting.push(...data);
+    deliver();
+  });
+  socket.on("error", () => {});
+  socket.on("close", () => {
+    if (host === socket) host = undefined;
+  });
+});
+
+const commands = {
+  cut: async () => {
+    const old = worker;
+    worker = undefined;
+    await old.terminate();
+    powerUp();
+    return { cut: true };
+  },
+  files: () => ({ files: Object.fromEntries([...flash].map(([name, bytes]) => [name, bytes.toString("base64")])) }),
+};
+
+server.listen(given.port ?? 0, "127.0.0.1", () => {
+  powerUp();
+  say({ address: `socket://127.0.0.1:${server.address().port}` });
+});
+
+for await (const line of createInterface({ input: process.stdin })) {
+  say((await commands[line.trim()]?.()) ?? { unknown: line });
+}
+process.exit(0);
