@@ -115,3 +115,45 @@ def test_of_very_many_only_those_looked_at_are_reported(connect, ring):
         while "c-77" not in seen:
             seen = watcher.until("tick")["agents"]
         assert "c-78" not in seen
+
+
+def test_robots_fail_by_chance_at_the_rate_that_is_asked_for_and_the_recording_knows_it(connect, ring, page):
+    with connect() as watcher:
+        watcher.send(type="start", mission=ring, path="", seed=1, speed=0, fail_rate=1.0)
+        started = watcher.until("started")
+        assert started["fail_rate"] == 1.0
+        events: list[dict[str, Any]] = []
+        while len([one for one in events if one["kind"] == "failure"]) < len(started["agents"]):
+            events += watcher.until("tick")["events"]
+        assert {one["cause"] for one in events if one["kind"] == "failure"} == {"chance"}
+        watcher.until("state", status="failed")
+        trace = page.get("/api/run/trace", params={"run": started["run"]}).content
+        assert page.post("/api/trace", content=trace).json()["fail_rate"] == 1.0
+
+
+def test_without_a_rate_nobody_fails(connect, mission):
+    with connect() as watcher:
+        assert watcher.start(mission())["fail_rate"] == 0
+        watcher.until("state", status="done")
+
+
+@pytest.mark.parametrize("rate", [-0.1, 1.1, "often", None, float("nan"), 1e400])
+def test_a_rate_that_is_no_probability_is_not_understood(connect, mission, rate):
+    with connect() as watcher:
+        watcher.send(type="start", mission=mission(), path="", seed=1, speed=0, fail_rate=rate)
+        assert watcher.until("error")["message"].startswith("The request was not understood")
+
+
+def test_every_event_says_what_brought_it_about(connect, ring):
+    with connect() as watcher:
+        watcher.start({**ring, "failures": [{"agent": ROBOT, "at_s": 0.1, "kind": "stall"}]}, speed=1)
+        events: list[dict[str, Any]] = []
+        while not any(one["kind"] == "failure" for one in events):
+            events += watcher.until("tick")["events"]
+        watcher.send(type="harm", agent="carrier-2", kind="mute")
+        while len([one for one in events if one["kind"] == "failure"]) < 2:
+            said = watcher.until("tick")
+            events = said["events"] if said["again"] else events + said["events"]
+        found = {(one["agent"], one["cause"]) for one in events if one["kind"] == "failure"}
+        assert found == {(ROBOT, "mission"), ("carrier-2", "person")}
+        assert {one["cause"] for one in events if one["kind"] == "message"} <= {"program"}

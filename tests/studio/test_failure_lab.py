@@ -158,3 +158,22 @@ def test_stop_leaves_every_robot_standing_still(open_studio, button):
     for _ in range(5):
         studio.page.evaluate(frames)
         assert studio.at("arena-canvas").screenshot() == pictures[-1]
+
+
+def test_robots_fail_by_chance_as_often_as_is_wanted(open_studio):
+    studio = open_studio(TRANSPORT)
+    expect(studio.at("chance-on")).to_have_count(0)
+    studio.at("tab-of-team").click()
+    field = studio.at("fail-rate")
+    for wrong in ("101", "-1", "often"):
+        field.fill(wrong)
+        expect(field).to_have_attribute("aria-invalid", "true")
+    field.fill("100")
+    field.press("Enter")
+    expect(studio.at("chance-on")).to_contain_text("100 %")
+    studio.full_speed()
+    studio.at("run-button").click()
+    expect(studio.at("status")).to_contain_text("(by chance)", timeout=60_000)
+    expect(studio.at("event-strip").locator('[data-kind="failure"]').first).to_contain_text("(by chance)")
+    expect(field).to_be_enabled()
+    assert "fail-rate" not in (studio.folder / "transport.krt").read_text()

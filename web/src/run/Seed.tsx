@@ -69,7 +69,10 @@ export function Seed() {
           data-testid="chance-on"
           title={t("team.chance-on", { percent: decimal(failRate * 100) })}
         >
-          <Icon name="circle-x" size={14} /> {decimal(failRate * 100)} %
+          <Icon name="circle-x" size={14} />
+          <bdi dir="ltr" aria-hidden="true">
+            {decimal(failRate * 100)} %
+          </bdi>
           <span className="only-spoken">{t("team.chance-on", { percent: decimal(failRate * 100) })}</span>
         </span>
       ) : null}

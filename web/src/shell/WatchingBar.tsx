@@ -25,7 +25,6 @@ export function WatchingBar({ run }: { run: string }) {
           data-testid="watch-run"
           onClick={() => useRun.getState().watch({ mission: useStudio.getState().mission, run })}
         >
-          <Icon name="play" size={16} />
           {t("watching.watch")}
         </button>
       )}
