@@ -24,6 +24,8 @@ class Watched:
 
     run: Simulation
     poses: list[list[tuple[float, float, float, int, int]]] = field(default_factory=list)
+    pictures: list[tuple[str, ...]] = field(default_factory=list)
+    """What the display of the first agent shows, five rows of digits; empty where it has none."""
 
     def path(self, agent: int = 0) -> list[tuple[float, float]]:
         """Where an agent was."""
@@ -39,12 +41,29 @@ class Watched:
         return sum(now and not before for before, now in zip([False, *lit], lit, strict=False))
 
 
-def watch(path: Path) -> Watched:
+Hands = dict[int, list[tuple[str, int | None]]]
+"""What a person does to the first robot: from which tick on, which sensor, and its value; None gives it back."""
+
+
+def pressed(*presses: tuple[str, int]) -> Hands:
+    """A person who holds each of these from its tick on, for a quarter of a second."""
+    hands: Hands = {}
+    for sensor, tick in presses:
+        hands.setdefault(tick, []).append((sensor, 1))
+        hands.setdefault(tick + 12, []).append((sensor, None))
+    return hands
+
+
+def watch(path: Path, hands: Hands | None = None, seed: int = 1) -> Watched:
     """Runs a mission to its end, at most five minutes of its time."""
-    watched = Watched(kitrobot.open(path).simulation(seed=1))
+    watched = Watched(kitrobot.open(path).simulation(seed=seed))
     while watched.run.outcome is None and watched.run.seconds < 300:
+        for sensor, value in (hands or {}).get(watched.run.tick, ()):
+            watched.run.force(watched.run.agents[0].name, sensor, value)
         watched.run.step()
         watched.poses.append(list(watched.run.poses()))
+        faces = dict(watched.run.members[0].faces())
+        watched.pictures.append(tuple(f"{row:05}" for row in faces.get("Display", ())))
     return watched
 
 
@@ -109,19 +128,77 @@ def opens_three_times(seen: Watched) -> bool:
     return seen.run.collisions == 3 and seen.lamps_lit(0) == 3 and seen.path(1)[-1][0] < 1900
 
 
+HEART = ("09090", "99999", "99999", "09990", "00900")
+SMALL_HEART = ("00000", "09090", "09990", "00900", "00000")
+LEFT_ARROW = ("00900", "09000", "99999", "09000", "00900")
+RIGHT_ARROW = ("00900", "00090", "99999", "00090", "00900")
+CROSS = ("90009", "09090", "00900", "09090", "90009")
+TARGET = ("00900", "09990", "99099", "09990", "00900")
+DARK = ("00000",) * 5
+DOTS = {
+    1: ("00000", "00000", "00900", "00000", "00000"),
+    2: ("90000", "00000", "00000", "00000", "00009"),
+    3: ("90000", "00000", "00900", "00000", "00009"),
+    4: ("90009", "00000", "00000", "00000", "90009"),
+    5: ("90009", "00000", "00900", "00000", "90009"),
+    6: ("90009", "00000", "90009", "00000", "90009"),
+}
+
+
+def shown(seen: Watched) -> list[tuple[str, ...]]:
+    """What the display showed, one picture after the other."""
+    return [picture for picture, _ in itertools.groupby(seen.pictures)]
+
+
+def beats(seen: Watched) -> bool:
+    """Big and small take turns, half a second each, and it is dark in the end."""
+    lasts = [len(list(group)) for _, group in itertools.groupby(seen.pictures)]
+    return shown(seen)[:5] == [HEART, SMALL_HEART] * 2 + [DARK] and lasts[:3] == [25, 25, 25]
+
+
+def throws(seen: Watched) -> bool:
+    """A shake and a press each threw a number and showed it as dots."""
+    found = [picture for picture in shown(seen) if picture in DOTS.values()]
+    return found[-1] == DOTS[variable(seen, "Count")] and len(shown(seen)) > 3 and shown(seen)[-1] == DARK
+
+
+def is_won_by_a(seen: Watched) -> bool:
+    """The arrow points to A, and the time is what went by since the target was shown."""
+    arrow = shown(seen)[shown(seen).index(TARGET) + 1]
+    return arrow == LEFT_ARROW and variable(seen, "Time") == 20 * seen.pictures.count(TARGET) == 360
+
+
+def delivers(seen: Watched) -> bool:
+    """It came along the line to the wall, and lit its lamp there."""
+    [line] = seen.run.world.lines
+    away = max(line.line.nearest(x, y)[1] for x, y in seen.path())
+    return away < line.width_mm and 2300 < seen.path()[-1][0] < 2500 and seen.lamps_lit() == 1
+
+
+HANDS: dict[str, Hands] = {
+    "dice": pressed(("Shake", 20), ("ButtonA", 100), ("ButtonB", 200)),
+    "heart": pressed(("ButtonB", 90)),
+    "reaction": pressed(("ButtonA", 20), ("ButtonA", 200)),
+}
+"""What a person does in missions that wait for one."""
+
 ACHIEVED: dict[str, Callable[[Watched], bool]] = {
     "blink": lambda seen: seen.lamps_lit() == 5 and way(seen) > 300,
     "brake": lambda seen: 3700 < seen.path()[-1][0] < 3960,
     "bump": lambda seen: seen.run.collisions == 1 and seen.path()[-1][0] < 3800,
     "circle": lambda seen: seen.reached(1800, 1000) and seen.reached(1100, 1700) and seen.reached(400, 1050),
+    "dice": throws,
     "door": lambda seen: seen.lamps_lit() == 5 and way(seen) == 0,
     "doorbell": opens_three_times,
     "faster": lambda seen: variable(seen, "Level") == 80 and way(seen) > 500,
     "follow-the-leader": is_a_train,
+    "heart": beats,
+    "kit-rover": delivers,
     "line-follower": is_lap_on_the_line,
     "merge": lambda seen: seen.run.stock == {"A": 0, "B": 8, "C": 0} and len(seen.run.delivered) == 2,
     "pair": lambda seen: all(abs(seen.path(k)[-1][0] - 350) < 60 and seen.lamps_lit(k) == 2 for k in (0, 1)),
     "passing-loop": lambda seen: seen.run.stock == {"A": 0, "B": 6} and min(seen.run.delivered.values()) == 3,
+    "reaction": is_won_by_a,
     "red-and-green": lambda seen: seen.lamps_lit() == 1 and abs(seen.path()[-1][0] - 1900) < 120,
     "rooms": lambda seen: way(seen) > 1500,
     "search": is_found,
@@ -148,10 +225,48 @@ def test_the_gallery_holds_at_least_ten_missions_each_with_what_it_must_achieve(
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_example_has_no_problems_and_ends_as_done_and_does_what_it_says(path: Path) -> None:
     assert list(kitrobot.open(path).check().problems) == []
-    seen = watch(path)
+    seen = watch(path, HANDS.get(path.stem))
     assert seen.run.outcome == "done", seen.run.sentence
     assert path.stem in TOUCHING or seen.run.collisions == 0
     assert ACHIEVED[path.stem](seen), (way(seen), seen.lamps_lit(), seen.path()[-1])
+
+
+def example(name: str) -> Path:
+    return next(path for path in EXAMPLES if path.stem == name)
+
+
+@pytest.mark.parametrize(
+    ("hands", "picture", "time_ms"),
+    [
+        (pressed(("ButtonA", 20), ("ButtonB", 183)), RIGHT_ARROW, 20),
+        (pressed(("ButtonA", 20), ("ButtonA", 200), ("ButtonB", 199)), RIGHT_ARROW, 340),
+        ({**pressed(("ButtonA", 20)), 150: [("ButtonB", 1)]}, CROSS, 0),
+    ],
+    ids=["b-at-once", "b-a-tick-before-a", "too-early"],
+)
+def test_the_reaction_game_says_who_was_first_and_how_fast(
+    hands: Hands, picture: tuple[str, ...], time_ms: int
+) -> None:
+    seen = watch(example("reaction"), hands)
+    assert picture in seen.pictures
+    assert len({LEFT_ARROW, RIGHT_ARROW, CROSS} & set(seen.pictures)) == 1
+    assert (seen.run.outcome, variable(seen, "Time")) == ("done", time_ms)
+
+
+def test_the_dice_show_every_number_with_its_dots() -> None:
+    presses = [("ButtonA", 10 + 50 * number) for number in range(40)]
+    seen = watch(example("dice"), pressed(*presses, ("ButtonB", 2100)))
+    stood = {picture for picture, group in itertools.groupby(seen.pictures) if len(list(group)) > 15}
+    assert stood == {*DOTS.values(), DARK}
+
+
+@pytest.mark.parametrize("name", ["dice", "heart", "kit-rover", "reaction"])
+def test_an_example_for_a_real_board_is_small(name: str) -> None:
+    [compiled] = kitrobot.open(example(name)).compiled.values()
+    assert compiled.image is not None
+    assert compiled.image.instructions <= 300
+    assert len(compiled.image.cells) <= 64
+    assert len(compiled.image.to_bytes()) <= 500
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
