@@ -3,12 +3,13 @@
 from kitrobot.deploy.board import FAULTS, Board, Fault, Hello, News, Step, Text, connect
 from kitrobot.deploy.errors import BoardError, DeployError, LineError, PackageError, SilentError
 from kitrobot.deploy.installing import Deployed, Progress, deploy
-from kitrobot.deploy.package import OWN_SUFFIX, Package
+from kitrobot.deploy.package import FAMILIES, OWN_SUFFIX, Package
 from kitrobot.deploy.ports import BOARDS_VARIABLE, Port, list_ports
 from kitrobot.deploy.program_file import ProgramFile, make_program_file, program_name, read_program_file
 
 __all__ = [
     "BOARDS_VARIABLE",
+    "FAMILIES",
     "FAULTS",
     "OWN_SUFFIX",
     "Board",

@@ -182,12 +182,12 @@ class _Job:
         try:
             hello = self._greeting()
         except SilentError as error:
+            said = f" ({self._said})" if self._said else ""
             self._undo()
+            before = "" if self.old is None else ", and starts again what it had before"
             raise BoardError(
-                "the board did not start what was sent, and now starts what it had before"
-                if self.old is not None
-                else "the board did not start what was sent",
-                "send it once more; `kitrobot log` shows what the board printed",
+                f"the board did not start what was sent{said}{before}",
+                "send it once more; if that does not help, reset it",
             ) from error
         if hello.state != 0 and hello.fault not in (_MEMORY, _DAMAGED, _NO_DRIVER):
             return hello
@@ -206,7 +206,7 @@ class _Job:
         self._said = ""
         while True:
             self.board.repl.leave()
-            self.line.drain(0.2, 2)
+            self._said = _last_line(self.line.drain(0.2, 2)) or self._said
             for _ in range(3):
                 try:
                     board = Board(self.line, 3)
@@ -218,7 +218,7 @@ class _Job:
                 if hello.generation != self.new.generation or hello.program != self.name[2:]:
                     raise SilentError("the board starts something else")
                 fault = board.last_fault()
-                self._said = "" if fault is None else f"{fault.meaning}: {fault.text}"
+                self._said = "" if fault is None else f"{fault.meaning} {fault.text}".strip()
                 return hello
 
     def _undo(self) -> None:
@@ -282,3 +282,12 @@ class _Job:
     def _told(self, count: int) -> None:
         self.done = min(self.done + count, self.total)
         self.progress("send", self.done, self.total)
+
+
+def _last_line(printed: bytes) -> str:
+    """What went wrong, when Python said so: the last line of a traceback."""
+    text = printed.decode(errors="replace")
+    if "Traceback" not in text:
+        return ""
+    lines = text[text.index("Traceback") :].splitlines()
+    return next((line.strip() for line in lines[1:] if line and not line.startswith(" ")), "")[:120]

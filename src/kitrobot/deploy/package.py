@@ -19,6 +19,7 @@ from pathlib import Path
 
 import kitrobot_onboard
 from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.naming import renamed, short_names
 from kitrobot.deploy.shortening import parsed, shortened
 
 ONBOARD = Path(kitrobot_onboard.__file__).parent
@@ -28,7 +29,13 @@ OWN_SUFFIX = ".driver.py"
 _MOST_BYTES = 200_000
 
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
-"""Kinds of boards, with the folders of shipped drivers that they look into; each has its port in `ports`."""
+"""Kinds of boards, with the folders of shipped drivers that they look into."""
+
+_PORTS = {"microbit": "microbit", "machine": "stream"}
+"""Kind of board → the module in `ports` that fits it."""
+
+_NOT_CARRIED = ("__init__.py", "boot.py", "image.py", "receiver.py")
+"""Modules of `kitrobot_onboard` that no other module on a board imports."""
 
 
 def name_of(content: bytes, kind: str = MODULE) -> str:
@@ -77,7 +84,7 @@ class Package:
             PackageError: a driver is missing, or is no Python.
         """
         making = _Making()
-        first = making.add(ONBOARD / "ports" / f"{family}.py")
+        first = making.add(ONBOARD / "ports" / f"{_PORTS[family]}.py")
         modules = {}
         for driver in dict.fromkeys(drivers):
             path = self.driver_file(driver, family)
@@ -116,12 +123,29 @@ class _Making:
         if path in self.open:
             raise PackageError(f"`{path.name}` imports itself through others", "undo the circle of imports")
         self.open.append(path)
-        tree = _Imports(self, path).visit(parsed(_read(path), str(path)))
+        tree = parsed(_read(path), str(path))
+        if path in _carried():
+            tree = renamed(tree, _names())
+        tree = _Imports(self, path).visit(tree)
         self.open.pop()
         content = _short(ast.unparse(ast.fix_missing_locations(tree))).encode()
         name = self.names[path] = name_of(content)
         self.files[name + ".py"] = content
         return name
+
+
+@cache
+def _carried() -> frozenset[Path]:
+    """The modules that call one another; drivers are called by fixed names only."""
+    return frozenset(
+        path for folder in (ONBOARD, ONBOARD / "ports") for path in folder.glob("*.py") if path.name not in _NOT_CARRIED
+    )
+
+
+@cache
+def _names() -> Mapping[str, str]:
+    trees = [parsed(_read(path), path.name) for path in sorted(_carried())]
+    return short_names(trees, parsed(_read(ONBOARD / "boot.py"), "boot.py"))
 
 
 @cache
@@ -155,6 +179,10 @@ class _Imports(ast.NodeTransformer):
         place = ONBOARD.joinpath(*words[1:])
         if place.with_suffix(".py").is_file() and place != ONBOARD:
             node.module = self.making.add(place.with_suffix(".py"))
+            for alias in node.names:
+                short = _names().get(alias.name)
+                if short is not None and place.with_suffix(".py") in _carried():
+                    alias.name, alias.asname = short, alias.asname or alias.name
             return node
         found: list[ast.stmt] = []
         for alias in node.names:

@@ -1,0 +1,70 @@
+"""A micro:bit of 2016 in QEMU: the real firmware, with its serial line on a TCP port of this machine.
+
+What is written into its flash stays as long as the emulator runs, over resets, and goes with it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import subprocess
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from tools import qemu
+
+BOOT_S = 30
+
+
+@dataclass
+class Emulated:
+    """A running board: where it is reached, and the emulator's process."""
+
+    address: str
+    port: int
+    process: subprocess.Popen[bytes]
+
+    def read_until(self, wire: socket.socket, end: bytes) -> bytes:
+        """What comes on an open connection, up to `end`."""
+        data = b""
+        while not data.endswith(end):
+            piece = wire.recv(1)
+            assert piece, f"the board hung up after {data!r}"
+            data += piece
+        return data
+
+    def wire(self) -> socket.socket:
+        """A bare connection to its serial line."""
+        wire = socket.create_connection(("127.0.0.1", self.port), timeout=BOOT_S)
+        wire.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        return wire
+
+
+@contextlib.contextmanager
+def running(*extra: str) -> Iterator[Emulated]:
+    """A board that has started, with nothing on it. `extra`: options of QEMU."""
+    found = qemu.find()
+    # Not skipped: who leaves the board tests out says so with -m.
+    assert found is not None, "no QEMU with a micro:bit here; install them, or leave these tests out: -m 'not boards'"
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        port = listener.getsockname()[1]
+        process = subprocess.Popen(_command(found, listener.fileno(), extra), pass_fds=[listener.fileno()])
+    try:
+        board = Emulated(f"socket://127.0.0.1:{port}", port, process)
+        with board.wire() as wire:
+            wire.sendall(b"\r")
+            board.read_until(wire, b">>> ")
+        yield board
+    finally:
+        process.kill()
+        process.wait()
+
+
+def _command(found: qemu.Emulator, listener: int, extra: Sequence[str]) -> list[str]:
+    return [
+        found.program,
+        *("-M", "microbit", "-display", "none", "-monitor", "none"),
+        *("-chardev", f"socket,id=s,fd={listener},server=on,wait=off,nodelay=on", "-serial", "chardev:s"),
+        *("-device", f"loader,file={found.firmware}"),
+        *extra,
+    ]
