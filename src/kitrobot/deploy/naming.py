@@ -29,7 +29,7 @@ _LETTERS = string.ascii_letters
 
 
 def short_names(trees: Iterable[ast.Module], first: ast.Module) -> dict[str, str]:
-    """Long name → short name, for those that may be shortened; `first` is `main.py`, whose words the others must know."""
+    """Long name → short name, for those that may be shortened; the words of `first`, which is `main.py`, are kept."""
     modules = list(trees)
     kept = set(DRIVER_FACE | _FOREIGN | set(keyword.kwlist))
     kept.update(node.attr for node in ast.walk(first) if isinstance(node, ast.Attribute))

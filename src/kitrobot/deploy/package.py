@@ -29,10 +29,7 @@ OWN_SUFFIX = ".driver.py"
 _MOST_BYTES = 200_000
 
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
-"""Kinds of boards, with the folders of shipped drivers that they look into."""
-
-_PORTS = {"microbit": "microbit", "machine": "stream"}
-"""Kind of board → the module in `ports` that fits it."""
+"""Kinds of boards, with the folders of shipped drivers that they look into; each has its module in `ports`."""
 
 _NOT_CARRIED = ("__init__.py", "boot.py", "image.py", "receiver.py")
 """Modules of `kitrobot_onboard` that no other module on a board imports."""
@@ -84,7 +81,7 @@ class Package:
             PackageError: a driver is missing, or is no Python.
         """
         making = _Making()
-        first = making.add(ONBOARD / "ports" / f"{_PORTS[family]}.py")
+        first = making.add(ONBOARD / "ports" / f"{family}.py")
         modules = {}
         for driver in dict.fromkeys(drivers):
             path = self.driver_file(driver, family)

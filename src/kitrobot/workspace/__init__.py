@@ -11,6 +11,19 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
+    from kitrobot.workspace.board_names import BoardNames, NoNameError, keep_names, kept_names, names_of
+    from kitrobot.workspace.boards import (
+        BoardProgram,
+        NoBoardError,
+        Seen,
+        Sent,
+        at_boards,
+        board_program,
+        chosen_boards,
+        load_board_program,
+        look_at_boards,
+        send_program,
+    )
     from kitrobot.workspace.carried import CarriedError, carried_mission, is_picture
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.comparison import CompareError, Difference, compare_files, differences, text_differences
@@ -57,6 +70,19 @@ if TYPE_CHECKING:
 
 _ROOMS = {
     "adding": ("AddedParts", "PartsFileError", "add_parts"),
+    "board_names": ("BoardNames", "NoNameError", "keep_names", "kept_names", "names_of"),
+    "boards": (
+        "BoardProgram",
+        "NoBoardError",
+        "Seen",
+        "Sent",
+        "at_boards",
+        "board_program",
+        "chosen_boards",
+        "load_board_program",
+        "look_at_boards",
+        "send_program",
+    ),
     "carried": ("CarriedError", "carried_mission", "is_picture"),
     "checking": ("FileReport", "check_file"),
     "conversion": ("ConversionError", "Converted", "convert"),
@@ -98,6 +124,8 @@ _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
 
 __all__ = [
     "AddedParts",
+    "BoardNames",
+    "BoardProgram",
     "CarriedError",
     "Change",
     "Claimed",
@@ -126,6 +154,8 @@ __all__ = [
     "MissionFolder",
     "MissionNameError",
     "News",
+    "NoBoardError",
+    "NoNameError",
     "NoProgramError",
     "OpenMission",
     "OpenTrace",
@@ -135,14 +165,19 @@ __all__ = [
     "ReadOnlyError",
     "Report",
     "Run",
+    "Seen",
+    "Sent",
     "Span",
     "Timing",
     "Tutorials",
     "VariableError",
     "WantedVariable",
     "add_parts",
+    "at_boards",
+    "board_program",
     "carried_mission",
     "check_file",
+    "chosen_boards",
     "compare_files",
     "convert",
     "differences",
@@ -152,13 +187,18 @@ __all__ = [
     "first_example",
     "is_picture",
     "is_trace",
+    "keep_names",
+    "kept_names",
     "lay_out",
     "lay_out_file",
+    "load_board_program",
     "load_executable",
     "look_alike",
+    "look_at_boards",
     "make_variable",
     "merge_files",
     "merge_missions",
+    "names_of",
     "new_mission",
     "once_more",
     "open_mission",
@@ -170,6 +210,7 @@ __all__ = [
     "read_mission_data",
     "read_world_file",
     "revision_of",
+    "send_program",
     "state_at",
     "state_folder",
     "summary_of",

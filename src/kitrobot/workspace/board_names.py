@@ -1,0 +1,155 @@
+"""What the numbers of a real robot are called: cells → sensors and variables, instructions → vertices and LLL lines.
+
+A robot knows only numbers. The names are worked out where the mission is at hand and kept in the user's state folder
+under the name that the program has on the robot, so that `kitrobot watch` and `kitrobot log` know them later.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
+from dataclasses import asdict, dataclass
+
+from kitrobot.compiler import Compiled
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.image import Layout
+from kitrobot.primitives import Robot, did_you_mean
+from kitrobot.workspace.journals import state_folder
+
+_KEPT = 200
+"""Programs whose names are kept; the oldest go."""
+
+_DEVICE = re.compile(r"([as])(\d{1,3}) ?(.*)", re.DOTALL)
+_NAME = re.compile(r"[0-9a-f]{8}")
+
+
+class NoNameError(KitRobotError):
+    """A robot has no such sensor or variable."""
+
+
+@dataclass(frozen=True)
+class BoardNames:
+    """The names of one program on a robot. `places`: of each instruction the vertex, the line of the LLL, its text."""
+
+    program: str
+    robot: str
+    tick_ms: int
+    sensors: Mapping[str, int]
+    variables: Mapping[str, int]
+    actuators: tuple[str, ...]
+    arguments: tuple[int, ...]
+    """How many arguments each command has."""
+
+    places: tuple[tuple[str | None, int, str], ...]
+
+    def named(self, cells: Mapping[int, int]) -> tuple[dict[str, int], dict[str, int]]:
+        """Values of variables and of sensors, by their names; cells that are neither are left out."""
+        return (
+            {name: cells[cell] for name, cell in self.variables.items() if cell in cells},
+            {name: cells[cell] for name, cell in self.sensors.items() if cell in cells},
+        )
+
+    def input(self, name: str) -> int:
+        """The cell of a sensor.
+
+        Raises:
+            NoNameError: there is none of that name.
+        """
+        return _cell(self.sensors, name, f"the robot `{self.robot}` has no sensor `{name}`")
+
+    def variable(self, name: str) -> int:
+        """The cell of a variable.
+
+        Raises:
+            NoNameError: there is none of that name.
+        """
+        return _cell(self.variables, name, f"the robot `{self.robot}` has no variable `{name}`")
+
+    def vertex(self, instruction: int | None) -> str | None:
+        """The vertex that an instruction came from."""
+        return self._place(instruction)[0]
+
+    def line(self, instruction: int | None) -> int:
+        """The line of the LLL, from 1, that an instruction came from; 0 when nobody knows."""
+        return self._place(instruction)[1]
+
+    def text(self, instruction: int | None) -> str:
+        """That line."""
+        return self._place(instruction)[2]
+
+    def fault_text(self, text: str) -> str:
+        """What a fault says, with the device by its name instead of its number."""
+        found = _DEVICE.fullmatch(text)
+        if found is None:
+            return text
+        names = self.actuators if found[1] == "a" else tuple(self.sensors)
+        number = int(found[2])
+        return f"{names[number]}: {found[3]}" if number < len(names) else text
+
+    def _place(self, instruction: int | None) -> tuple[str | None, int, str]:
+        if instruction is None or not 0 <= instruction < len(self.places):
+            return None, 0, ""
+        return self.places[instruction]
+
+
+def names_of(program: str, robot: Robot, compiled: Compiled) -> BoardNames:
+    """The names of a program that was compiled without errors."""
+    layout = Layout(robot)
+    source = compiled.source
+    places = []
+    for origin in compiled.debug.origins:
+        line = source.position(origin.start)[0]
+        places.append((origin.vertex, line, source.line(line).strip()))
+    return BoardNames(
+        program,
+        robot.name,
+        robot.tick_ms,
+        layout.sensors,
+        layout.variables,
+        tuple(part.name for part in robot.actuators),
+        tuple(len(robot.calls[actuator, name][1].parameters) for _, actuator, name in layout.commands),
+        tuple(places),
+    )
+
+
+def keep_names(names: BoardNames, called: Iterable[str]) -> None:
+    """Keeps the names of a program for later, where that can be; `called`: what robots call it."""
+    folder = state_folder() / "boards"
+    text = json.dumps(asdict(names), ensure_ascii=False)
+    with suppress(OSError):
+        folder.mkdir(parents=True, exist_ok=True)
+        for one in called:
+            new = folder / f".{one}.new"
+            new.write_text(text, encoding="utf-8")
+            new.replace(folder / f"{one}.json")
+        old = sorted(folder.glob("*.json"), key=lambda path: path.stat().st_mtime, reverse=True)
+        for path in old[_KEPT:]:
+            path.unlink(missing_ok=True)
+
+
+def kept_names(called: str) -> BoardNames | None:
+    """The names of a program by what a robot calls it; None when it was not sent from here."""
+    if not _NAME.fullmatch(called):
+        return None
+    try:
+        found = json.loads((state_folder() / "boards" / f"{called}.json").read_text(encoding="utf-8"))
+        return BoardNames(
+            str(found["program"]),
+            str(found["robot"]),
+            int(found["tick_ms"]),
+            {str(name): int(cell) for name, cell in found["sensors"].items()},
+            {str(name): int(cell) for name, cell in found["variables"].items()},
+            tuple(map(str, found["actuators"])),
+            tuple(map(int, found["arguments"])),
+            tuple((vertex, int(line), str(text)) for vertex, line, text in found["places"]),
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+def _cell(cells: Mapping[str, int], name: str, message: str) -> int:
+    if name not in cells:
+        raise NoNameError(message, did_you_mean(name, cells) or f"it has: {', '.join(cells) or 'none'}")
+    return cells[name]
