@@ -20,7 +20,12 @@ import { RobotMenu } from "./RobotMenu";
 import { choose, follow, openRobotMenu, useRobots } from "./robots";
 import { actorsOf, lookAt, type Scene, sceneBefore, sceneOf } from "./scene";
 import { StatesSaid } from "./StatesSaid";
+import { complain } from "../shell/document";
+import { later } from "../shell/later";
+import { press, release, releaseAll } from "./hands";
 import { summary } from "./summary";
+
+const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
 
 const CLICK_PX = 4;
 const NOWHERE = { scale: 1, x: 0, y: 0 };
@@ -35,7 +40,10 @@ function useScene(): Scene | null {
   const mission = useStudio((studio) => studio.mission);
   const catalogue = useStudio((studio) => studio.catalogue);
   const ownWorld = useStudio((studio) => studio.world);
-  const before = useMemo(() => (ownWorld === null ? null : sceneBefore(mission, ownWorld)), [mission, ownWorld]);
+  const before = useMemo(
+    () => (ownWorld === null ? null : sceneBefore(mission, ownWorld, catalogue)),
+    [mission, ownWorld, catalogue],
+  );
   const { world, agents } = run;
   const actors = useMemo(
     () => (world === null ? [] : actorsOf(agents, mission, catalogue, world)),
@@ -127,6 +135,7 @@ export function Arena() {
   const frame = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const [painter, setPainter] = useState<Painter | null>(null);
+  const holding = useRef<{ agent: string; sensor: string } | null>(null);
   const grip = useRef<{ x: number; y: number; moved: boolean; actor: string } | null>(null);
   const resting = useRef<ReturnType<typeof setTimeout>>(undefined);
   const { program, followed } = useRobots();
@@ -188,6 +197,11 @@ export function Arena() {
     event.currentTarget.setPointerCapture(event.pointerId);
     const { clientX: x, clientY: y } = event;
     const place = event.currentTarget.getBoundingClientRect();
+    const key = painter?.keyAt(x - place.left, y - place.top) ?? null;
+    if (key !== null && press(key.agent, key.sensor)) {
+      holding.current = key;
+      return;
+    }
     // Before a run a robot can be taken to another place; during one it is where it is.
     const found = scene?.running === false ? painter?.actorAt(x - place.left, y - place.top) : null;
     grip.current = { x, y, moved: false, actor: found?.actor.name ?? "" };
@@ -202,9 +216,14 @@ export function Arena() {
     // A key opens it where the keyboard's robot is; a finger that rests has its own timer.
     if (event.button === 2) menuAt(event.clientX, event.clientY);
   };
-  const onPointerMove = (event: PointerEvent) => {
+  const onPointerMove = (event: PointerEvent<HTMLCanvasElement>) => {
     const held = grip.current;
-    if (held === null) return;
+    if (held === null) {
+      const place = event.currentTarget.getBoundingClientRect();
+      const key = painter?.keyAt(event.clientX - place.left, event.clientY - place.top) ?? null;
+      event.currentTarget.style.cursor = key === null ? "" : "pointer";
+      return;
+    }
     const [dx, dy] = [event.clientX - held.x, event.clientY - held.y];
     if (!held.moved && Math.hypot(dx, dy) < CLICK_PX) return;
     clearTimeout(resting.current);
@@ -229,7 +248,12 @@ export function Arena() {
       .then(({ moveStart }) => moveStart(startOf(agent), Math.round(x / grid) * grid, Math.round(y / grid) * grid))
       .finally(() => painter?.putDown());
   };
+  const letGo = () => {
+    if (holding.current !== null) release(holding.current.agent, holding.current.sensor);
+    holding.current = null;
+  };
   const onPointerUp = (event: PointerEvent<HTMLCanvasElement>) => {
+    letGo();
     const held = grip.current;
     grip.current = null;
     clearTimeout(resting.current);
@@ -249,7 +273,24 @@ export function Arena() {
     const actor = actors[(at + by + actors.length) % Math.max(1, actors.length)];
     if (actor !== undefined) choose(actor);
   };
+  const watched = scene?.actors.find((actor) => actor.name === selected);
+  /** The key of the watched robot that a key of the keyboard holds. */
+  const keyOf = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) return undefined;
+    const letters = [event.key.toUpperCase(), event.code.replace(/^Key/, "")];
+    return watched?.keys.find(({ letter }) => letter !== "" && letters.includes(letter));
+  };
+  const onKeyUp = (event: KeyboardEvent) => {
+    const key = keyOf(event);
+    if (key !== undefined) release(selected, key.sensor);
+  };
   const onKeyDown = (event: KeyboardEvent) => {
+    const key = keyOf(event);
+    if (key !== undefined && (event.repeat || press(selected, key.sensor))) {
+      event.preventDefault();
+      event.stopPropagation();
+      return;
+    }
     const id = keyIn(ARENA_KEYS, event.nativeEvent);
     if (id === null) return;
     event.preventDefault();
@@ -266,6 +307,7 @@ export function Arena() {
       previous: () => next(-1),
       menu: menuOfSelected,
       follow: () => follow(selected),
+      hand: () => undefined,
     };
     acts[id]();
   };
@@ -283,11 +325,14 @@ export function Arena() {
           aria-label={t("arena.label")}
           aria-describedby="arena-summary"
           onKeyDown={onKeyDown}
+          onKeyUp={onKeyUp}
+          onBlur={releaseAll}
           onContextMenu={onContextMenu}
           onPointerDown={onPointerDown}
           onPointerMove={onPointerMove}
           onPointerUp={onPointerUp}
           onPointerCancel={() => {
+            letGo();
             painter?.putDown();
             clearTimeout(resting.current);
             grip.current = null;
@@ -295,6 +340,7 @@ export function Arena() {
         />
         <EmptyArena scene={scene} />
       </div>
+      {watched === undefined || watched.keys.length === 0 ? null : <Hands agent={selected} keys={watched.keys} />}
       <p className="only-spoken" id="arena-summary" data-testid="arena-summary">
         {spoken}
       </p>

@@ -3,6 +3,7 @@ import { t } from "../words/words";
 import { ARM_OUT, LAMP } from "../api/wire";
 import { grouped } from "../words/numbers";
 import { toScreen } from "./camera";
+import type * as DrawBoard from "./draw-board";
 import { drawCrowd, isCrowd } from "./draw-crowd";
 import { drawFailed, drawMuted, drawStalled } from "./draw-signs";
 import { type Brush, drawBox, write } from "./draw-world";
@@ -122,14 +123,20 @@ function drawBump({ pen, colours, unit: u }: Brush): void {
   pen.lineCap = "butt";
 }
 
-function drawSeen(brush: Brush, one: Seen, selected: boolean): void {
-  const { pen, camera, colours, unit } = brush;
+/** How boards are drawn; null until it was fetched. */
+export type Boards = typeof DrawBoard;
+
+function drawSeen(usual: Brush, one: Seen, selected: boolean, boards: Boards | null, count: number): void {
   if (one.actor.role === "keeper") return;
+  const board = one.actor.face === null ? null : boards;
+  const brush = board === null ? usual : { ...usual, unit: board.boardUnit(usual.unit, count) };
+  const { pen, camera, colours, unit } = brush;
   const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
   pen.save();
   pen.translate(x, y);
   pen.rotate(-one.pose.heading_rad);
-  if (one.actor.role === "arm") drawArm(brush, one);
+  if (one.actor.face !== null) board?.drawBoard(brush, one, selected);
+  else if (one.actor.role === "arm") drawArm(brush, one);
   else drawBody(brush, one);
   if (one.collided) drawBump(brush);
   pen.restore();
@@ -138,7 +145,7 @@ function drawSeen(brush: Brush, one: Seen, selected: boolean): void {
   if (one.failed) drawFailed(brush);
   else if (one.stalled) drawStalled(brush);
   if (one.muted) drawMuted(brush);
-  if (selected) {
+  if (selected && one.actor.face === null) {
     pen.beginPath();
     pen.arc(0, 0, (one.actor.role === "arm" ? 17 : 34) * unit, 0, Math.PI * 2);
     pen.strokeStyle = colours.ink;
@@ -234,7 +241,14 @@ function drawPlace(brush: Brush, scene: Scene, one: Seen): void {
 }
 
 /** Everybody. `program`: robots of another one step back; "" for none. */
-export function drawActors(brush: Brush, scene: Scene, seen: readonly Seen[], selected: string, program: string): void {
+export function drawActors(
+  brush: Brush,
+  scene: Scene,
+  seen: readonly Seen[],
+  selected: string,
+  program: string,
+  boards: Boards | null,
+): void {
   drawScore(brush, scene);
   const crowd = isCrowd(seen.length, brush.camera.scale);
   if (crowd) drawCrowd(brush, seen, program);
@@ -242,11 +256,12 @@ export function drawActors(brush: Brush, scene: Scene, seen: readonly Seen[], se
   const closely = crowd ? seen.filter((one) => one.actor.name === selected) : [...seen];
   for (const one of closely.sort((a, b) => order[a.actor.role] - order[b.actor.role])) {
     brush.pen.globalAlpha = program === "" || one.actor.program === program ? 1 : 0.3;
-    drawSeen(brush, one, one.actor.name === selected);
+    drawSeen(brush, one, one.actor.name === selected, boards, closely.length);
   }
   brush.pen.globalAlpha = 1;
   const watched = seen.find((one) => one.actor.name === selected);
-  if (watched === undefined) return;
+  // A board shows itself; what it senses changes all the time.
+  if (watched === undefined || watched.actor.face !== null) return;
   drawTag(brush, scene, seen, watched);
   drawPlace(brush, scene, watched);
 }

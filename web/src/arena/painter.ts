@@ -8,7 +8,7 @@ import type { World } from "../api/types";
 import { posesAt } from "../run/poses";
 import { type Camera, fit, type Room, toScreen, toWorld, zoomAt } from "./camera";
 import { readColours, type Colours } from "./colours";
-import { drawActors } from "./draw-robots";
+import { type Boards, drawActors } from "./draw-robots";
 import { drawWorld, unitOf } from "./draw-world";
 import { lookAt, type Scene, type Seen } from "./scene";
 
@@ -33,6 +33,8 @@ export class Painter {
   private readonly seenFrom: (camera: Camera) => void;
   private readonly margin: number | null;
   private told: Camera | null = null;
+  private boards: Boards | null = null;
+  private fetching = false;
   private carried: { name: string; x_mm: number; y_mm: number } | null = null;
 
   /** `seenFrom` is told where the eye is, whenever that changes; `margin` is the room around the world in px. */
@@ -72,6 +74,7 @@ export class Painter {
     const other = before === undefined || size(before) !== size(now);
     this.scene = scene;
     this.selected = selected;
+    if (scene.actors.some(({ face }) => face !== null)) this.fetchBoards();
     if (other) this.showAll();
     this.paintSoon();
   }
@@ -129,15 +132,40 @@ export class Painter {
   /** Who is under a point of the canvas. */
   actorAt(x: number, y: number): Seen | null {
     if (this.scene === null) return null;
-    const reach = 34 * unitOf(this.camera, this.scene.world);
+    const unit = unitOf(this.camera, this.scene.world);
     let best: { seen: Seen; off: number } | null = null;
-    for (const seen of this.seen(performance.now()).seen) {
+    const everybody = this.seen(performance.now()).seen;
+    for (const seen of everybody) {
       if (seen.actor.role === "keeper") continue;
+      const reach = 34 * (seen.actor.face === null ? unit : (this.boards?.boardUnit(unit, everybody.length) ?? unit));
       const [sx, sy] = toScreen(this.camera, seen.pose.x_mm, seen.pose.y_mm);
       const off = Math.hypot(sx - x, sy - y);
       if (off < reach && (best === null || off < best.off)) best = { seen, off };
     }
     return best?.seen ?? null;
+  }
+
+  /** Boards are drawn once the means are there; a fetch that failed is tried again with the next scene. */
+  private fetchBoards(): void {
+    if (this.boards !== null || this.fetching) return;
+    this.fetching = true;
+    void import("./draw-board")
+      .then((boards) => {
+        this.boards = boards;
+        this.paintSoon();
+      })
+      .catch(() => undefined)
+      .finally(() => {
+        this.fetching = false;
+      });
+  }
+
+  /** The button of a board under a point of the canvas: the robot, and the sensor that feels it. */
+  keyAt(x: number, y: number): { agent: string; sensor: string } | null {
+    if (this.scene === null || this.boards === null) return null;
+    const { seen } = this.seen(performance.now());
+    const unit = this.boards.boardUnit(unitOf(this.camera, this.scene.world), seen.length);
+    return this.boards.keyAt({ camera: this.camera, unit }, seen, x, y);
   }
 
   /** Where an actor is on the canvas; null when there is no such one. */
@@ -191,7 +219,7 @@ export class Painter {
     }
     const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
-    drawActors(brush, this.scene, seen, this.selected, this.program);
+    drawActors(brush, this.scene, seen, this.selected, this.program, this.boards);
     if (!still) this.paintSoon();
   }
 

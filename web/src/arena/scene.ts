@@ -7,7 +7,9 @@
 import type { Catalogue, Goal, Mission, World } from "../api/types";
 import { COLLISION, FAILED, MUTED, type Pose, STALLED } from "../api/wire";
 import { text } from "../model/texts";
+import type { Robot } from "../model/types";
 import type { RunAgent, RunState } from "../run/run";
+import { type Face, faceOf, type HandKey, keysOf } from "./boards";
 import { nearestOn } from "./geometry";
 
 export type Role = "robot" | "arm" | "keeper";
@@ -21,6 +23,10 @@ export interface Actor {
   /** "Sign = 4", "Cargo": what its sensors say now. */
   senses: string[];
   failed: boolean;
+  /** What it shows, when it is a board with a display. */
+  face: Face | null;
+  /** What a person can hold. */
+  keys: HandKey[];
 }
 
 export interface Scene {
@@ -91,8 +97,8 @@ export function totalOf(world: World, goals: readonly Goal[]): number {
 }
 
 /** A robot's sensors in words; tests say their name only while they are true. */
-export function sensesOf(agent: RunAgent, catalogue: Catalogue): string[] {
-  const objects = catalogue.robots.find((robot) => robot.name === agent.robot)?.objects ?? [];
+function sensesOf(agent: RunAgent, robot: Robot | undefined): string[] {
+  const objects = robot?.objects ?? [];
   const words: string[] = [];
   for (const [name, value] of Object.entries(agent.inputs)) {
     // An actuator may have the same name.
@@ -108,15 +114,21 @@ export function sensesOf(agent: RunAgent, catalogue: Catalogue): string[] {
   return words;
 }
 
-export function sceneBefore(mission: Mission, world: World): Scene {
+export function sceneBefore(mission: Mission, world: World, catalogue: Catalogue | null = null): Scene {
   const places = placesOf(world, mission);
+  const robots = new Map<string, Robot | undefined>(
+    mission.programs.map(({ name, robot }) => [name, catalogue?.robots.find((one) => one.name === robot)]),
+  );
   return {
     world,
     actors: mission.agents.flatMap((agent, index) => {
       const place = places.get(agent.name);
       if (place === undefined) return [];
       const number = numberOf(agent.name, index);
-      return [{ name: agent.name, program: agent.program, number, ...place, senses: [], failed: false }];
+      const { name, program } = agent;
+      const robot = robots.get(program);
+      const board = { face: faceOf(robot, {}), keys: keysOf(robot, {}) };
+      return [{ name, program, number, ...place, senses: [], failed: false, ...board }];
     }),
     stock: Object.fromEntries(world.storehouses.map((house) => [house.name, house.stock])),
     delivered: 0,
@@ -136,7 +148,9 @@ export function actorsOf(agents: readonly RunAgent[], mission: Mission, catalogu
   return agents.map((agent) => {
     const { name, program, number } = agent;
     const failed = agent.state === "failed";
-    return { name, program, number, ...(places.get(name) ?? LOST), senses: sensesOf(agent, catalogue), failed };
+    const robot = catalogue.robots.find((one) => one.name === agent.robot);
+    const board = { face: faceOf(robot, agent.shown), keys: keysOf(robot, agent.inputs) };
+    return { name, program, number, ...(places.get(name) ?? LOST), senses: sensesOf(agent, robot), failed, ...board };
   });
 }
 

@@ -1,5 +1,6 @@
 /** The arena in words, for those who cannot see it. */
 import { t } from "../words/words";
+import { lightsOf } from "./boards";
 import { signAt } from "./geometry";
 import type { Scene, Seen } from "./scene";
 
@@ -34,7 +35,9 @@ export function summary(scene: Scene, seen: readonly Seen[]): string {
       sign === null
         ? t("arena.robot", { name: actor.name, x: Math.round(pose.x_mm), y: Math.round(pose.y_mm) })
         : t("arena.robot-section", { name: actor.name, sign });
-    parts.push(`${[where, ...(pose.load > 0 ? [t("arena.loaded")] : []), ...states(one)].join(", ")}.`);
+    const lights = actor.face?.rows.flatMap(lightsOf).filter((light) => light > 0).length ?? 0;
+    const lit = lights > 0 ? [t("arena.lights", { count: lights })] : [];
+    parts.push(`${[where, ...lit, ...(pose.load > 0 ? [t("arena.loaded")] : []), ...states(one)].join(", ")}.`);
   }
   return parts.join(" ");
 }

@@ -98,6 +98,7 @@ export const ARENA_KEYS = {
   previous: { chords: ["Shift+N"], says: "help.keys-robot" },
   menu: { chords: ["Enter", "Shift+F10", "ContextMenu"], says: "help.keys-robot-menu" },
   follow: { chords: ["F"], says: "harm.follow" },
+  hand: { chords: ["A", "B", "S"], says: "help.keys-hand" },
 } as const satisfies Rows;
 
 /** Keys of the world while it is changed and its place has the focus. */

@@ -35,6 +35,7 @@ export const REACH_FR = {
   "help.keys-move": "Monter ou descendre les pièces choisies",
   "help.keys-nothing": "Ne rien choisir",
   "help.keys-pan": "Déplacer la vue",
+  "help.keys-hand": "Maintenir un bouton de la carte, ou la secouer",
   "help.keys-robot": "Robot suivant, robot précédent",
   "help.keys-lists": "Dans les listes, onglets et menus",
   "help.keys-tabs": "D'un onglet à l'autre",

@@ -35,6 +35,7 @@ export const REACH_UR = {
   "help.keys-move": "چنے ہوئے پرزے اوپر یا نیچے کریں",
   "help.keys-nothing": "کچھ نہ چنیں",
   "help.keys-pan": "منظر ہٹائیں",
+  "help.keys-hand": "بورڈ کا بٹن دبائے رکھیں، یا اسے ہلائیں",
   "help.keys-robot": "اگلا روبوٹ، پچھلا روبوٹ",
   "help.keys-lists": "فہرستوں، ٹیبوں اور مینو میں",
   "help.keys-tabs": "ایک ٹیب سے دوسرے تک",

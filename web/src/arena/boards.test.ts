@@ -1,0 +1,155 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+
+import type { Robot, RobotObject } from "../model/types";
+import { useRun } from "../run/run";
+import { faceOf, keysOf, letterOf, lightsOf } from "./boards";
+import { boardUnit, keyAt } from "./draw-board";
+import { isHeld, press, release, releaseAll, useHands } from "./hands";
+import type { Actor, Seen } from "./scene";
+
+function part(name: string, category: RobotObject["category"], device: string, type: RobotObject["type"] = "integer") {
+  const nothing = { icon: "", label: {}, help: {}, methods: [], min: 0, max: 1, initial: 0, shared: false };
+  return { name, category, device, type, ...nothing };
+}
+
+const BOARD: Robot = {
+  name: "board",
+  label: {},
+  help: {},
+  tick_ms: 40,
+  wait_unit_ms: 100,
+  objects: [
+    part("Display", "actuator", "display"),
+    part("Music", "actuator", "music"),
+    part("P0", "actuator", "pin-out"),
+    part("P1", "actuator", "pin-out"),
+    part("ButtonA", "sensor", "key", "boolean"),
+    part("ButtonB", "sensor", "key", "boolean"),
+    part("Shake", "sensor", "accelerometer", "boolean"),
+    part("Tilt", "sensor", "accelerometer"),
+  ],
+};
+const CAR: Robot = { ...BOARD, name: "car", objects: [part("Wheel", "actuator", "drive")] };
+
+describe("what a robot shows", () => {
+  it("is dark before a run, and what its display shows in one", () => {
+    expect(faceOf(BOARD, {})).toEqual({ rows: [0, 0, 0, 0, 0], sounds: false, pins: [0, 0] });
+    const shown = { Display: [9090, 0, 12345, 0, 0], Music: [0, 3], P0: [2, 1023], P1: [3, 90] };
+    expect(faceOf(BOARD, shown)).toEqual({ rows: shown.Display, sounds: true, pins: [1, 0.5] });
+    expect(lightsOf(9090)).toEqual([0, 9, 0, 9, 0]);
+    expect(lightsOf(12345)).toEqual([1, 2, 3, 4, 5]);
+  });
+
+  it("is nothing for what drives, and for a robot that nobody knows", () => {
+    expect(faceOf(CAR, {})).toBeNull();
+    expect(faceOf(undefined, {})).toBeNull();
+    expect(keysOf(CAR, {})).toEqual([]);
+  });
+
+  it("has keys with a letter each, pressed as the sensor says", () => {
+    const keys = keysOf(BOARD, { ButtonB: 1 });
+    expect(keys.map(({ sensor, letter, pressed, onBoard }) => [sensor, letter, pressed, onBoard])).toEqual([
+      ["ButtonA", "A", false, true],
+      ["ButtonB", "B", true, true],
+      ["Shake", "S", false, false],
+    ]);
+  });
+
+  it.each([
+    ["ButtonA", "A"],
+    ["Shake", "S"],
+    ["key", "K"],
+    ["ABC", "A"],
+    ["", ""],
+  ])("reads the letter of %s as %s", (name, letter) => expect(letterOf(name)).toBe(letter));
+});
+
+describe("a button of a board", () => {
+  const seen = (heading_rad: number): Seen => {
+    const face = faceOf(BOARD, {});
+    const pose = { x_mm: 100, y_mm: 50, heading_rad, load: 0, flags: 0 };
+    const actor: Actor = {
+      ...{ name: "b", program: "p", number: 1, role: "robot", start: pose, senses: [], failed: false },
+      ...{ face, keys: keysOf(BOARD, {}) },
+    };
+    return { actor, pose, failed: false, stalled: false, muted: false, collided: false };
+  };
+  const brush = { camera: { scale: 2, x: 0, y: 200 }, unit: 2 };
+
+  it("is where it is drawn, on the left and on the right", () => {
+    // The board's middle is at 200, 100 on the screen.
+    expect(keyAt(brush, [seen(0)], 200 - 48, 92)).toEqual({ agent: "b", sensor: "ButtonA" });
+    expect(keyAt(brush, [seen(0)], 200 + 48, 92)).toEqual({ agent: "b", sensor: "ButtonB" });
+    expect(keyAt(brush, [seen(0)], 200, 92)).toBeNull();
+  });
+
+  it("turns with the board", () => {
+    // Counter-clockwise by a quarter: what was on the left is below.
+    expect(keyAt(brush, [seen(Math.PI / 2)], 192, 100 + 48)).toEqual({ agent: "b", sensor: "ButtonA" });
+    expect(keyAt(brush, [seen(Math.PI / 2)], 200 - 48, 92)).toBeNull();
+  });
+
+  it("is large enough to be seen while there are few boards", () => {
+    expect(boardUnit(0.5, 1) * 64).toBe(150);
+    expect(boardUnit(5, 1)).toBe(5);
+    expect(boardUnit(0.5, 40)).toBe(0.5);
+  });
+});
+
+describe("a hand on a key", () => {
+  const force = vi.fn();
+  beforeEach(() => {
+    force.mockClear();
+    useHands.setState({ held: [] });
+    useRun.setState({ status: "running", name: "r", tick: 10, tickMs: 20, recording: false, watching: false, force });
+  });
+  const held = () => useHands.getState().held;
+
+  it("forces the sensor while it is held, and gives it back", () => {
+    expect(press("b", "A")).toBe(true);
+    expect(force.mock.calls).toEqual([["b", "A", 1]]);
+    expect(isHeld(held(), "b", "A")).toBe(true);
+    useRun.setState({ tick: 50 });
+    release("b", "A");
+    expect(force.mock.calls.slice(1)).toEqual([["b", "A", null]]);
+    expect(held()).toEqual([]);
+  });
+
+  it("holds a short press until the program has had its tick", () => {
+    press("b", "A");
+    release("b", "A");
+    expect(isHeld(held(), "b", "A")).toBe(false);
+    expect(force).toHaveBeenCalledTimes(1);
+    useRun.setState({ tick: 11 });
+    expect(force).toHaveBeenCalledTimes(1);
+    useRun.setState({ tick: 12 });
+    expect(force.mock.calls.slice(1)).toEqual([["b", "A", null]]);
+  });
+
+  it("lets go of everything at once", () => {
+    press("b", "A");
+    press("b", "B");
+    useRun.setState({ tick: 99 });
+    releaseAll();
+    expect(force.mock.calls.slice(2)).toEqual([
+      ["b", "A", null],
+      ["b", "B", null],
+    ]);
+  });
+
+  it("can do nothing to a recording, to a run of somebody else, and without a run", () => {
+    for (const state of [{ recording: true }, { watching: true }, { status: "idle" as const }]) {
+      useRun.setState({ status: "running", recording: false, watching: false, ...state });
+      expect(press("b", "A")).toBe(false);
+    }
+    expect(force).not.toHaveBeenCalled();
+  });
+
+  it("does not reach into the next run", () => {
+    press("b", "A");
+    useRun.setState({ name: "another", tick: 0 });
+    release("b", "A");
+    expect(force).toHaveBeenCalledTimes(1);
+    expect(held()).toEqual([]);
+  });
+});
