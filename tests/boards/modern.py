@@ -16,6 +16,7 @@ from queue import Queue
 from types import TracebackType
 from typing import Any
 
+import kitrobot_onboard
 from tools import page
 
 HERE = Path(__file__).resolve().parent / "webassembly"
@@ -33,6 +34,15 @@ def version() -> str:
     """The version of MicroPython, as npm numbers it."""
     described = json.loads(micropython().with_name("package.json").read_text(encoding="utf-8"))
     return str(described["version"])
+
+
+def onboard_files() -> dict[str, bytes]:
+    """All of `kitrobot_onboard`, under that name, and the pins that only remember as `machine`."""
+    folder = Path(kitrobot_onboard.__file__).parent
+    files = {
+        f"kitrobot_onboard/{path.relative_to(folder).as_posix()}": path.read_bytes() for path in folder.rglob("*.py")
+    }
+    return files | {"machine.py": (HERE.parent / "recording" / "machine.py").read_bytes()}
 
 
 def run(files: dict[str, bytes], name: str, timeout_s: float = 120) -> str:

@@ -1,1 +1,1 @@
-"""Drivers for boards whose MicroPython has the module \`machine\`."""
+"""Drivers for boards whose MicroPython has the module `machine`."""

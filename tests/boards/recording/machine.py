@@ -1,0 +1,76 @@
+# The module `machine` of a board whose pins are wired to nothing: it remembers what it is told, and reads what a test
+# puts in. That is all that is replaced when drivers are tested; they, and the MicroPython that runs them, are real.
+
+log = []  # (pin, what, value), in order
+levels = {}  # pin: what it reads, 0 or 1
+volts = {}  # pin: what it reads as analogue, 0 to 65535
+widths = {}  # pin: microseconds of the next answer; none comes where nothing stands
+NAMES = ("LED",)
+PINS = 30
+
+
+class Pin:
+    IN = 0
+    OUT = 1
+    PULL_UP = 2
+
+    def __init__(self, name, mode=None, pull=None):
+        if name not in NAMES and not (isinstance(name, int) and 0 <= name < PINS):
+            raise ValueError("invalid pin")
+        self.name = name
+        self.init(mode, pull)
+
+    def init(self, mode=None, pull=None):
+        if mode is not None:
+            log.append((self.name, "out" if mode == Pin.OUT else "in", pull))
+
+    def value(self, level=None):
+        if level is None:
+            return levels.get(self.name, 0)
+        levels[self.name] = level
+        log.append((self.name, "value", level))
+
+
+class PWM:
+    def __init__(self, pin, freq=None, duty_u16=None):
+        self.name = pin.name
+        if freq is not None:
+            self.freq(freq)
+        if duty_u16 is not None:
+            self.duty_u16(duty_u16)
+
+    def freq(self, hertz):
+        log.append((self.name, "freq", hertz))
+
+    def duty_u16(self, part):
+        log.append((self.name, "duty", part))
+
+    def deinit(self):
+        log.append((self.name, "deinit", None))
+
+
+class OldPWM:
+    """As on an ESP8266: a duty of ten bits."""
+
+    def __init__(self, pin):
+        self.name = pin.name
+
+    def freq(self, hertz):
+        log.append((self.name, "freq", hertz))
+
+    def duty(self, part):
+        log.append((self.name, "duty10", part))
+
+
+class ADC:
+    def __init__(self, pin):
+        self.name = pin.name
+
+    def read_u16(self):
+        return volts.get(self.name, 0)
+
+
+def time_pulse_us(pin, level, timeout=1000000):
+    log.append((pin.name, "wait", timeout))
+    width = widths.get(pin.name)
+    return -2 if width is None else width if width <= timeout else -1
