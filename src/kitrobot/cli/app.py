@@ -15,16 +15,21 @@ from typing import Annotated, Final
 
 import typer
 
+from kitrobot.cli.boards import list_boards
 from kitrobot.cli.check import check_files
 from kitrobot.cli.convert import convert_file
+from kitrobot.cli.deploy import deploy_program
 from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
+from kitrobot.cli.log import show_log
 from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
 from kitrobot.cli.speaking import complain, tell, use_utf8
+from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
+from kitrobot.cli.watch import watch_board
 from kitrobot.diagnostics import KitRobotError
 
 DEBUG_VARIABLE = "KITROBOT_DEBUG"
@@ -42,6 +47,12 @@ app = typer.Typer(
 app.command("studio")(open_studio)
 app.command("run")(run_mission)
 app.command("replay")(replay_trace)
+app.command("deploy")(deploy_program)
+app.command("boards")(list_boards)
+app.command("start")(start_boards)
+app.command("stop")(stop_boards)
+app.command("watch")(watch_board)
+app.command("log")(show_log)
 app.command("convert")(convert_file)
 app.command("exec")(execute_program)
 app.command("check")(check_files)

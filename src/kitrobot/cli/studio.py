@@ -10,7 +10,10 @@ import typer
 
 from kitrobot.diagnostics import KitRobotError
 
-COMMANDS = ("check", "convert", "exec", "format", "replay", "run", "studio")
+COMMANDS = (
+    *("boards", "check", "convert", "deploy", "exec", "format", "log", "replay", "run", "start", "stop", "studio"),
+    "watch",
+)
 
 
 class StudioError(KitRobotError):

@@ -307,7 +307,12 @@ def connect(address: str, timeout: float = 4.0) -> Board:
             if not line.read_until(b">>> ", 1).endswith(b">>> "):
                 raise
         line.write(b"\x04")  # at the prompt, this starts what is installed
-        return Board(line, max(2, int(timeout / _ANSWER_S)))
+        printed = line.read_until(b">>> ", 0.5)
+        try:
+            return Board(line, max(2, int(timeout / _ANSWER_S)))
+        except SilentError as error:
+            error.printed = _printable(printed)
+            raise
     except BaseException:
         line.close()
         raise

@@ -14,7 +14,9 @@ class LineError(DeployError):
 
 
 class SilentError(DeployError):
-    """Nobody answers on the line, or nobody that we understand."""
+    """Nobody answers on the line, or nobody that we understand; `printed` is what was heard instead."""
+
+    printed: str = ""
 
 
 class BoardError(DeployError):

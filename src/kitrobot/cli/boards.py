@@ -1,0 +1,89 @@
+"""`kitrobot boards`: which robots are there, and what runs on them."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from kitrobot.cli.deploy import Addresses
+from kitrobot.cli.speaking import clean, give, tell
+
+if TYPE_CHECKING:
+    from kitrobot.workspace import Seen
+
+
+def list_boards(
+    to: Addresses = None,
+    identify: Annotated[
+        str | None,
+        typer.Option(
+            "--identify", metavar="PORT|URL", help="Let this robot show itself for two seconds.", show_default=False
+        ),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")] = False,
+) -> None:
+    """List the robots that are there, and what runs on them.
+
+    They are looked for on USB, and at the addresses that KITROBOT_BOARDS names, with spaces between them.
+    """
+    if identify is not None:
+        from kitrobot.deploy import connect
+
+        with connect(identify) as board:
+            board.identify()
+        tell(f"{identify}: look which robot shows itself")
+        return
+    from kitrobot.workspace import look_at_boards
+
+    seen = look_at_boards(to or [])
+    if as_json:
+        give(json.dumps([_object(one) for one in seen], ensure_ascii=False, indent=2) + "\n")
+        return
+    if not seen:
+        tell("no robot is plugged in")
+        tell("  help: plug one in with a USB cable that carries data, or name its address with --to")
+        return
+    rows: list[tuple[str, ...]] = [("port", "board", "state", "program", "KitRobot", "generation", "memory left")]
+    rows += [_row(one) for one in seen]
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    for row in rows:
+        give("  ".join(word.ljust(width) for word, width in zip(row, widths, strict=True)).rstrip() + "\n")
+    for one in seen:
+        if one.error is not None:
+            tell(f"{one.port.address}: {one.error.message}")
+
+
+def _row(seen: Seen) -> tuple[str, ...]:
+    where = (clean(seen.port.address), clean(seen.port.name))
+    hello = seen.hello
+    if hello is None:
+        return (*where, "no answer", "", "", "", "")
+    program = f"{clean(seen.program)} ({hello.program})" if seen.program else clean(hello.program)
+    return (*where, hello.state_name, program, clean(hello.package), str(hello.generation), f"{hello.free} bytes")
+
+
+def _object(seen: Seen) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "address": seen.port.address,
+        "name": seen.port.name,
+        "description": seen.port.description,
+        "answers": seen.hello is not None,
+    }
+    if seen.hello is not None:
+        hello = seen.hello
+        found |= {
+            "state": hello.state_name,
+            "fault": hello.fault,
+            "tick": hello.tick,
+            "late": hello.late,
+            "free": hello.free,
+            "generation": hello.generation,
+            "package": hello.package,
+            "program": hello.program,
+            "name_of_program": seen.program,
+        }
+    elif seen.error is not None:
+        found |= {"error": seen.error.message, "help": seen.error.help}
+    return found

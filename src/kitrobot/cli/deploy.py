@@ -1,0 +1,132 @@
+"""`kitrobot deploy`: a program onto real robots."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from kitrobot.cli.speaking import clean, complain, give, show, tell
+
+if TYPE_CHECKING:
+    from kitrobot.workspace import Sent
+
+_STAGES = {"connect": "connecting", "compare": "comparing", "send": "sending", "start": "starting"}
+
+Addresses = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--to",
+        metavar="PORT|URL",
+        help="The robot: a serial port or a URL such as `socket://HOST:PORT`; may be given several times.",
+        show_default="the only one that is there",
+    ),
+]
+
+
+def deploy_program(
+    mission: Annotated[
+        Path,
+        typer.Argument(
+            metavar="MISSION", help="A `.krt`, a picture that carries one, or an `.lll`.", show_default=False
+        ),
+    ],
+    program: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Which program of a `.krt` with several.", show_default=False)
+    ] = None,
+    to: Addresses = None,
+    robot: Annotated[
+        str | None,
+        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot; a `.krt` names its own.", show_default=False),
+    ] = None,
+    replace: Annotated[
+        bool, typer.Option("--replace", help="Overwrite a `main.py` on the board that is not KitRobot's.")
+    ] = False,
+    fresh: Annotated[
+        bool,
+        typer.Option("--fresh", help="First remove what KitRobot put there; when there is no room for old and new."),
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")] = False,
+) -> None:
+    """Put a program onto real robots and start it there; from then on it starts by itself when the power comes on.
+
+    Only what is new is sent, and it is read back. Until all of it is there the robot keeps what it had. The exit status
+    is 1 when the program has errors, or when one of the robots could not be brought to run it.
+    """
+    from kitrobot.workspace import chosen_boards, load_board_program, send_program
+
+    ready = load_board_program(mission, robot=robot, program=program)
+    show(ready.diagnostics, ready.sources)
+    addresses = chosen_boards(to or [])
+    with _bars(addresses) as progress:
+        sent = send_program(ready, addresses, progress, replace=replace, fresh=fresh)
+    if as_json:
+        give(json.dumps([_object(one) for one in sent], ensure_ascii=False, indent=2) + "\n")
+    for one in sent:
+        if one.error is not None:
+            tell(f"{one.address}:")
+            complain(one.error)
+        elif not as_json:
+            give(_sentence(one, ready.names.program))
+    if any(one.error is not None for one in sent):
+        raise typer.Exit(1)
+
+
+def _sentence(sent: Sent, program: str) -> str:
+    done = sent.deployed
+    assert done is not None
+    files = len(done.sent_files)
+    news = f"{files} file{'s' if files != 1 else ''} sent ({done.bytes_sent} bytes)" if files else "nothing to send"
+    return (
+        f"{clean(sent.address)}: {clean(program)} runs; {done.free} bytes of memory are left\n"
+        f"  {news}, {len(done.kept_files)} kept, {done.seconds:.1f} s; program {done.program},"
+        f" KitRobot {done.package}, generation {done.generation}\n"
+    )
+
+
+def _object(sent: Sent) -> dict[str, Any]:
+    done = sent.deployed
+    if done is None:
+        assert sent.error is not None
+        return {"address": sent.address, "ok": False, "error": sent.error.message, "help": sent.error.help}
+    return {
+        "address": sent.address,
+        "ok": True,
+        "program": done.program,
+        "package": done.package,
+        "generation": done.generation,
+        "free": done.free,
+        "sent": list(done.sent_files),
+        "kept": list(done.kept_files),
+        "bytes": done.bytes_sent,
+        "seconds": round(done.seconds, 3),
+    }
+
+
+@contextmanager
+def _bars(addresses: Sequence[str]) -> Iterator[Callable[[str, str, int, int], None]]:
+    """A bar for each robot on standard error while a person watches."""
+    if not sys.stderr.isatty():
+        yield lambda address, stage, done, total: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (
+        TextColumn("{task.description}", markup=False),
+        BarColumn(),
+        TextColumn("{task.fields[stage]}"),
+        TimeElapsedColumn(),
+    )
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        tasks = {address: bar.add_task(clean(address), total=None, stage="") for address in addresses}
+
+        def progress(address: str, stage: str, done: int, total: int) -> None:
+            bar.update(tasks[address], completed=done, total=total or None, stage=_STAGES.get(stage, stage))
+
+        yield progress

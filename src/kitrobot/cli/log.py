@@ -1,0 +1,58 @@
+"""`kitrobot log`: why a real robot stopped, and what it printed."""
+
+from __future__ import annotations
+
+import json
+import math
+import time
+from typing import Annotated, Any
+
+import typer
+
+from kitrobot.cli.speaking import clean, give
+from kitrobot.cli.watch import Board, Mission, Program
+
+_LISTEN_S = 0.5
+
+
+def show_log(
+    to: Board = None,
+    mission: Mission = None,
+    program: Program = None,
+    follow: Annotated[bool, typer.Option("--follow", "-f", help="Stay, and show what comes, until Ctrl-C.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Give one JSON object a line.")] = False,
+) -> None:
+    """Show the last fault of a robot, with the place in the program, and the text that the robot prints."""
+    from kitrobot.deploy import Fault, SilentError, Text, connect
+    from kitrobot.workspace import chosen_boards
+    from kitrobot.workspace.board_watching import fault_object, fault_sentence, names_for
+
+    def say(sentence: str, found: dict[str, Any]) -> None:
+        give(json.dumps(found, ensure_ascii=False) + "\n" if as_json else f"{clean(sentence)}\n")
+
+    address = chosen_boards([to] if to is not None else [])[0]
+    try:
+        board = connect(address)
+    except SilentError as error:
+        printed = getattr(error, "printed", "").strip()
+        if printed:
+            say(printed, {"kind": "text", "text": printed})
+        raise
+    with board:
+        names = names_for(board.hello, mission, program)
+        fault = board.last_fault()
+        if fault is None:
+            say("no fault", {"kind": "fault", "number": 0})
+        else:
+            say(fault_sentence(fault, names), fault_object(fault, names))
+        until = math.inf if follow else time.monotonic() + _LISTEN_S
+        try:
+            while time.monotonic() < until:
+                news = board.news(_LISTEN_S)
+                if isinstance(news, Text):
+                    text = news.text.strip("\n")
+                    say(text, {"kind": "text", "text": text})
+                elif isinstance(news, Fault):
+                    say(fault_sentence(news, names), fault_object(news, names))
+        except KeyboardInterrupt:
+            pass
