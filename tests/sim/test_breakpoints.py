@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from kitrobot.compiler import compile_text
 from kitrobot.image import Machine
 from kitrobot.mission import Breakpoint
 from kitrobot.primitives import load_catalogue
+from kitrobot.sim import Recorder, Simulation
 from kitrobot.sim.breakpoints import Breakpoints, Condition, ConditionError, Hit
 from kitrobot.sim.timeline import Timeline
 
@@ -23,11 +25,15 @@ def vertex(program: str, element: str) -> str:
     return next(one.id for one in TRANSPORT.program(program).vertices if one.element == element)
 
 
+def vertices(simulation: Simulation) -> Mapping[str, Sequence[str | None]]:
+    return Recorder(simulation).header.vertices
+
+
 def run(*breakpoints: Breakpoint, steps: int = 3000) -> list[tuple[int, Hit]]:
     """Every hit of a run and the step after which it was."""
     simulation = TRANSPORT.simulation(seed=1)
     simulation.watch_programs()
-    armed = Breakpoints(breakpoints, simulation.members, TRANSPORT.compiled)
+    armed = Breakpoints(breakpoints, simulation.members, vertices(simulation))
     found = []
     while simulation.outcome is None and simulation.tick < steps:
         simulation.step()
@@ -93,7 +99,7 @@ def test_visits_are_the_same_on_every_way_there() -> None:
     simulation = TRANSPORT.simulation(seed=1)
     simulation.watch_programs()
     timeline = Timeline(simulation)
-    armed = Breakpoints([Breakpoint("carrier", light)], simulation.members, TRANSPORT.compiled)
+    armed = Breakpoints([Breakpoint("carrier", light)], simulation.members, vertices(simulation))
 
     def on(to: int) -> list[tuple[int, Hit]]:
         found = []

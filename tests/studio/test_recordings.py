@@ -154,3 +154,27 @@ def test_axe_finds_nothing_while_a_recording_plays(
     studio.page.keyboard.press("End")
     expect(studio.at("play-recording")).to_be_visible()
     find_nothing(studio, "the end of a recording")
+
+
+def test_a_recording_pauses_at_a_part_and_does_so_again_when_it_is_played_again(
+    open_studio: OpenStudio, tmp_path: Path
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    drop(studio, "bug.krtrace", recorded(tmp_path))
+    expect(studio.at("recording-bar")).to_be_visible()
+    expect(studio.at("recording-bar")).not_to_contain_text("Pause here")
+    held(studio)
+    studio.page.locator(".vertex", has_text="Sign = Dock or Run is false").click()
+    studio.page.keyboard.press("b")
+    expect(studio.at("recording-bar")).to_contain_text("Pause here")
+    studio.full_speed()
+    studio.at("run-button").click()
+    expect(studio.at("status")).to_contain_text("visit 1")
+    first = value(studio, "aria-valuenow")
+    studio.at("run-button").click()
+    expect(studio.at("event-strip")).not_to_have_attribute("aria-valuenow", str(first))
+    expect(studio.at("status")).to_have_attribute("data-status", PAUSED)
+    studio.at("stop-button").click()
+    studio.at("play-recording").click()
+    expect(studio.at("status")).to_contain_text("visit 1")
+    expect(studio.at("status")).to_have_attribute("data-status", PAUSED)

@@ -1,8 +1,8 @@
 """A recording as the page sees it: steered and told like a run that is on, from the records of its file.
 
 It has what `Watch` has, so a session drives the one as the other. All of it has happened: the timeline is known to its
-end from the first moment, and nothing can be done to it. Breakpoints do nothing: a recording does not hold what a
-condition would be asked of.
+end from the first moment, and nothing can be done to it. It pauses at breakpoints as far as the records show who came
+where (recorded_agents).
 """
 
 from __future__ import annotations
@@ -13,12 +13,13 @@ from typing import Any, NoReturn
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.mission import Breakpoint
+from kitrobot.server.recorded_agents import recorded_agents, testable
 from kitrobot.server.shapes import StartedMessage
 from kitrobot.server.telling import MOST_EVENTS_TOLD, Teller
-from kitrobot.sim.breakpoints import Hit
+from kitrobot.sim.breakpoints import Breakpoints, Hit
 from kitrobot.trace import TickRecord, TraceEvent
 from kitrobot.trace.reading import kept
-from kitrobot.workspace import OpenTrace
+from kitrobot.workspace import OpenMission, OpenTrace
 
 ENDED = ("done", "failed", "stuck", "time")
 """Outcomes of runs that came to their end; other recordings just end."""
@@ -30,22 +31,27 @@ class PlayingError(KitRobotError):
 
 
 class Player:
-    """Plays one recording. It closes the file when it is closed.
+    """Plays one recording. It closes the file when it is closed. `opened` is its mission with its robots, which
+    breakpoints need.
 
     Raises:
         TraceError: the recording is damaged.
     """
 
-    def __init__(self, trace: OpenTrace) -> None:
+    def __init__(self, trace: OpenTrace, opened: OpenMission | None = None) -> None:
         self._trace = trace
+        self._robots = {} if opened is None else opened.catalogue.robots
         self._reader = trace.reader
         self._tick_ms = trace.reader.header.tick_ms
         self._teller = Teller(trace.reader.header)
         self._first = self._now = self._reader.seek(0)
         self._ahead: Iterator[TickRecord] | None = None
         self._again = True
+        programs = {} if opened is None else opened.compiled
+        self._agents = recorded_agents(trace.reader.header, self._robots, programs)
+        self._breakpoints = Breakpoints([], [], {})
         self.hits: list[Hit] = []
-        """Nobody comes to a breakpoint here."""
+        """Why it stands before its time: who came to a breakpoint."""
 
     @property
     def path(self) -> Path:
@@ -97,11 +103,16 @@ class Player:
     # -- going on and back
 
     def advance(self, most: int | None, until: float, clock: Callable[[], float]) -> None:
-        """Goes on by at most `most` ticks (None: as many as there is time for), and not long after `until`."""
+        """Goes on by at most `most` ticks (None: as many as there is time for), not long after `until`, and not beyond
+        one in which somebody comes to a breakpoint.
+        """
+        self.hits = []
         goal = self._reader.last_tick if most is None else min(self.tick + most, self._reader.last_tick)
         read = 0
         while self.tick < goal and self._next():
             read += 1
+            if self.hits:
+                break
             if read % _RECORDS_BETWEEN_LOOKS == 0 and clock() >= until:
                 break
         self._now = kept(self._now)
@@ -115,17 +126,27 @@ class Player:
         if record is None:
             return False
         self._now = record
+        if self._breakpoints:
+            self._look()
+            self.hits = self._breakpoints.after_step(self.tick)
         return True
+
+    def _look(self) -> None:
+        for agent in self._agents:
+            agent.look(self._now)
 
     def seek(self, tick: int, stop: Callable[[], bool]) -> None:
         """Goes to a tick."""
         self._stand(self._reader.seek(tick))
 
     def step(self, agent: str, stop: Callable[[], bool]) -> None:
-        """Goes on until the agent ("" for anybody) stands at another vertex, or to the end."""
+        """Goes on until the agent ("" for anybody) stands at another vertex, or somebody comes to a breakpoint; at
+        most to the end.
+        """
         before = self._teller.standing(self._now, agent)
+        self.hits = []
         while not stop() and self._next():
-            if self._teller.standing(self._now, agent) != before:
+            if self.hits or self._teller.standing(self._now, agent) != before:
                 break
         self._now = kept(self._now)
 
@@ -143,6 +164,9 @@ class Player:
     def _stand(self, record: TickRecord) -> None:
         self._now = record
         self._ahead = None
+        self.hits = []
+        self._look()
+        self._breakpoints.went_to(self.tick)
 
     # -- from outside
 
@@ -171,7 +195,22 @@ class Player:
         self._teller.look_at(agents)
 
     def pause_at(self, breakpoints: Iterable[Breakpoint]) -> None:
-        """Does nothing."""
+        """These are the breakpoints from now on; visits are counted anew.
+
+        Raises:
+            ConditionError: a condition cannot be understood.
+            PlayingError: a condition cannot be tested here; its breakpoint pauses at each visit.
+        """
+        header = self._reader.header
+        sensible, all_of_them = testable(breakpoints, header, self._robots)
+        self._breakpoints = Breakpoints(sensible, self._agents, header.vertices)
+        self._look()
+        self._breakpoints.went_to(self.tick)
+        if not all_of_them:
+            raise PlayingError(
+                "a condition of a breakpoint cannot be tested in this recording: its robot is not known as it was",
+                "the recording pauses there at every visit",
+            )
 
     # -- telling
 

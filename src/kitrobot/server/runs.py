@@ -268,7 +268,8 @@ class Session:
 
     def _prepare(self, request: StartRequest | ReplayRequest) -> Watch | Player | ProblemsMessage:
         if isinstance(request, ReplayRequest):
-            return Player(self._studio.recordings.open(request.recording))
+            trace = self._studio.recordings.open(request.recording)
+            return Player(trace, self._studio.recorded(trace, request.recording))
         opened = self._studio.open(mission_from_shape(request.mission), request.path)
         try:
             return Watch(opened, opened.simulation(request.seed, fail_rate=request.fail_rate))

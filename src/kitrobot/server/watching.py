@@ -35,7 +35,6 @@ class Watch:
         simulation.watch_programs()
         self._simulation = simulation
         self._timeline = Timeline(simulation)
-        self._compiled = opened.compiled
         self._debug = {name: compiled.debug for name, compiled in opened.compiled.items()}
         self._opened = opened
         self._recorder = Recorder(simulation)
@@ -44,7 +43,7 @@ class Watch:
         self._early: list[Event] = []
         """What was done by hand and told at once, before the step that tells it."""
         self._again = False
-        self._breakpoints = Breakpoints(opened.mission.breakpoints, simulation.members, opened.compiled)
+        self._breakpoints = self._armed(opened.mission.breakpoints)
         self._portion = max(1, min(_TICKS_BETWEEN_LOOKS, _ROBOT_TICKS_BETWEEN_LOOKS // len(simulation.members)))
         self.hits: list[Hit] = []
         """Why `advance` came to an end before its time: who came to a breakpoint."""
@@ -178,8 +177,11 @@ class Watch:
         Raises:
             ConditionError: a condition cannot be understood.
         """
-        self._breakpoints = Breakpoints(breakpoints, self._simulation.members, self._compiled)
+        self._breakpoints = self._armed(breakpoints)
         self._breakpoints.went_to(self.tick)
+
+    def _armed(self, breakpoints: Iterable[Breakpoint]) -> Breakpoints:
+        return Breakpoints(breakpoints, self._simulation.members, self._recorder.header.vertices)
 
     # -- telling
 

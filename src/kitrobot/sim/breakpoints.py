@@ -5,6 +5,8 @@ already at the end of its step before: waiting is one visit. A condition is a pr
 tried by the one interpreter on a copy of the agent's inputs and variables: where it is true the program waits, else it
 ends at once. So it means exactly what it means in the graph. A visit counts when the condition holds.
 
+What it asks of an agent a recording can answer too (`Observed`).
+
 Left to others: pausing (whoever steers the run), keeping breakpoints (mission).
 """
 
@@ -12,14 +14,49 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Protocol
 
-from kitrobot.compiler import Compiled, compile_text
+from kitrobot.compiler import compile_text
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Machine
 from kitrobot.lll import Conditional, parse
 from kitrobot.mission import Breakpoint
 from kitrobot.primitives import Robot
-from kitrobot.sim.agents import Agent
+from kitrobot.trace import Threads
+
+
+class Mind(Protocol):
+    """What a program knows and did: `cells` begin with the fault, inputs and variables; `seen` says of each
+    instruction whether it ran in the last step.
+    """
+
+    @property
+    def cells(self) -> Sequence[int]: ...
+
+    @property
+    def seen(self) -> Sequence[int]: ...
+
+
+class Observed(Protocol):
+    """An agent whose visits are told; `active` is where its live threads stand, (slot, instruction) each."""
+
+    @property
+    def index(self) -> int: ...
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def program(self) -> str: ...
+
+    @property
+    def robot(self) -> Robot: ...
+
+    @property
+    def active(self) -> Threads: ...
+
+    @property
+    def machine(self) -> Mind: ...
 
 
 class ConditionError(KitRobotError):
@@ -56,7 +93,7 @@ class Condition:
         self._machine = Machine(compiled.image, robot)
         self._first = self._machine.snapshot()
 
-    def holds(self, machine: Machine) -> bool:
+    def holds(self, machine: Mind) -> bool:
         """Whether it is true of what this machine has read and holds."""
         mine = self._machine
         mine.restore(self._first)
@@ -73,7 +110,7 @@ class _Watched:
     breakpoint: Breakpoint
     instructions: frozenset[int]
     condition: Condition | None
-    agents: Sequence[Agent]
+    agents: Sequence[Observed]
     visits: dict[int, list[int]] = field(default_factory=dict)
     there: set[int] = field(default_factory=set)
     """Who stands there now."""
@@ -85,27 +122,26 @@ class Breakpoints:
     Args:
         breakpoints: those of the mission; one that is off, or whose program or vertex is gone, does nothing.
         agents: the members of the run.
-        images: the compiled programs by name.
+        vertices: for each program the vertex of each of its instructions, as a trace's header has them.
 
     Raises:
         ConditionError: a condition cannot be understood.
     """
 
     def __init__(
-        self, breakpoints: Iterable[Breakpoint], agents: Sequence[Agent], images: Mapping[str, Compiled]
+        self,
+        breakpoints: Iterable[Breakpoint],
+        agents: Sequence[Observed],
+        vertices: Mapping[str, Sequence[str | None]],
     ) -> None:
         self._watched: list[_Watched] = []
         for breakpoint in breakpoints:
             mine = [agent for agent in agents if agent.program == breakpoint.program]
             wanted = [agent for agent in mine if not breakpoint.agents or agent.name in breakpoint.agents]
-            compiled = images.get(breakpoint.program)
-            if not breakpoint.enabled or not wanted or compiled is None:
+            if not breakpoint.enabled or not wanted:
                 continue
-            instructions = frozenset(
-                number
-                for number in range(len(compiled.debug.origins))
-                if compiled.debug.vertex(number) == breakpoint.vertex
-            )
+            places = enumerate(vertices.get(breakpoint.program, ()))
+            instructions = frozenset(number for number, vertex in places if vertex == breakpoint.vertex)
             condition = Condition(breakpoint.when, wanted[0].robot) if breakpoint.when.strip() else None
             if instructions:
                 self._watched.append(_Watched(breakpoint, instructions, condition, wanted))
@@ -131,7 +167,7 @@ class Breakpoints:
             watched.visits = {agent: [at for at in ticks if at <= tick] for agent, ticks in watched.visits.items()}
             watched.there = {agent.index for agent in watched.agents if _stands(watched, agent)}
 
-    def _comes(self, watched: _Watched, agent: Agent, tick: int) -> bool:
+    def _comes(self, watched: _Watched, agent: Observed, tick: int) -> bool:
         """Whether the agent came to the vertex in this step, and the condition holds; counts the visit."""
         seen = agent.machine.seen
         before = agent.index in watched.there
@@ -148,5 +184,5 @@ class Breakpoints:
         return True
 
 
-def _stands(watched: _Watched, agent: Agent) -> bool:
+def _stands(watched: _Watched, agent: Observed) -> bool:
     return any(instruction in watched.instructions for _, instruction in agent.active)

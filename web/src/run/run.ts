@@ -63,7 +63,7 @@ export interface RunState {
   another: boolean;
   start: (what: { mission: Mission; path: string }) => void;
   /** Plays a recording that was opened, of this mission. */
-  replay: (what: { mission: Mission; recording: string }) => void;
+  replay: (what: { mission: Mission; recording: string; breakpoints: Breakpoint[] }) => void;
   /** Watches a run of this mission that another page steers. */
   watch: (what: { mission: Mission; run: string }) => void;
   pause: () => void;
@@ -112,6 +112,7 @@ const NOTHING = {
   recording: false,
   watching: false,
   another: false,
+  real: false,
 };
 
 let socket: RunSocket | null = null;
@@ -269,12 +270,14 @@ export function showReal(line: RunSocket, run: Partial<RunState>): void {
 }
 
 /** Begins a run, or plays a recording, in the place of what was on. */
-function connect(mission: Mission, request: RunRequest): void {
+function connect(mission: Mission, ...requests: RunRequest[]): void {
   hangUp();
   clearFrames();
   useRun.setState({ ...NOTHING, status: "connecting", mission });
   socket = openRunSocket({
-    onOpen: (opened) => opened.send(request),
+    onOpen: (opened) => {
+      for (const request of requests) opened.send(request);
+    },
     onMessage: (message) => {
       useRun.setState((state) => applyMessage(state, message));
       if (message.type === "started") {
@@ -314,7 +317,12 @@ export const useRun = create<RunState>((set, get) => ({
     connect(mission, { type: "start", mission, path, seed, speed, fail_rate: failRate });
   },
   watch: ({ mission, run }) => connect(mission, { type: "watch", run, mission }),
-  replay: ({ mission, recording }) => connect(mission, { type: "replay", recording, speed: get().speed }),
+  replay: ({ mission, recording, breakpoints }) =>
+    connect(
+      mission,
+      { type: "replay", recording, speed: get().speed },
+      ...(breakpoints.length > 0 ? [{ type: "breakpoints", breakpoints } as const] : []),
+    ),
   pause: () => {
     if (get().status === "running") steer({ type: "pause" });
   },

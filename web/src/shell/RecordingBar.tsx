@@ -1,4 +1,5 @@
 /** Says across the page that what moves is a recording, and leads to a live run of the same mission and back. */
+import { useStudio } from "../model/studio";
 import { isLive, useRun } from "../run/run";
 import { Icon } from "../theme";
 import { Said } from "../words/Said";
@@ -10,6 +11,7 @@ export function RecordingBar() {
   const open = useOpenRecording();
   const playing = useRun((run) => run.recording);
   const live = useRun((run) => isLive(run.status));
+  const stops = useStudio(({ mission }) => mission.breakpoints?.some((one) => one.enabled !== false) === true);
   if (open === null) return null;
   const name = shownName(open.path);
   return (
@@ -19,7 +21,8 @@ export function RecordingBar() {
         <strong>
           <Said text={t(playing ? "recording.playing" : "recording.live", { name, seed: open.seed })} />
         </strong>{" "}
-        {playing ? <Said text={t(open.cut ? "recording.cut" : "recording.nothing")} /> : null}
+        {playing ? <Said text={t(open.cut ? "recording.cut" : "recording.nothing")} /> : null}{" "}
+        {playing && stops ? t("recording.breakpoints") : null}
       </p>
       {playing && live ? null : (
         <button type="button" className="button" data-testid="play-recording" onClick={playAgain}>

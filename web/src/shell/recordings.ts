@@ -55,7 +55,10 @@ export function begin({ recording, seed, fail_rate, cut, file }: Recording): voi
 
 export function playAgain(): void {
   const { open } = useRecording.getState();
-  if (open !== null) useRun.getState().replay({ mission: open.mission, recording: open.recording });
+  if (open === null) return;
+  // Breakpoints are not of the recording: those that stand now are meant.
+  const { breakpoints = [] } = useStudio.getState().mission;
+  useRun.getState().replay({ mission: open.mission, recording: open.recording, breakpoints });
 }
 
 /** A live run of the mission as it was recorded, with the same seed. */

@@ -5,6 +5,8 @@ export const RECORDING_FR = {
   "recording.playing": "Vous regardez un enregistrement : {name}, graine {seed}.",
   "recording.live": "La mission de l'enregistrement {name} tourne maintenant à nouveau, avec la graine {seed}.",
   "recording.nothing": "Avancez et reculez comme vous voulez ; on ne peut rien y changer.",
+  "recording.breakpoints":
+    "Il s'arrête à une pièce marquée « Pause ici » quand il montre qu'un robot y était : s'il s'y tenait, ou donnait un ordre qu'aucune autre pièce ne peut donner.",
   "recording.cut": "Son fichier a été coupé : il finit avant la fin de l'exécution.",
   "recording.run": "Lancer cette mission",
   "recording.again": "Rejouer",

@@ -1,0 +1,135 @@
+"""The agents of a recording as breakpoints ask of them: where each stood after a step, what ran in it, what it knew.
+
+A recording holds where every thread stands after each step, and the commands that devices took. So a vertex is known to
+have run when a thread stands there afterwards, or when the agent gave a command that no other vertex of its program
+can give; what ran and was left within one step otherwise is not known, and nobody is said to have been there.
+
+What an agent knew (fault, inputs, variables) is recorded whole, so conditions can be tested, as long as its robot is
+still defined as it was.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+
+from kitrobot.compiler import Compiled
+from kitrobot.image import Layout
+from kitrobot.image.instructions import ACT
+from kitrobot.mission import Breakpoint
+from kitrobot.primitives import Robot
+from kitrobot.trace import Threads, TickRecord, TraceHeader
+
+_CELLS = ("input", "done", "variable")
+"""The first words of columns that hold what an agent's program knows."""
+
+
+class RecordedAgent:
+    """One agent of a recording, as it is in the record that was looked at last. It is its own machine."""
+
+    def __init__(
+        self, index: int, header: TraceHeader, robot: Robot, cells: slice, givers: Mapping[tuple[str, str], str]
+    ) -> None:
+        agent = header.agents[index]
+        self.index = index
+        self.name = agent.name
+        self.program = agent.program
+        self.robot = robot
+        self.active: Threads = ()
+        self.cells: list[int] = []
+        self.seen: list[int] = []
+        self._vertices = header.vertices.get(agent.program, ())
+        self._places = cells
+        self._givers = givers
+
+    @property
+    def machine(self) -> RecordedAgent:
+        """What knows and does."""
+        return self
+
+    def look(self, record: TickRecord) -> None:
+        """As it is in this record."""
+        self.active = record.active[self.index]
+        self.cells = record.numbers[self._places]
+        ran = {self._vertices[number] for _, number in self.active if number < len(self._vertices)}
+        for command in record.commands:
+            if command.agent == self.index:
+                ran.add(self._givers.get((command.actuator, command.procedure)))
+        ran.discard(None)
+        self.seen = [int(vertex in ran) for vertex in self._vertices]
+
+
+def recorded_agents(
+    header: TraceHeader, robots: Mapping[str, Robot], programs: Mapping[str, Compiled]
+) -> list[RecordedAgent]:
+    """The agents of a recording whose robots are known, with their programs as they compile now."""
+    first: dict[str, int] = {}
+    width: Counter[str] = Counter()
+    for at, column in enumerate(header.columns):
+        if column.name == "fault":
+            first[column.owner] = at
+        if column.owner in first and column.name.partition(" ")[0] in ("fault", *_CELLS):
+            width[column.owner] += 1
+    robot_of = {agent.program: robots.get(agent.robot) for agent in header.agents}
+    givers = {
+        name: _givers(compiled, robot, header.vertices.get(name, ()))
+        for name, compiled in programs.items()
+        if (robot := robot_of.get(name)) is not None
+    }
+    made = []
+    for index, agent in enumerate(header.agents):
+        robot, begin = robots.get(agent.robot), first.get(agent.name, 0)
+        if robot is not None:
+            cells = slice(begin, begin + width[agent.name])
+            made.append(RecordedAgent(index, header, robot, cells, givers.get(agent.program, {})))
+    return made
+
+
+def testable(
+    breakpoints: Iterable[Breakpoint], header: TraceHeader, robots: Mapping[str, Robot]
+) -> tuple[list[Breakpoint], bool]:
+    """The breakpoints, without conditions where what a condition speaks of is not what was recorded; and whether all
+    of their conditions can be tested.
+    """
+    known = {agent.program: _is_as_recorded(header, agent.name, robots.get(agent.robot)) for agent in header.agents}
+    made, all_of_them = [], True
+    for one in breakpoints:
+        tests = not one.when.strip() or known.get(one.program, True)
+        made.append(one if tests else replace(one, when=""))
+        all_of_them &= tests or not one.enabled
+    return made, all_of_them
+
+
+def _is_as_recorded(header: TraceHeader, agent: str, robot: Robot | None) -> bool:
+    """Whether the cells of a robot are those that were recorded of an agent with it."""
+    if robot is None:
+        return False
+    layout = Layout(robot)
+    expected = [("input", name) for name in layout.sensors]
+    expected += [("done", name) for name in layout.done]
+    expected += [("variable", name) for name in layout.variables]
+    words = (column.name.partition(" ") for column in header.columns if column.owner == agent)
+    return expected == [(kind, name) for kind, _, name in words if kind in _CELLS]
+
+
+def _givers(compiled: Compiled, robot: Robot, vertices: Sequence[str | None]) -> dict[tuple[str, str], str]:
+    """The commands that only one vertex of a program can give, and that vertex.
+
+    Those that end a marked action are given by no instruction. Nothing is known of a program that compiles to something
+    else than what was recorded.
+    """
+    image, debug = compiled.image, compiled.debug
+    if image is None or [debug.vertex(number) for number in range(len(debug.origins))] != list(vertices):
+        return {}
+    layout = Layout(robot)
+    found: dict[tuple[str, str], set[str | None]] = {}
+    for number, vertex in enumerate(vertices):
+        if image.code[4 * number] == ACT:
+            _, actuator, procedure = layout.commands[image.code[4 * number + 1]]
+            found.setdefault((actuator, procedure), set()).add(vertex)
+    for stop in image.stops:
+        _, actuator, procedure = layout.commands[stop.command]
+        found.setdefault((actuator, procedure), set()).add(None)
+    alone = {call: next(iter(givers)) for call, givers in found.items() if len(givers) == 1}
+    return {call: vertex for call, vertex in alone.items() if vertex is not None}
