@@ -13,6 +13,7 @@ import threading
 from collections.abc import Iterable
 from pathlib import Path
 
+from kitrobot.diagnostics import KitRobotError
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.server.audience import Audience
@@ -26,11 +27,13 @@ from kitrobot.workspace import (
     KeptPrograms,
     MissionFolder,
     OpenMission,
+    OpenTrace,
     Tutorials,
     read_mission_data,
     with_mission,
     world_file,
 )
+from kitrobot.workspace.folder import RECORDING
 from kitrobot.world import EMPTY
 
 Stamp = tuple[tuple[str, int, int, int], ...]
@@ -119,6 +122,13 @@ class Studio:
         """The robots and constructors for a mission that the page sent: of the files, and those it brings along."""
         catalogue, _ = self.catalogue(path)
         return self.programs.catalogue(catalogue, mission.constructors, mission.variables)
+
+    def recorded(self, trace: OpenTrace, recording: str) -> OpenMission | None:
+        """The mission of a recording among what it brought along; None where that cannot be used."""
+        try:
+            return self.open(trace.mission, f"{RECORDING}{recording}/{trace.stem}.krt")
+        except KitRobotError:
+            return None
 
     def read(self, data: bytes, name: str, path: str) -> OpenMission:
         """A mission's file, opened among the files of the folder that it is in."""
