@@ -7,8 +7,7 @@
 PROTOCOL = 1
 LONGEST = 60  # bytes a frame may have on its way to a robot, so that it fits the 64 of a small board's buffer
 
-# What each escaped byte becomes; "}" is first when written and last when read.
-ESCAPES = ((b"}", b"}]"), (b"~", b"}^"), (b"\x03", b"}#"), (b"\x11", b"}1"), (b"\x13", b"}3"))
+ESCAPED = b"}~\x03\x11\x13"  # each becomes "}" and itself with bit 5 turned; the first is the first to be escaped
 
 
 def checksum(data):
@@ -25,15 +24,15 @@ def wrap(kind, number, payload):
     data = bytes((ord(kind), number)) + payload  # the smallest board has no str.encode
     check = checksum(data)
     data += bytes((check & 255, check >> 8))
-    for plain, escaped in ESCAPES:
-        data = data.replace(plain, escaped)
+    for x in ESCAPED:
+        data = data.replace(bytes((x,)), bytes((125, x ^ 32)))
     return b"~" + data + b"~"
 
 
 def unwrap(data):
     """(kind, number, payload) of what stands between two "~", or None when that is no whole frame."""
-    for plain, escaped in reversed(ESCAPES):  # the smallest board slices with no step
-        data = data.replace(escaped, plain)
+    for x in reversed(ESCAPED):  # the smallest board slices with no step
+        data = data.replace(bytes((125, x ^ 32)), bytes((x,)))
     end = len(data) - 2
     if end < 2 or data[0] > 127 or checksum(data[:end]) != data[end] | data[end + 1] << 8:
         return None

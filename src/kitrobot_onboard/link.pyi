@@ -2,7 +2,7 @@ from collections.abc import Iterable
 
 PROTOCOL: int
 LONGEST: int
-ESCAPES: tuple[tuple[bytes, bytes], ...]
+ESCAPED: bytes
 
 def checksum(data: Iterable[int]) -> int: ...
 def wrap(kind: str, number: int, payload: bytes) -> bytes: ...

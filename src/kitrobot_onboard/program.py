@@ -27,24 +27,26 @@ def is_whole(name):
 
 
 def load(name):
-    """The header's fields, the arrays, where in the file the cells are, and a list of words for each device.
+    """What is in a program file: the list that a robot is (see `state`), as far as it comes from there, and a list of
+    words for each device.
 
     Raises ValueError when the file is damaged, OSError when it cannot be read.
     """
     if not is_whole(name):
         raise ValueError("damaged")
     file = open(name, "rb")
-    at = len(file.readline())
+    file.readline()
     devices = []
     while True:
         line = file.readline()
-        at += len(line)
         if len(line) < 2:
             break
         devices.append(str(line, "utf8").split())
     fields = struct.unpack(HEADER, file.read(HEADER_SIZE))
     if fields[0] != b"KRI\0" or fields[1] != FORMAT:
         raise ValueError("another format")
-    loaded = fields, arrays(file.read, fields), at + HEADER_SIZE, devices
+    robot = list(arrays(file.read, fields))
     file.close()
-    return loaded
+    robot.append(robot[1][: 1 + fields[6] + fields[7] + fields[8]])
+    robot += [fields[6], 1 + fields[6] + fields[7], fields[4], [], [], "", b""]
+    return robot, devices

@@ -1,47 +1,46 @@
-# From power-on to the loop. The order is what makes it fit a small board: the program's arrays first, while there is
-# room to compile their reader; then the interpreter, which is the largest; then the rest. What was needed once is
-# forgotten.
+# From power-on to the loop. The order is what makes it fit a small board: the interpreter and the loop first, as long
+# as there is room to compile them; then the program's arrays. What only starts is forgotten before the loop begins.
+
+import struct
+
+from kitrobot_onboard import arrays, equip
+from kitrobot_onboard import program as reading
+from kitrobot_onboard.robot import run  # noqa: F401  main.py takes it from here
+from kitrobot_onboard.state import BEGIN, FAULT, FORCED, HEARD, NAMES, NEWS, REST, SEEN, SENT, STATE, TOLD
+
+LENGTH = 37  # of the list that a robot is: see `state`
 
 
-def start(port, package, program, generation):
-    """Loads a program file (None: there is none) and goes on until somebody asks for the prompt."""
-    number = 0
-    text = ""
-    loaded = None
+def readied(port, package, program, generation):
+    """A robot, and number, instruction and text of what kept its program from being ready, or None.
+
+    `package` and `program` are names; `program` is None when there is none.
+    """
+    failed = None
+    robot = [b"", [], [], [], [], [], 0, 0, 0, [], [], "", b""]
     try:
         if program:
-            from kitrobot_onboard import program as reading
-
             loaded = reading.load(program)
+            text = equip.equip(port, loaded)
+            if text:
+                failed = 5, 65535, text
+            else:
+                robot = loaded[0]
     except MemoryError:
-        number = 3
+        failed = 3, 65535, ""
     except Exception as error:
-        number = 4
-        text = repr(error)
-    if program:
-        from kitrobot_onboard import arrays
+        failed = 4, 65535, repr(error)
+    while len(robot) < LENGTH:
+        robot.append(0)
+    robot[STATE] = robot[BEGIN] = 1 if robot[0] else 0
+    robot[FAULT] = 0, 65535, 0, b""
+    robot[FORCED] = {}
+    robot[REST] = robot[SENT] = robot[NEWS] = robot[SEEN] = b""
+    robot[HEARD] = robot[TOLD] = port.ticks()
+    robot[NAMES] = struct.pack("<H", generation) + bytes(package + " " + (program[2:] if program else "-"), "utf8")
+    return robot, failed
 
-        del reading.load, reading.is_whole, arrays.arrays
-    from kitrobot_onboard.robot import Robot
 
-    robot = Robot(port, package + " " + (program[2:] if program else "-"), generation)
-    if loaded:
-        from kitrobot_onboard import equip
-
-        try:
-            text = equip.equip(robot, loaded[3])
-            number = 5 if text else 0
-            if not number:
-                robot.take(program, loaded)
-        except MemoryError:
-            number = 3
-        del equip.equip, loaded
-    port.enter()
-    try:
-        if number:
-            robot.fail(number, 65535, text)
-        elif robot.cells is not None:
-            robot.begin(False)
-        robot.run()
-    finally:
-        port.leave()
+def forget():
+    """Makes room: all this was needed once."""
+    del reading.load, reading.is_whole, arrays.arrays, equip.equip

@@ -18,7 +18,8 @@ import time
 from pathlib import Path
 from types import SimpleNamespace
 
-from kitrobot_onboard.start import start
+from kitrobot_onboard.robot import run
+from kitrobot_onboard.start import readied
 from tests.boards import drivers
 
 PACKAGE = "c0ffee00"
@@ -26,8 +27,6 @@ PACKAGE = "c0ffee00"
 
 class SocketPort:
     """The port of `kitrobot_onboard.robot` over a listening socket; a host that goes is like a cable that is pulled."""
-
-    BYTE_US = 0
 
     def __init__(self, port: int = 0) -> None:
         self.listener = socket.create_server(("127.0.0.1", port))
@@ -86,13 +85,6 @@ class SocketPort:
     def driver(self, name: str) -> SimpleNamespace:
         return drivers.driver(name)
 
-    def enter(self) -> None:
-        pass
-
-    def leave(self) -> None:
-        self.drop()
-        self.listener.close()
-
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -109,7 +101,8 @@ def main() -> None:
             name = "kp" + hashlib.sha256(data).hexdigest()[:8]
             (Path(folder) / name).write_bytes(data)
         with contextlib.chdir(folder):
-            start(port, PACKAGE, name, given.generation)
+            robot, failed = readied(port, PACKAGE, name, given.generation)
+            run(port, robot, failed)
 
 
 if __name__ == "__main__":

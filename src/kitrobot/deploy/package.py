@@ -18,6 +18,7 @@ from functools import cache
 from pathlib import Path
 
 import kitrobot_onboard
+from kitrobot.deploy.constants import Constants, constants_of, told_in_place
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.naming import renamed, short_names
 from kitrobot.deploy.shortening import parsed, shortened
@@ -122,6 +123,7 @@ class _Making:
         self.open.append(path)
         tree = parsed(_read(path), str(path))
         if path in _carried():
+            tree = told_in_place(tree, constants_of(tree), _constants())
             tree = renamed(tree, _names())
         tree = _Imports(self, path).visit(tree)
         self.open.pop()
@@ -137,6 +139,11 @@ def _carried() -> frozenset[Path]:
     return frozenset(
         path for folder in (ONBOARD, ONBOARD / "ports") for path in folder.glob("*.py") if path.name not in _NOT_CARRIED
     )
+
+
+@cache
+def _constants() -> Mapping[str, Constants]:
+    return {f"{_ROOT}.{path.stem}": constants_of(parsed(_read(path), path.name)) for path in _carried()}
 
 
 @cache

@@ -12,7 +12,6 @@ import micropython
 
 from kitrobot_onboard import start  # noqa: F401  main.py takes it from here
 
-BYTE_US = 87  # at 115200 baud; over USB it is less
 MOST = 64  # bytes that are taken at once, so that a flood does not make a tick late
 driver = __import__
 write = sys.stdout.buffer.write
@@ -20,6 +19,7 @@ take = sys.stdin.buffer.read
 line = poll()
 line.register(sys.stdin, POLLIN)
 lamp = None
+micropython.kbd_intr(-1)  # from now on, 0x03 is a byte like any other; main.py undoes it
 
 
 def read(ms):
@@ -51,12 +51,3 @@ def identify(on):
             lamp = None
     except Exception:  # no such lamp
         lamp = None
-
-
-def enter():
-    """From now on, 0x03 is a byte like any other."""
-    micropython.kbd_intr(-1)
-
-
-def leave():
-    micropython.kbd_intr(3)

@@ -8,12 +8,11 @@ from utime import ticks_add as add
 from utime import ticks_diff as diff
 from utime import ticks_ms as ticks
 
-from kitrobot_onboard.start import start
+from kitrobot_onboard import start  # noqa: F401  main.py takes it from here
 
-BYTE_US = 87
 driver = __import__
 write = uart.write
-kept = [0] * 25  # what the display showed before it identified itself
+micropython.kbd_intr(-1)  # from now on, 0x03 is a byte like any other; main.py undoes it
 
 
 def read(ms):
@@ -32,20 +31,6 @@ def free():
 
 
 def identify(on):
+    """What is dark becomes bright, and the other way; the second time undoes the first."""
     for i in range(25):
-        if on:
-            kept[i] = display.get_pixel(i % 5, i // 5)
-        display.set_pixel(i % 5, i // 5, 9 if on else kept[i])
-
-
-def enter():
-    """From now on, 0x03 is a byte like any other."""
-    micropython.kbd_intr(-1)
-
-
-def leave():
-    micropython.kbd_intr(3)
-
-
-def main(package, program, generation):
-    start(__import__(__name__), package, program, generation)
+        display.set_pixel(i % 5, i // 5, 9 - display.get_pixel(i % 5, i // 5))
