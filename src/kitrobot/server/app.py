@@ -13,6 +13,7 @@ from starlette.exceptions import HTTPException
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server import pages
+from kitrobot.server.board_routes import board_routes
 from kitrobot.server.fragments import routes as fragment_routes
 from kitrobot.server.image_routes import image_routes
 from kitrobot.server.journal_routes import journal_routes
@@ -24,6 +25,8 @@ from kitrobot.server.runs import run_routes
 from kitrobot.server.security import Guard
 from kitrobot.server.sentences import InReadersLanguage, spoken
 from kitrobot.server.shapes import (
+    BOARD_MESSAGE_MODELS,
+    BOARD_REQUEST_MODELS,
     REQUEST_MODELS,
     RUN_MESSAGE_MODELS,
     WATCH_MESSAGE_MODELS,
@@ -61,6 +64,7 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
     app.include_router(routes)
     app.include_router(fragment_routes)
     app.include_router(run_routes)
+    app.include_router(board_routes)
     app.include_router(journal_routes)
     app.include_router(text_routes)
     app.include_router(own_part_routes)
@@ -99,8 +103,10 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
     """The schema of all requests, with the shapes that travel over the WebSocket, which OpenAPI knows no place for."""
     if app.openapi_schema is None:
         schema = FastAPI.openapi(app)
-        models = [(model, "validation") for model in REQUEST_MODELS]
-        models += [(model, "serialization") for model in (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS)]
+        models = [(model, "validation") for model in (*REQUEST_MODELS, *BOARD_REQUEST_MODELS)]
+        models += [
+            (model, "serialization") for model in (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS, *BOARD_MESSAGE_MODELS)
+        ]
         _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
         schema["components"]["schemas"] |= extra["$defs"]
         app.openapi_schema = schema

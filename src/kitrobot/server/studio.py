@@ -17,6 +17,8 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.server.audience import Audience
+from kitrobot.server.board_links import RealLinks
+from kitrobot.server.board_room import BoardRoom
 from kitrobot.server.gallery import Gallery
 from kitrobot.server.playing import Player
 from kitrobot.server.recordings import Recordings
@@ -55,6 +57,10 @@ class Studio:
         """The runs and recordings that are on, by their names."""
         self.audiences: dict[str, Audience] = {}
         """Who watches them, by the same names."""
+        self.boards = BoardRoom(RealLinks())
+        """The real robots."""
+        self.boards_for_visitors = False
+        """Whether pages on other machines may use the ports of this one."""
         self.recordings = Recordings(self._recordings_are_in)
         self.saving = threading.Lock()
         """Held while a run is recorded once more: one at a time is quick enough."""

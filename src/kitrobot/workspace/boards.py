@@ -67,8 +67,8 @@ class BoardProgram:
 
     @cached_property
     def called(self) -> frozenset[str]:
-        """What robots of each kind call it; kinds for which it has no drivers are left out."""
-        found = set()
+        """What robots of each kind call it, as far as it has drivers for them, and robots that know drivers by name."""
+        found = {program_name(self.file.to_bytes())[2:]}
         for family in FAMILIES:
             if not self.package.missing(self.file.drivers, family):
                 built = self.package.built(family, self.file.drivers)

@@ -36,6 +36,164 @@ export interface Arc {
   at: string;
 }
 
+/** Break off the sending; the robot keeps the program that it had. */
+export interface BoardCancelRequest {
+  type: "cancel";
+  address: string;
+}
+
+/**
+ * Greet the robot at that address. `mission` and `program` are what this page has open: when the robot has that
+ * program, what it does is told by its names.
+ */
+export interface BoardConnectRequest {
+  type: "connect";
+  address: string;
+  mission: Mission;
+  path: string;
+  program: string;
+}
+
+/** Why the robot stopped by itself; `vertex` and `line` (of the LLL, from 1) are "" and 0 where nobody knows. */
+export interface BoardFault {
+  number: number;
+  sentence: string;
+  text: string;
+  program: string;
+  vertex: string;
+  line: number;
+  tick: number;
+}
+
+/** Put a value in the place of what a sensor measures; null gives the sensor back. */
+export interface BoardForceRequest {
+  type: "force";
+  address: string;
+  sensor: string;
+  value: number | null;
+}
+
+/** Let go of the robot; one that is held stops. */
+export interface BoardForgetRequest {
+  type: "forget";
+  address: string;
+}
+
+/** Nobody talks with that robot any more. */
+export interface BoardGoneMessage {
+  type: "gone";
+  address: string;
+}
+
+/** Let the robot show which one it is. */
+export interface BoardIdentifyRequest {
+  type: "identify";
+  address: string;
+}
+
+/**
+ * A robot as it stands. `package` and `installed` name what is on it; `program` is the name of that in the mission, ""
+ * when it is not what the page sent or has open. Values and vertices are told only then.
+ */
+export interface BoardMessage {
+  type: "board";
+  address: string;
+  name: string;
+  holder: string;
+  phase: "closed" | "connecting" | "open" | "sending" | "lost";
+  state: "none" | "ready" | "running" | "ended" | "fault";
+  held: boolean;
+  free: number;
+  tick: number;
+  seconds: number;
+  generation: number;
+  package: string;
+  installed: string;
+  program: string;
+  robot: string;
+  active: [number, string][];
+  values: Record<string, number>;
+  inputs: Record<string, number>;
+  forced: string[];
+  progress: BoardProgress | null;
+  fault: BoardFault | null;
+  message: string;
+  help: string;
+}
+
+/** A port of this machine where a robot may be. */
+export interface BoardPort {
+  address: string;
+  name: string;
+  description: string;
+}
+
+/** All ports there are now. */
+export interface BoardPortsMessage {
+  type: "ports";
+  ports: BoardPort[];
+}
+
+/** How far the sending is: `done` of `total` bytes. */
+export interface BoardProgress {
+  step: "connect" | "compare" | "send" | "start";
+  done: number;
+  total: number;
+}
+
+/** A request that was not followed; `problems` are those of the program that was to be sent. */
+export interface BoardRefusedMessage {
+  type: "refused";
+  address: string;
+  message: string;
+  help: string;
+  problems: Problem[];
+}
+
+/** Put that program on the robot, then let it run: held by this page, free, or not at all. */
+export interface BoardSendRequest {
+  type: "send";
+  address: string;
+  mission: Mission;
+  path: string;
+  program: string;
+  then: "held" | "free" | "ready";
+  replace?: boolean;
+}
+
+/** Set a variable. */
+export interface BoardSetRequest {
+  type: "set";
+  address: string;
+  variable: string;
+  value: number;
+}
+
+/** Begin the program that is on the robot: held (it stops when this page goes away), or free. */
+export interface BoardStartRequest {
+  type: "start";
+  address: string;
+  held: boolean;
+}
+
+/** Stop the robot, or with "" every robot that the studio knows. Any page may. */
+export interface BoardStopRequest {
+  type: "stop";
+  address: string;
+}
+
+/** Tell which ports there are, and what is plugged in or out, from now on; or no more. */
+export interface BoardsLookRequest {
+  type: "look";
+  on: boolean;
+}
+
+/** The first message: by what name this page holds robots. */
+export interface BoardsWelcomeMessage {
+  type: "welcome";
+  you: string;
+}
+
 /** Where a run pauses: see `kitrobot.mission.Breakpoint`. */
 export interface Breakpoint {
   program: string;

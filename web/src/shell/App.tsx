@@ -5,7 +5,7 @@
  */
 import { type CSSProperties, type DragEvent, useEffect } from "react";
 
-import { Arena } from "../arena/Arena";
+import { ArenaOrRobots } from "../boards/Place";
 import { Code } from "../code/Code";
 import { followBreakpoints } from "../debug/breakpoints";
 import { takeSamples } from "../debug/samples";
@@ -145,7 +145,7 @@ function Side() {
       {folded.code || last === "code" ? null : <Separator edge="code" label={t("view.code")} along="y" />}
       {folded.arena ? null : (
         <section className="side-part side-arena" aria-label={t("view.arena")}>
-          <Arena />
+          <ArenaOrRobots />
         </section>
       )}
     </div>

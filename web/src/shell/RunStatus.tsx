@@ -32,7 +32,8 @@ export function RunStatus() {
   const status = useRun((run) => run.status);
   const sentence = useRun((run) => run.sentence);
   const time = useRun((run) => clock(run.seconds));
-  const key: Key = `status.${status}`;
+  const real = useRun((run) => run.real);
+  const key: Key = real && status === "running" ? "boards.on-robot" : `status.${status}`;
   const timed = status === "running" || status === "paused" || status === "stopped";
   const running = useRun((run) => (isLive(run.status) && !run.watching ? run.mission : null));
   const edited = useStudio(({ mission }) => running !== null && isAnother(mission, running));

@@ -1,4 +1,5 @@
 /** The tools under the menus: undo and redo, the run and its speed, what it is doing; STOP at the end. */
+import { runOnRobots, stopEverything } from "../boards/state";
 import { useStudio } from "../model/studio";
 import { canGoBack, isLive, useRun } from "../run/run";
 import { Icon } from "../theme";
@@ -40,7 +41,8 @@ export function Toolbar() {
   const { undo, redo } = useStudio.getState();
   const status = useRun((state) => state.status);
   const watching = useRun((state) => state.watching);
-  const goesBack = useRun((state) => canGoBack(state.status) && state.tick > 0 && !state.watching);
+  const real = useRun((state) => state.real);
+  const goesBack = useRun((state) => canGoBack(state.status) && state.tick > 0 && !state.watching && !state.real);
   // What another page steers is not paused here, whatever it does there.
   const paused = status === "paused" && !watching;
   const live = isLive(status);
@@ -78,7 +80,7 @@ export function Toolbar() {
         icon="pause"
         label={t("run.pause")}
         keys={keyFor.page("pause")}
-        disabled={(status !== "running" || watching) && !paused}
+        disabled={(status !== "running" || watching || real) && !paused}
         pressed={paused}
         testId="pause-button"
         onPress={pause}
@@ -113,10 +115,18 @@ export function Toolbar() {
         keys={keyFor.page("stop")}
         disabled={!live}
         testId="stop-button"
-        onPress={useRun.getState().stop}
+        onPress={stopEverything}
       />
       <span className="tool-line" />
       <SpeedControl />
+      <span className="tool-line" />
+      <Tool
+        icon="upload"
+        label={t("boards.run")}
+        keys={keyFor.page("runOnRobot")}
+        testId="run-on-robot"
+        onPress={runOnRobots}
+      />
       <RunStatus />
     </div>
   );
@@ -130,7 +140,7 @@ export function TeamStop() {
       className="team-stop"
       data-testid="team-stop"
       title={`${t("stop.label")} (${keyFor.page("stop")})`}
-      onClick={useRun.getState().stop}
+      onClick={stopEverything}
     >
       <Icon name="octagon-x" size={24} />
       <span>

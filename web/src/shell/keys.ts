@@ -3,6 +3,7 @@
  */
 import { useEffect } from "react";
 
+import { runOnRobots, showRobots, stopEverything, useRobotsPanel } from "../boards/state";
 import { useStudio } from "../model/studio";
 import { printSheet } from "../out/print";
 import { fixProblem, walkProblems } from "../problems/walk";
@@ -32,7 +33,8 @@ const ACTIONS: Record<keyof typeof PAGE_KEYS, () => void> = {
   stepBack: () => useRun.getState().step("tick", true),
   stepVertex: () => stepVertex(false),
   stepVertexBack: () => stepVertex(true),
-  stop: () => useRun.getState().stop(),
+  stop: stopEverything,
+  runOnRobot: runOnRobots,
   slower: () => changeSpeed(-1),
   faster: () => changeSpeed(1),
   create: newMission,
@@ -56,6 +58,7 @@ const ACTIONS: Record<keyof typeof PAGE_KEYS, () => void> = {
   addProgram: () => document.querySelector<HTMLElement>(".add-program button")?.click(),
   team: () => openTeam(),
   world: () => openWorld(),
+  robots: () => showRobots(!useRobotsPanel.getState().open),
   variable: () => newVariable(),
   outline: toggleOutline,
   part: explain,

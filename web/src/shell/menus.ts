@@ -4,6 +4,7 @@
  */
 import { useMemo } from "react";
 
+import { runOnRobots, showRobots, stopEverything, useRobotsPanel } from "../boards/state";
 import { useView, type Viewport } from "../editor/view";
 import { ownConstructors } from "../model/own";
 import { useStudio } from "../model/studio";
@@ -222,8 +223,8 @@ function neighbours(several: boolean): MenuEntry[] {
 }
 
 function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
-  const { stop, step, setSpeed, tick, name, watching } = useRun.getState();
-  const goesBack = tick > 0 && canGoBack(useRun.getState().status) && !watching;
+  const { step, setSpeed, tick, name, watching, real } = useRun.getState();
+  const goesBack = tick > 0 && canGoBack(useRun.getState().status) && !watching && !real;
   const paused = status === "paused" && !watching;
   return [
     {
@@ -239,7 +240,7 @@ function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
       id: "run-pause",
       label: t("run.pause"),
       keys: keyFor.page("pause"),
-      disabled: status !== "running" || watching,
+      disabled: status !== "running" || watching || real,
       run: pause,
     },
     {
@@ -280,7 +281,7 @@ function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
       label: t(watching ? "watching.leave" : "run.stop"),
       keys: keyFor.page("stop"),
       disabled: !live,
-      run: stop,
+      run: stopEverything,
     },
     { kind: "item", id: "run-save", label: t("recording.save"), disabled: name === "", run: () => void saveTheRun() },
     { kind: "heading", id: "run-speed", label: t("run.speed") },
@@ -288,6 +289,29 @@ function runMenu(status: string, live: boolean, speed: number): MenuEntry[] {
     { kind: "item", id: "run-faster", label: t("run.faster"), keys: keyFor.page("faster"), run: () => changeSpeed(1) },
     { kind: "radio", id: "run-real-time", label: t("run.real-time"), checked: speed === 1, run: () => setSpeed(1) },
     { kind: "radio", id: "run-as-fast", label: t("run.as-fast"), checked: speed === 0, run: () => setSpeed(0) },
+  ];
+}
+
+function robotsMenu(open: boolean, running: number): MenuEntry[] {
+  return [
+    {
+      kind: "check",
+      id: "robots-panel",
+      label: t("boards.panel"),
+      keys: keyFor.page("robots"),
+      checked: open,
+      run: () => showRobots(!open),
+    },
+    line("robots-1"),
+    { kind: "item", id: "robots-run", label: t("boards.run"), keys: keyFor.page("runOnRobot"), run: runOnRobots },
+    {
+      kind: "item",
+      id: "robots-stop",
+      label: t("boards.stop-all"),
+      keys: keyFor.page("stop"),
+      disabled: running === 0,
+      run: stopEverything,
+    },
   ];
 }
 
@@ -318,6 +342,7 @@ export function useMenus(): MenuPart[] {
   const studio = useStudio();
   const status = useRun((state) => state.status);
   const speed = useRun((state) => state.speed);
+  const robots = useRobotsPanel();
   const choice = useTheme((theme) => theme.choice);
   const folded = useLayout((layout) => layout.folded);
   const outline = useReach((reach) => reach.outline);
@@ -341,7 +366,8 @@ export function useMenus(): MenuPart[] {
         ),
       },
       { id: "Run", label: t("menu.run"), entries: runMenu(status, isLive(status), speed) },
+      { id: "Robots", label: t("menu.robots"), entries: robotsMenu(robots.open, robots.running) },
       { id: "Help", label: t("menu.help"), entries: helpMenu(tutorials ?? []) },
     ];
-  }, [studio, status, speed, choice, folded, outline, viewport, tutorials]);
+  }, [studio, status, speed, robots, choice, folded, outline, viewport, tutorials]);
 }

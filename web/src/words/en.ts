@@ -4,6 +4,7 @@ import { OUT_EN } from "./en-out";
 import { OWN_EN } from "./en-own";
 import { REACH_EN } from "./en-reach";
 import { RECORDING_EN } from "./en-recording";
+import { BOARDS_EN } from "./en-boards";
 import { DEBUG_EN } from "./en-debug";
 import { FAILURES_EN } from "./en-failures";
 import { TEAM_EN } from "./en-team";
@@ -22,6 +23,7 @@ export const EN = {
   ...TEAM_EN,
   ...WORLD_EN,
   ...WATCHING_EN,
+  ...BOARDS_EN,
   ...DEBUG_EN,
   ...FAILURES_EN,
   ...TUTORIAL_EN,

@@ -5,6 +5,7 @@ import { OUT_FR } from "./fr-out";
 import { OWN_FR } from "./fr-own";
 import { REACH_FR } from "./fr-reach";
 import { RECORDING_FR } from "./fr-recording";
+import { BOARDS_FR } from "./fr-boards";
 import { DEBUG_FR } from "./fr-debug";
 import { FAILURES_FR } from "./fr-failures";
 import { TEAM_FR } from "./fr-team";
@@ -23,6 +24,7 @@ export const FR = {
   ...TEAM_FR,
   ...WORLD_FR,
   ...WATCHING_FR,
+  ...BOARDS_FR,
   ...DEBUG_FR,
   ...FAILURES_FR,
   ...TUTORIAL_FR,

@@ -5,6 +5,7 @@ import { OUT_UR } from "./ur-out";
 import { OWN_UR } from "./ur-own";
 import { REACH_UR } from "./ur-reach";
 import { RECORDING_UR } from "./ur-recording";
+import { BOARDS_UR } from "./ur-boards";
 import { DEBUG_UR } from "./ur-debug";
 import { FAILURES_UR } from "./ur-failures";
 import { TEAM_UR } from "./ur-team";
@@ -23,6 +24,7 @@ export const UR = {
   ...TEAM_UR,
   ...WORLD_UR,
   ...WATCHING_UR,
+  ...BOARDS_UR,
   ...DEBUG_UR,
   ...FAILURES_UR,
   ...TUTORIAL_UR,

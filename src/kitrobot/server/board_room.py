@@ -1,0 +1,289 @@
+"""All real robots of one studio: who holds which, which ports there are, and telling the pages.
+
+A robot belongs to the page that connected it (its *holder*), for a serial port has room for one; every page is told of
+all of them and any may stop any. When a page goes away, its robots are let go: those that are held stop.
+
+Each seat (a page) has a task of its own that sends what changed since it last sent, at most every `FRAME_S`; a robot's
+message is encoded once for all pages of a language. Only the server's event loop touches anything here; robots' threads
+call it through `call_soon_threadsafe`. The ports are looked at only while some page shows them.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import itertools
+import logging
+from typing import TYPE_CHECKING, Protocol
+
+from fastapi import WebSocketDisconnect
+from pydantic import BaseModel
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.board_links import Links
+from kitrobot.server.shapes import (
+    BoardGoneMessage,
+    BoardPortShape,
+    BoardPortsMessage,
+    BoardsWelcomeMessage,
+)
+from kitrobot.translation import said_in
+
+if TYPE_CHECKING:
+    from kitrobot.deploy import Port
+    from kitrobot.server.board_hand import Hand
+
+MOST_BOARDS = 32
+LOOK_S = 1.0
+"""How often the ports are looked at while a page shows them."""
+FRAME_S = 1 / 15
+CLOSE_WITHIN_S = 3.0
+"""How long a page that goes away waits for its robots to stop."""
+NETWORK = ("socket://", "rfc2217://")
+"""The only URLs that are opened: others of pySerial's open files."""
+
+_log = logging.getLogger("kitrobot.server")
+
+
+class AddressError(KitRobotError):
+    """There is no robot at such an address, or it may not be opened."""
+
+
+class HeldError(KitRobotError):
+    """Another page holds the robot."""
+
+
+class Line(Protocol):
+    """What a page is told through: a WebSocket, or its twin in a test."""
+
+    async def send_text(self, data: str) -> None:
+        """Sends a message; comes back when there is room for more."""
+
+
+class Seat:
+    """A page that is told of the robots. What it is to be told is collected until it has taken what came before."""
+
+    def __init__(self, room: BoardRoom, line: Line, name: str) -> None:
+        self.name = name
+        self.looks = False
+        """Whether it shows the ports."""
+        self._room = room
+        self._line = line
+        self._due = asyncio.Event()
+        self._ports_due = False
+        self._boards_due: dict[str, None] = {}
+        self._own: list[BaseModel] = [BoardsWelcomeMessage(you=name)]
+        self._due.set()
+        self._task = asyncio.create_task(self._serve())
+
+    def tell(self, message: BaseModel) -> None:
+        """Tells this page alone."""
+        self._own.append(message)
+        self._due.set()
+
+    def tell_ports(self) -> None:
+        """The ports are others now."""
+        self._ports_due = True
+        self._due.set()
+
+    def tell_board(self, address: str) -> None:
+        """Something about that robot changed."""
+        self._boards_due[address] = None
+        self._due.set()
+
+    async def _serve(self) -> None:
+        with contextlib.suppress(WebSocketDisconnect, RuntimeError, OSError):
+            while True:
+                await self._due.wait()
+                self._due.clear()
+                own, self._own = self._own, []
+                ports, self._ports_due = self._ports_due, False
+                boards, self._boards_due = self._boards_due, {}
+                for message in own:
+                    await self._line.send_text(message.model_dump_json())
+                if ports:
+                    await self._line.send_text(self._room.ports_text())
+                for address in boards:
+                    await self._line.send_text(self._room.board_text(address))
+                await asyncio.sleep(FRAME_S)
+
+    async def end(self) -> None:
+        """Tells no more."""
+        self._task.cancel()
+        await asyncio.gather(self._task, return_exceptions=True)
+
+
+class BoardRoom:
+    """The robots of one studio."""
+
+    def __init__(self, links: Links) -> None:
+        self._links = links
+        self._hands: dict[str, Hand] = {}
+        self._seats: list[Seat] = []
+        self._names = itertools.count(1)
+        self._ports: list[Port] = []
+        self._looking: asyncio.Task[None] | None = None
+        self._leaving: set[asyncio.Task[None]] = set()
+        self._texts: dict[tuple[str, str], tuple[int, str]] = {}
+
+    # -- pages
+
+    def enter(self, line: Line) -> Seat:
+        """A page comes; it is told of all robots."""
+        seat = Seat(self, line, f"page-{next(self._names)}")
+        self._seats.append(seat)
+        for address in self._hands:
+            seat.tell_board(address)
+        return seat
+
+    async def leave(self, seat: Seat) -> None:
+        """A page goes: what it holds is let go. Whoever waits for that may be cancelled; it is done all the same."""
+        self._seats.remove(seat)
+        self.look(seat, False)
+        mine = [hand for hand in self._hands.values() if hand.holder == seat.name]
+        for hand in mine:
+            hand.close()
+        task = asyncio.create_task(self._end(seat, mine))
+        self._leaving.add(task)
+        task.add_done_callback(self._leaving.discard)
+        await asyncio.shield(task)
+
+    async def _end(self, seat: Seat, hands: list[Hand]) -> None:
+        await seat.end()
+        for hand in hands:
+            await asyncio.to_thread(hand.wait, CLOSE_WITHIN_S)
+            self._let_go(hand)
+
+    # -- ports
+
+    def look(self, seat: Seat, on: bool) -> None:
+        """The page shows the ports from now on, or no more."""
+        seat.looks = on
+        if any(one.looks for one in self._seats):
+            if on:
+                seat.tell_ports()
+            if self._looking is None:
+                self._looking = asyncio.create_task(self._look_at_ports())
+        elif self._looking is not None:
+            self._looking.cancel()
+            self._looking = None
+
+    async def _look_at_ports(self) -> None:
+        while True:
+            await self._find_ports()
+            await asyncio.sleep(LOOK_S)
+
+    async def _find_ports(self) -> None:
+        try:
+            found = await asyncio.to_thread(self._links.list_ports)
+        except (KitRobotError, OSError) as error:
+            _log.debug("the ports cannot be listed: %s", error)
+            found = []
+        if found != self._ports:
+            self._ports = found
+            for seat in self._seats:
+                if seat.looks:
+                    seat.tell_ports()
+
+    def ports_text(self) -> str:
+        """All ports, encoded."""
+        ports = [BoardPortShape(address=one.address, name=one.name, description=one.description) for one in self._ports]
+        return BoardPortsMessage(ports=ports).model_dump_json()
+
+    # -- robots
+
+    async def hand(self, seat: Seat, address: str) -> Hand:
+        """The hand of that page on the robot at an address, taken now if nobody has it.
+
+        Raises:
+            KitRobotError: there is no such port, another page has it, or there are too many.
+        """
+        name = await self._name_of(address)
+        while (found := self._hands.get(address)) is not None and found.closing:
+            # Whoever had it is gone; a page that was loaded again asks before all is done.
+            await asyncio.to_thread(found.wait, CLOSE_WITHIN_S)
+            self._let_go(found)
+        if found is not None:
+            return self._mine(seat, found)
+        if len(self._hands) >= MOST_BOARDS:
+            raise BoardsError(f"this studio talks with {MOST_BOARDS} robots already", "disconnect one of them first")
+        from kitrobot.server.board_hand import Hand
+
+        loop = asyncio.get_running_loop()
+
+        def changed() -> None:
+            with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
+                loop.call_soon_threadsafe(self._changed, address)
+
+        hand = self._hands[address] = Hand(address, name, seat.name, self._links, changed)
+        self._changed(address)
+        return hand
+
+    async def _name_of(self, address: str) -> str:
+        if address.lower().startswith(NETWORK):
+            return address.split("://", 1)[1]
+        known = {one.address: one.name for one in self._ports}
+        if address not in known:
+            await self._find_ports()
+            known = {one.address: one.name for one in self._ports}
+        if address not in known:
+            raise AddressError(
+                f"there is no robot at `{address}`", "choose one of the list, or write `socket://host:port`"
+            )
+        return known[address] or address
+
+    def _mine(self, seat: Seat, hand: Hand) -> Hand:
+        if hand.holder != seat.name:
+            raise HeldError(
+                f"another page of this studio has `{hand.name}`", "disconnect it there; to stop it, press STOP here"
+            )
+        return hand
+
+    def taken(self, seat: Seat, address: str) -> Hand:
+        """The hand that this page has on a robot already.
+
+        Raises:
+            KitRobotError: it has none.
+        """
+        found = self._hands.get(address)
+        if found is None:
+            raise AddressError("nobody talks with this robot", "connect it first")
+        return self._mine(seat, found)
+
+    def stop(self, address: str) -> None:
+        """Stops a robot, or all of them with ""; whoever holds it."""
+        for hand in [*self._hands.values()]:
+            if address in ("", hand.address):
+                hand.stop()
+
+    async def forget(self, hand: Hand) -> None:
+        """Lets go of a robot."""
+        hand.close()
+        await asyncio.to_thread(hand.wait, CLOSE_WITHIN_S)
+        self._let_go(hand)
+
+    def _let_go(self, hand: Hand) -> None:
+        if self._hands.get(hand.address) is hand:
+            del self._hands[hand.address]
+        self._changed(hand.address)
+
+    def _changed(self, address: str) -> None:
+        for seat in self._seats:
+            seat.tell_board(address)
+
+    def board_text(self, address: str) -> str:
+        """A robot as it stands, or that nobody talks with it, encoded in the language of who asks."""
+        hand, language = self._hands.get(address), said_in()
+        if hand is None:
+            self._texts = {key: kept for key, kept in self._texts.items() if key[0] != address}
+            return BoardGoneMessage(address=address).model_dump_json()
+        version, kept = self._texts.get((address, language), (-1, ""))
+        if version != hand.standing.version:
+            version = hand.standing.version
+            kept = hand.message().model_dump_json()
+            self._texts[address, language] = (version, kept)
+        return kept
+
+
+class BoardsError(KitRobotError):
+    """There are more robots than one studio talks with."""

@@ -1,0 +1,157 @@
+"""`WS /api/boards`: the page's Robots panel.
+
+The socket is open as long as the page has to do with real robots. When it closes, for whatever reason, the robots that
+the page holds are let go, and those that run held stop. Ports belong to who sits at this machine: a visitor from
+elsewhere is refused, unless the studio was started for that.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import ipaddress
+import logging
+import os
+
+from fastapi import APIRouter, WebSocket
+from pydantic import ValidationError
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.board_room import BoardRoom, Seat
+from kitrobot.server.sentences import spoken
+from kitrobot.server.shapes import (
+    BOARD_REQUEST,
+    BoardCancelRequest,
+    BoardConnectRequest,
+    BoardForceRequest,
+    BoardForgetRequest,
+    BoardIdentifyRequest,
+    BoardRefusedMessage,
+    BoardRequest,
+    BoardSendRequest,
+    BoardSetRequest,
+    BoardsLookRequest,
+    BoardStartRequest,
+    BoardStopRequest,
+    mission_from_shape,
+    problem_shapes,
+)
+from kitrobot.server.studio import Studio
+from kitrobot.workspace import BoardProgram
+
+board_routes = APIRouter()
+_log = logging.getLogger("kitrobot.server")
+
+
+@board_routes.websocket("/api/boards")
+async def boards(socket: WebSocket) -> None:
+    """Serves one page until it goes away."""
+    await socket.accept()
+    studio = socket.app.state.studio
+    assert isinstance(studio, Studio)
+    if not (studio.boards_for_visitors or _is_here(socket)):
+        message = BoardRefusedMessage(
+            address="",
+            message=spoken("the robots are plugged into another machine"),
+            help=spoken("they can be used there; or have the studio started with `--boards`"),
+            problems=[],
+        )
+        await socket.send_text(message.model_dump_json())
+        await socket.close(1008)
+        return
+    await BoardSession(socket, studio, studio.boards).serve()
+
+
+def _is_here(socket: WebSocket) -> bool:
+    """Whether the page is on this machine."""
+    host = socket.client.host if socket.client is not None else ""
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+class BoardSession:
+    """One page and the robots it holds."""
+
+    def __init__(self, socket: WebSocket, studio: Studio, room: BoardRoom) -> None:
+        self._socket = socket
+        self._studio = studio
+        self._room = room
+
+    async def serve(self) -> None:
+        """Reads requests until the socket closes, then lets go of the page's robots."""
+        seat = self._room.enter(self._socket)
+        try:
+            while True:
+                message = await self._socket.receive()
+                if message["type"] == "websocket.disconnect":
+                    return
+                await self._obey(seat, message.get("text") or message.get("bytes") or "")
+        finally:
+            await self._room.leave(seat)
+
+    async def _obey(self, seat: Seat, text: str | bytes) -> None:
+        try:
+            request: BoardRequest = BOARD_REQUEST.validate_json(text)
+        except ValidationError as error:
+            first = error.errors(include_url=False, include_input=False)[0]
+            where = ".".join(str(part) for part in first["loc"])
+            message = f"the request was not understood: {first['msg']}{f' ({where})' if where else ''}"
+            self._refuse(seat, "", KitRobotError(message, "load the page again: it may be older than the studio"))
+            return
+        address = "" if isinstance(request, BoardsLookRequest) else request.address
+        try:
+            await self._do(seat, request)
+        except KitRobotError as error:
+            self._refuse(seat, address, error)
+        except Exception as error:
+            debugging = bool(os.environ.get("KITROBOT_DEBUG"))
+            _log.error("a robot's request broke: %s: %s", type(error).__name__, error, exc_info=debugging)
+            self._refuse(seat, address, KitRobotError("something went wrong inside KitRobot", "please report it"))
+
+    def _refuse(self, seat: Seat, address: str, error: KitRobotError) -> None:
+        seat.tell(
+            BoardRefusedMessage(
+                address=address,
+                message=spoken(error.message),
+                help=spoken(error.help),
+                problems=problem_shapes(error.diagnostics),
+            )
+        )
+
+    async def _do(self, seat: Seat, request: BoardRequest) -> None:
+        room = self._room
+        match request:
+            case BoardsLookRequest():
+                room.look(seat, request.on)
+            case BoardConnectRequest():
+                program: BoardProgram | None = None
+                try:
+                    program = await asyncio.to_thread(self._program, request)
+                except KitRobotError:
+                    # A program with a mistake is on no robot; the robot can be greeted all the same.
+                    _log.debug("greeted without a program", exc_info=True)
+                (await room.hand(seat, request.address)).connect(program)
+            case BoardSendRequest():
+                program = await asyncio.to_thread(self._program, request)
+                (await room.hand(seat, request.address)).send(program, request.then, request.replace)
+            case BoardStopRequest():
+                room.stop(request.address)
+            case BoardCancelRequest():
+                room.taken(seat, request.address).cancel()
+            case BoardStartRequest():
+                room.taken(seat, request.address).start(request.held)
+            case BoardIdentifyRequest():
+                room.taken(seat, request.address).identify()
+            case BoardForceRequest():
+                room.taken(seat, request.address).force(request.sensor, request.value)
+            case BoardSetRequest():
+                room.taken(seat, request.address).set_variable(request.variable, request.value)
+            case BoardForgetRequest():
+                await room.forget(room.taken(seat, request.address))
+
+    def _program(self, request: BoardConnectRequest | BoardSendRequest) -> BoardProgram:
+        from kitrobot.workspace import board_program
+
+        opened = self._studio.open(mission_from_shape(request.mission), request.path)
+        return board_program(opened, request.program, self._studio.folder.folders_of(request.path)[0])

@@ -1,0 +1,251 @@
+"""Real robots on the wire: what the page asks over `WS /api/boards`, and what it is told.
+
+A robot is told of as a whole each time something about it changed: it is small, and a page that was slow then misses
+nothing that lasts.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
+
+from kitrobot.server.sentences import Sentence
+from kitrobot.server.shapes.mission import MissionShape
+from kitrobot.server.shapes.problem import ProblemShape
+
+Address = Annotated[str, Field(min_length=1, max_length=200)]
+"""A serial port, or a URL for the network: `socket://host:port`."""
+Name = Annotated[str, Field(max_length=200)]
+Value = Annotated[int, Field(ge=-(2**29 - 1), le=2**29 - 1)]
+"""What a cell of the smallest board holds."""
+
+
+class BoardsLookRequest(BaseModel):
+    """Tell which ports there are, and what is plugged in or out, from now on; or no more."""
+
+    type: Literal["look"]
+    on: bool
+
+
+class BoardConnectRequest(BaseModel):
+    """Greet the robot at that address. `mission` and `program` are what this page has open: when the robot has that
+    program, what it does is told by its names.
+    """
+
+    type: Literal["connect"]
+    address: Address
+    mission: MissionShape
+    path: str
+    program: Name
+
+
+class BoardSendRequest(BaseModel):
+    """Put that program on the robot, then let it run: held by this page, free, or not at all."""
+
+    type: Literal["send"]
+    address: Address
+    mission: MissionShape
+    path: str
+    program: Name
+    then: Literal["held", "free", "ready"]
+    replace: bool = False
+    """Whether a program of somebody else on it may be overwritten."""
+
+
+class BoardCancelRequest(BaseModel):
+    """Break off the sending; the robot keeps the program that it had."""
+
+    type: Literal["cancel"]
+    address: Address
+
+
+class BoardStartRequest(BaseModel):
+    """Begin the program that is on the robot: held (it stops when this page goes away), or free."""
+
+    type: Literal["start"]
+    address: Address
+    held: bool
+
+
+class BoardStopRequest(BaseModel):
+    """Stop the robot, or with "" every robot that the studio knows. Any page may."""
+
+    type: Literal["stop"]
+    address: Annotated[str, Field(max_length=200)]
+
+
+class BoardIdentifyRequest(BaseModel):
+    """Let the robot show which one it is."""
+
+    type: Literal["identify"]
+    address: Address
+
+
+class BoardForceRequest(BaseModel):
+    """Put a value in the place of what a sensor measures; null gives the sensor back."""
+
+    type: Literal["force"]
+    address: Address
+    sensor: Name
+    value: Value | None
+
+
+class BoardSetRequest(BaseModel):
+    """Set a variable."""
+
+    type: Literal["set"]
+    address: Address
+    variable: Name
+    value: Value
+
+
+class BoardForgetRequest(BaseModel):
+    """Let go of the robot; one that is held stops."""
+
+    type: Literal["forget"]
+    address: Address
+
+
+BOARD_REQUEST_MODELS: tuple[type[BaseModel], ...] = (
+    BoardsLookRequest,
+    BoardConnectRequest,
+    BoardSendRequest,
+    BoardCancelRequest,
+    BoardStartRequest,
+    BoardStopRequest,
+    BoardIdentifyRequest,
+    BoardForceRequest,
+    BoardSetRequest,
+    BoardForgetRequest,
+)
+BoardRequest = Annotated[
+    BoardsLookRequest
+    | BoardConnectRequest
+    | BoardSendRequest
+    | BoardCancelRequest
+    | BoardStartRequest
+    | BoardStopRequest
+    | BoardIdentifyRequest
+    | BoardForceRequest
+    | BoardSetRequest
+    | BoardForgetRequest,
+    Field(discriminator="type"),
+]
+BOARD_REQUEST: TypeAdapter[BoardRequest] = TypeAdapter(BoardRequest)
+
+
+class _Message(BaseModel):
+    model_config = ConfigDict(json_schema_serialization_defaults_required=True)
+
+
+class BoardsWelcomeMessage(_Message):
+    """The first message: by what name this page holds robots."""
+
+    type: Literal["welcome"] = "welcome"
+    you: str
+
+
+class BoardPortShape(BaseModel):
+    """A port of this machine where a robot may be."""
+
+    address: str
+    name: str
+    description: str
+
+
+class BoardPortsMessage(_Message):
+    """All ports there are now."""
+
+    type: Literal["ports"] = "ports"
+    ports: list[BoardPortShape]
+
+
+class BoardFaultShape(BaseModel):
+    """Why the robot stopped by itself; `vertex` and `line` (of the LLL, from 1) are "" and 0 where nobody knows."""
+
+    number: int
+    sentence: Sentence
+    text: str
+    program: str
+    vertex: str
+    line: int
+    tick: int
+
+
+BoardStep = Literal["connect", "compare", "send", "start"]
+
+
+class BoardProgressShape(BaseModel):
+    """How far the sending is: `done` of `total` bytes."""
+
+    step: BoardStep
+    done: int
+    total: int
+
+
+BoardPhase = Literal["closed", "connecting", "open", "sending", "lost"]
+"""closed: nobody talks with it; open: it answers; lost: it did, and does so no more."""
+BoardState = Literal["none", "ready", "running", "ended", "fault"]
+
+
+class BoardMessage(_Message):
+    """A robot as it stands. `package` and `installed` name what is on it; `program` is the name of that in the
+    mission, "" when it is not what the page sent or has open. Values and vertices are told only then.
+    """
+
+    type: Literal["board"] = "board"
+    address: str
+    name: str
+    holder: str
+    """The page that talks with it."""
+    phase: BoardPhase
+    state: BoardState
+    held: bool
+    free: int
+    tick: int
+    seconds: float
+    generation: int
+    package: str
+    installed: str
+    program: str
+    robot: str
+    active: list[tuple[int, str]]
+    values: dict[str, int]
+    inputs: dict[str, int]
+    forced: list[str]
+    progress: BoardProgressShape | None
+    fault: BoardFaultShape | None
+    message: Sentence
+    """What went wrong last, "" when nothing did."""
+    help: Sentence
+
+
+class BoardGoneMessage(_Message):
+    """Nobody talks with that robot any more."""
+
+    type: Literal["gone"] = "gone"
+    address: str
+
+
+class BoardRefusedMessage(_Message):
+    """A request that was not followed; `problems` are those of the program that was to be sent."""
+
+    type: Literal["refused"] = "refused"
+    address: str
+    message: Sentence
+    help: Sentence
+    problems: list[ProblemShape]
+
+
+BOARD_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (
+    BoardsWelcomeMessage,
+    BoardPortsMessage,
+    BoardMessage,
+    BoardGoneMessage,
+    BoardRefusedMessage,
+)
+BoardsMessage = Annotated[
+    BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage,
+    Field(discriminator="type"),
+]

@@ -1,0 +1,279 @@
+"""Real robots over the socket: greeted, run, watched, interfered with, stopped; and what goes wrong with them."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+from pydantic import TypeAdapter
+
+from kitrobot.deploy import BOARDS_VARIABLE
+from kitrobot.server.shapes import BoardsMessage
+from tests.boards.host import HostBoard, host_board, write_pulse
+from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
+
+MESSAGE: TypeAdapter[Any] = TypeAdapter(BoardsMessage)
+ADDRESS = f"{SOCKET}/api/boards?token={TOKEN}"
+
+
+class Page:
+    """The page's end of a socket. Every message is held against its published shape."""
+
+    def __init__(self, socket, mission) -> None:
+        self.socket = socket
+        self.mission = mission
+        self.first = self.next()
+        self.you = self.first.get("you", "")
+
+    def send(self, kind: str, address: str, **more) -> None:
+        self.socket.send_text(json.dumps({"type": kind, "address": address, **more}))
+
+    def give(self, kind: str, address: str, **more) -> None:
+        """A request that brings the mission along."""
+        self.send(kind, address, mission=self.mission, path="pulse.krt", program="pulse", **more)
+
+    def next(self) -> dict[str, Any]:
+        said: dict[str, Any] = json.loads(self.socket.receive_text())
+        MESSAGE.validate_python(said)
+        return said
+
+    def until(self, kind: str, wanted: Callable[[dict[str, Any]], bool] = lambda said: True) -> dict[str, Any]:
+        """The next message of that type for which `wanted` holds; those before it are passed over."""
+        while True:
+            said = self.next()
+            if said["type"] == kind and wanted(said):
+                return said
+
+    def board(self, **fields) -> dict[str, Any]:
+        """The next message of a robot with these fields."""
+        return self.until("board", lambda said: all(said[name] == value for name, value in fields.items()))
+
+
+@pytest.fixture
+def visit(app, folder) -> Iterator[Callable[..., Any]]:
+    """Opens a page in this studio: on this machine, or on the one of that address."""
+    with contextlib.ExitStack() as stack:
+        clients: dict[str, TestClient] = {}
+
+        @contextlib.contextmanager
+        def visit(host: str = "127.0.0.1", language: str = "en", broken: bool = False) -> Iterator[Page]:
+            write_pulse(folder, broken)
+            if host not in clients:
+                made = TestClient(app, base_url=HOST, headers={"X-KitRobot-Token": TOKEN}, client=(host, 50000))
+                # One event loop for all pages, as in a server.
+                clients[host] = stack.enter_context(made)
+            mission = clients[host].get("/api/mission?path=pulse.krt").json()["mission"]
+            with clients[host].websocket_connect(f"{ADDRESS}&language={language}") as socket:
+                yield Page(socket, mission)
+
+        yield visit
+
+
+@pytest.fixture
+def robot(folder, tmp_path) -> Iterator[HostBoard]:
+    """A robot on the network with the program `pulse`."""
+    write_pulse(folder)
+    with host_board(folder / "pulse.krt", "pulse", tmp_path) as board:
+        yield board
+
+
+def test_a_robot_says_what_it_has_and_what_it_does_by_the_programs_names(visit, robot) -> None:
+    with visit() as page:
+        page.give("connect", robot.address)
+        said = page.board(phase="open")
+        assert (said["state"], said["held"], said["program"], said["robot"]) == ("running", False, "pulse", "pulser")
+        assert (said["free"], said["generation"], said["package"]) == (1_000_000, 1, "c0ffee00")
+        assert said["name"] == robot.address.removeprefix("socket://")
+        assert said["holder"] == page.you
+        whole = page.until("board", lambda said: {"Count", "Run"} <= set(said["values"]) and said["active"])
+        assert whole["inputs"]["ButtonA"] == 0
+        assert {vertex for _, vertex in whole["active"]} <= {f"v{n}" for n in range(1, 8)}
+
+
+def test_a_held_run_goes_on_while_the_page_is_there_and_ends_with_it(visit, robot) -> None:
+    with visit() as page:
+        page.give("connect", robot.address)
+        page.board(phase="open")
+        page.send("start", robot.address, held=True)
+        page.board(state="running", held=True)
+        # Longer than the robot waits without hearing anything: 40 ticks of 20 ms are 0.8 seconds.
+        later = page.until("board", lambda said: said["tick"] >= 120)
+        assert (later["state"], later["held"], later["fault"]) == ("running", True, None)
+    with visit() as page:
+        page.give("connect", robot.address)
+        assert page.board(phase="open", holder=page.you)["state"] == "ready"
+
+
+def test_a_free_run_goes_on_without_the_page(visit, robot) -> None:
+    with visit() as page:
+        page.give("connect", robot.address)
+        page.send("start", robot.address, held=False)
+        page.board(state="running", held=False)
+    with visit() as page:
+        page.give("connect", robot.address)
+        assert page.board(phase="open", holder=page.you)["state"] == "running"
+
+
+def test_a_variable_is_set_and_a_sensor_forced_and_let_go(visit, robot) -> None:
+    with visit() as page:
+        page.give("connect", robot.address)
+        page.send("start", robot.address, held=True)
+        page.board(state="running", held=True)
+        page.send("set", robot.address, variable="Count", value=500)
+        page.until("board", lambda said: said["values"].get("Count", 0) >= 500)
+        page.send("force", robot.address, sensor="ButtonA", value=1)
+        forced = page.until("board", lambda said: said["inputs"].get("ButtonA") == 1)
+        assert forced["forced"] == ["ButtonA"]
+        page.send("force", robot.address, sensor="ButtonA", value=None)
+        free = page.until("board", lambda said: said["inputs"].get("ButtonA") == 0)
+        assert free["forced"] == []
+        page.send("set", robot.address, variable="Run", value=0)
+        ended = page.board(state="ended")
+        assert ended["active"] == []
+
+
+def test_what_was_forced_is_let_go_with_the_page(visit, robot) -> None:
+    with visit() as page:
+        page.give("connect", robot.address)
+        page.send("force", robot.address, sensor="ButtonA", value=1)
+        page.until("board", lambda said: said["forced"] == ["ButtonA"])
+    with visit() as page:
+        page.give("connect", robot.address)
+        said = page.until("board", lambda said: said["holder"] == page.you and "ButtonA" in said["inputs"])
+        assert (said["inputs"]["ButtonA"], said["forced"]) == (0, [])
+
+
+def test_an_unknown_name_is_refused_in_words(visit, robot) -> None:
+    with visit() as page:
+        page.give("connect", robot.address)
+        page.board(phase="open")
+        page.send("set", robot.address, variable="Nothing", value=1)
+        said = page.until("board", lambda said: said["message"])
+        assert "`Nothing`" in said["message"]
+        assert said["phase"] == "open"
+
+
+def test_a_robot_that_is_pulled_out_says_so_and_that_its_motors_stop(visit, robot) -> None:
+    with visit() as page:
+        page.give("connect", robot.address)
+        page.send("start", robot.address, held=True)
+        page.board(state="running", held=True)
+        robot.pull()
+        said = page.board(phase="lost")
+        assert "motors stop within one second" in said["message"]
+        assert "Reconnect" in said["help"]
+        page.give("connect", robot.address)
+        page.board(phase="closed")
+
+
+def test_a_fault_is_told_with_its_vertex_and_line(visit, folder, tmp_path) -> None:
+    mission = write_pulse(folder, broken=True)
+    with host_board(mission, "pulse", tmp_path) as robot, visit(broken=True) as page:
+        # It ran at power-on and stopped by itself before anybody came.
+        page.give("connect", robot.address)
+        early = page.until("board", lambda said: said["fault"] is not None)
+        page.send("start", robot.address, held=True)
+        late = page.until("board", lambda said: said["fault"] is not None)
+        for said in (early, late):
+            fault = said["fault"]
+            assert (said["phase"], said["state"], said["held"], said["active"]) == ("open", "fault", False, [])
+            assert (fault["number"], fault["program"], fault["vertex"], fault["line"]) == (1, "pulse", "v3", 2)
+            assert "on fire" in fault["text"]
+
+
+def test_another_page_sees_the_robot_and_may_only_stop_it(visit, robot) -> None:
+    with visit() as page, visit() as other:
+        page.give("connect", robot.address)
+        page.send("start", robot.address, held=True)
+        page.board(state="running", held=True)
+        seen = other.board(state="running", held=True)
+        assert seen["holder"] == page.you != other.you
+        other.send("start", robot.address, held=False)
+        refused = other.until("refused")
+        assert (refused["address"], "Another page" in refused["message"]) == (robot.address, True)
+        other.send("stop", "")
+        assert page.board(state="ready")["held"] is False
+
+
+def test_a_robot_is_let_go(visit, robot) -> None:
+    with visit() as page, visit() as other:
+        page.give("connect", robot.address)
+        page.board(phase="open")
+        page.send("forget", robot.address)
+        assert page.until("gone")["address"] == robot.address
+        other.give("connect", robot.address)
+        other.board(phase="open", holder=other.you)
+
+
+def test_nobody_there_is_told_in_words(visit, robot) -> None:
+    robot.pull()
+    with visit() as page:
+        page.give("connect", robot.address)
+        said = page.until("board", lambda said: said["message"])
+        assert (said["phase"], said["state"]) == ("closed", "none")
+        assert "cannot be opened" in said["message"]
+        assert said["help"]
+
+
+@pytest.mark.parametrize(
+    "address",
+    ["/etc/passwd", "spy:///dev/null?file=/tmp/x", "file:///etc/passwd", "loop://", "COM99", "alt:///dev/ttyS0"],
+)
+def test_only_listed_ports_and_the_network_are_opened(visit, address) -> None:
+    with visit() as page:
+        page.give("connect", address)
+        refused = page.until("refused")
+        assert "there is no robot at" in refused["message"].lower()
+        assert refused["address"] == address
+
+
+def test_a_visitor_from_elsewhere_does_not_reach_the_ports(visit, app) -> None:
+    with visit("192.168.1.7") as page:
+        assert (page.first["type"], page.first["address"]) == ("refused", "")
+        assert "another machine" in page.first["message"]
+        assert page.socket.receive()["type"] == "websocket.close"
+    app.state.studio.boards_for_visitors = True
+    with visit("192.168.1.7") as page:
+        assert page.you
+
+
+def test_what_is_no_request_is_refused_and_does_no_harm(visit) -> None:
+    with visit() as page:
+        for text in ("", "{", '{"type": "start"}', '{"type": "jump", "address": "a"}', "[" * 5000):
+            page.socket.send_text(text)
+            assert "not understood" in page.until("refused")["message"]
+        for kind in ("cancel", "forget", "identify"):
+            page.send(kind, "socket://127.0.0.1:1")
+            assert page.until("refused")["address"] == "socket://127.0.0.1:1"
+        page.send("stop", "")
+
+
+def test_a_program_with_mistakes_is_not_sent_and_its_problems_are_told(visit, robot) -> None:
+    with visit() as page:
+        broken = json.loads(json.dumps(page.mission))
+        broken["programs"][0]["vertices"][4]["settings"]["value"] = "x"
+        page.send("send", robot.address, mission=broken, path="pulse.krt", program="pulse", then="held")
+        refused = page.until("refused")
+        assert [problem["vertices"] for problem in refused["problems"]] == [["v4"]]
+        assert "`pulse`" in refused["message"]
+
+
+def test_what_failed_is_said_in_the_readers_language(visit) -> None:
+    with visit(language="fr") as page:
+        page.give("connect", "COM99")
+        assert page.until("refused")["message"].startswith("Il n'y a pas de robot")
+
+
+def test_ports_that_come_and_go_are_told_while_they_are_looked_at(visit, monkeypatch) -> None:
+    monkeypatch.delenv(BOARDS_VARIABLE, raising=False)
+    with visit() as page:
+        page.socket.send_text('{"type": "look", "on": true}')
+        page.until("ports")
+        monkeypatch.setenv(BOARDS_VARIABLE, "socket://127.0.0.1:5")
+        plugged = page.until("ports", lambda said: said["ports"])
+        assert plugged["ports"][-1]["address"] == "socket://127.0.0.1:5"
+        monkeypatch.delenv(BOARDS_VARIABLE)
+        page.until("ports", lambda said: len(said["ports"]) == len(plugged["ports"]) - 1)
