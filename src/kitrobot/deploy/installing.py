@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 
 from kitrobot.deploy.board import Board, Hello
 from kitrobot.deploy.errors import BoardError, SilentError
+from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.lying import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.memory import refuse_what_does_not_fit
@@ -87,7 +88,7 @@ def deploy(
                 break
             except SilentError:
                 # All that was done stands: it goes on where it was.
-                if attempt + 1 == _TRIES:
+                if not job.board.repl.answered or attempt + 1 == _TRIES:
                     raise
         hello = job.started()
     finally:
@@ -133,6 +134,7 @@ class _Job:
         self.progress("compare", 0, 0)
         family = "microbit" if board.value("sys.platform") == b"microbit" else "machine"
         self.built: Built = self.package.built(family, self.program.drivers)
+        refuse_misfits(self.program, self.package, family)
         content = self.program.to_bytes(self.built.drivers)
         self.name = program_name(content)
         refuse_what_does_not_fit(self.program.image, self.built, board.free, family)

@@ -56,9 +56,11 @@ class Receiver:
                 self.line.write(b"receive()\x04")
                 if self._frame(0, 5) is not None:
                     return
-            except (GarbledError, SilentError):
-                if attempt + 1 == _DEFINITION_TRIES:
+            except SilentError:
+                if not self.repl.answered or attempt + 1 == _DEFINITION_TRIES:
                     raise
+            except GarbledError:
+                continue
         raise SilentError(
             f"too much is lost on the way to `{self.line.address}`", "use another cable, or come nearer with the board"
         )

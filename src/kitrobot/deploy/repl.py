@@ -15,6 +15,8 @@ LONGEST = 60
 
 _BANNER = b"raw REPL; CTRL-B to exit\r\n>"
 _TRIES = 6
+_ENTERING = (0.7, 1.0, 1.5, 2.0, 3.0)
+"""Seconds that the prompt is waited for, try after try."""
 
 
 class GarbledError(Exception):
@@ -26,6 +28,8 @@ class RawRepl:
 
     def __init__(self, line: Line) -> None:
         self.line = line
+        self.answered = False
+        """Whether there ever was an answer."""
 
     def enter(self) -> None:
         """Stops what runs, and begins with an empty memory, without `main.py`.
@@ -33,16 +37,16 @@ class RawRepl:
         Raises:
             SilentError: there is no MicroPython that answers.
         """
-        heard = b""
-        for attempt in range(_TRIES):
+        for attempt, patience_s in enumerate(_ENTERING):
             self.line.write(b"\r\x03\x03")
-            heard += self.line.drain(0.1 + 0.1 * attempt)
+            self.line.drain(0.1 + 0.1 * attempt)
             self.line.write(b"\r\x01")
-            if not self._ends(_BANNER, 1 + attempt):
+            if not self._ends(_BANNER, patience_s):
                 continue
+            self.answered = True
             # A soft reset from here leaves `main.py` out.
             self.line.write(b"\x04")
-            answer = self.line.read_until(_BANNER, 5 + 2 * attempt)
+            answer = self.line.read_until(_BANNER, 5 + attempt)
             if b"reboot" in answer and answer.endswith(_BANNER):
                 return
         raise SilentError(
