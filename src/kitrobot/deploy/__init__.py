@@ -2,6 +2,7 @@
 
 from kitrobot.deploy.board import FAULTS, Board, Fault, Hello, News, Step, Text, connect
 from kitrobot.deploy.errors import BoardError, DeployError, LineError, PackageError, SilentError
+from kitrobot.deploy.fitting import refuse_what_fits_no_board
 from kitrobot.deploy.installing import Deployed, Progress, deploy
 from kitrobot.deploy.package import FAMILIES, OWN_SUFFIX, Package
 from kitrobot.deploy.ports import BOARDS_VARIABLE, Port, list_ports
@@ -34,4 +35,5 @@ __all__ = [
     "make_program_file",
     "program_name",
     "read_program_file",
+    "refuse_what_fits_no_board",
 ]

@@ -19,6 +19,7 @@ from pathlib import Path
 
 import kitrobot_onboard
 from kitrobot.deploy.constants import Constants, constants_of, told_in_place
+from kitrobot.deploy.declarations import Declared, declared, without_declarations
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.naming import renamed, short_names
 from kitrobot.deploy.shortening import parsed, shortened
@@ -75,6 +76,15 @@ class Package:
         families = (family,) if family is not None else tuple(FAMILIES)
         return [one for one in dict.fromkeys(drivers) if all(self.driver_file(one, each) is None for each in families)]
 
+    def declared(self, driver: str, family: str) -> Declared:
+        """What a driver says of itself; nothing when there is none.
+
+        Raises:
+            PackageError: it says that as it should not, or is no Python.
+        """
+        path = self.driver_file(driver, family)
+        return declared(parsed(_read(path), str(path)), str(path)) if path is not None else Declared()
+
     def built(self, family: str, drivers: Iterable[str]) -> Built:
         """The package for a kind of board, with these drivers.
 
@@ -125,6 +135,8 @@ class _Making:
         if path in _carried():
             tree = told_in_place(tree, constants_of(tree), _constants())
             tree = renamed(tree, _names())
+        else:
+            tree = without_declarations(tree)
         tree = _Imports(self, path).visit(tree)
         self.open.pop()
         content = _short(ast.unparse(ast.fix_missing_locations(tree))).encode()

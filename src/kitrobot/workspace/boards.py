@@ -28,6 +28,7 @@ from kitrobot.deploy import (
     list_ports,
     make_program_file,
     program_name,
+    refuse_what_fits_no_board,
 )
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Source
 from kitrobot.image import verify
@@ -155,6 +156,7 @@ def _ready(
     missing = package.missing(file.drivers)
     if missing:
         raise no_driver(robot, missing[0], package)
+    refuse_what_fits_no_board(file, package, [part.name for part in (*robot.actuators, *robot.sensors)])
     return BoardProgram(names_of(name, robot, compiled), file, package, found, sources)
 
 

@@ -1,0 +1,170 @@
+"""What a driver says of itself to the host: which settings it understands, and which procedures it can do.
+
+A driver may hold, at its top level,
+
+    SETTINGS = {"pin": "pin", "time": "1..60000 = 1000", "active": "high|low = high", "threshold": "1..65535?"}
+    PROCEDURES = "Open Close"
+
+A setting is a `pin` (a number or a name), a `text`, a whole number in a range, or one of several words; `= VALUE` says
+the usual one, `?` that it may be left out. Both are read without running the driver and are left out of what lands on a
+board. A driver that says nothing is told whatever stands in the XML.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from kitrobot.deploy.errors import PackageError
+
+ALWAYS = frozenset({"limit"})
+"""Settings of actuators that the robot's loop understands itself."""
+
+_NAMES = ("SETTINGS", "PROCEDURES")
+_KIND = re.compile(
+    r"(?P<kind>pin|text|(?P<least>-?\d+)\.\.(?P<most>-?\d+)|(?P<words>[^\s|?=]+(\|[^\s|?=]+)+))"
+    r"(?P<optional>\s*\?|\s*=\s*\S+)?"
+)
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One setting: a whole number from `least` to `most`, one of `words`, or, without either, any word."""
+
+    is_pin: bool
+    needed: bool
+    least: int | None = None
+    most: int | None = None
+    words: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Declared:
+    """What a driver says of itself; None where it says nothing."""
+
+    settings: Mapping[str, Setting] | None = None
+    procedures: tuple[str, ...] | None = None
+
+
+def declared(tree: ast.Module, path: str) -> Declared:
+    """What a driver declares.
+
+    Raises:
+        PackageError: a declaration is not written as it should be.
+    """
+    settings: dict[str, Setting] | None = None
+    procedures: tuple[str, ...] | None = None
+    for statement in tree.body:
+        match statement:
+            case ast.Assign(targets=[ast.Name(id="SETTINGS")], value=value):
+                settings = _settings(_literal(value), path, statement.lineno)
+            case ast.Assign(targets=[ast.Name(id="PROCEDURES")], value=value):
+                words = _literal(value)
+                if not isinstance(words, str):
+                    raise PackageError(
+                        f"`{path}` line {statement.lineno}: PROCEDURES must be a text of names",
+                        'write it as in PROCEDURES = "Open Close"',
+                    )
+                procedures = tuple(words.split())
+    return Declared(settings, procedures)
+
+
+def without_declarations(tree: ast.Module) -> ast.Module:
+    """The driver as a board needs it."""
+    tree.body = [
+        statement
+        for statement in tree.body
+        if not (
+            isinstance(statement, ast.Assign)
+            and isinstance(statement.targets[0], ast.Name)
+            and statement.targets[0].id in _NAMES
+        )
+    ]
+    return tree
+
+
+def refuse_what_is_not_understood(
+    part: str, driver: str, says: Declared, procedures: Sequence[str] | None, settings: Mapping[str, str]
+) -> None:
+    """Checks what a part of a robot says against what its driver understands. `procedures`: None for a sensor.
+
+    Raises:
+        PackageError: the first thing that the driver does not understand.
+    """
+    for procedure in procedures or ():
+        if says.procedures is not None and procedure not in says.procedures:
+            raise PackageError(
+                f"`{part}` has the procedure `{procedure}`, which the driver `{driver}` cannot do",
+                f"it can do {_listed(says.procedures)}",
+            )
+    if says.settings is None:
+        return
+    for name, value in settings.items():
+        known = says.settings.get(name)
+        if known is not None:
+            _refuse_value(part, name, value, known)
+        elif procedures is None or name not in ALWAYS:
+            raise PackageError(
+                f"`{part}` has the setting `{name}`, which the driver `{driver}` does not know",
+                f"it knows {_listed(says.settings)}" if says.settings else "it knows none",
+            )
+    for name, setting in says.settings.items():
+        if setting.needed and name not in settings:
+            raise PackageError(
+                f"`{part}` does not say its `{name}`, which the driver `{driver}` needs",
+                f'write {name}="…" into its <board> in the robot’s XML',
+            )
+
+
+def pins_of(says: Declared, settings: Mapping[str, str]) -> list[str]:
+    """The pins that a part is wired to."""
+    known = says.settings or {}
+    return [value for name, value in settings.items() if name in known and known[name].is_pin]
+
+
+def _refuse_value(part: str, name: str, value: str, known: Setting) -> None:
+    if known.words and value not in known.words:
+        raise PackageError(
+            f"`{name}` of `{part}` must be one of {_listed(known.words)}, and it is `{value}`",
+            "mend it in the <board> in the robot’s XML",
+        )
+    if known.least is None or known.most is None:
+        return
+    if not re.fullmatch(r"[+-]?[0-9]{1,12}", value) or not known.least <= int(value) <= known.most:
+        raise PackageError(
+            f"`{name}` of `{part}` must be a whole number from {known.least} to {known.most}, and it is `{value}`",
+            "mend it in the <board> in the robot’s XML",
+        )
+
+
+def _settings(value: object, path: str, line: int) -> dict[str, Setting]:
+    found = {}
+    for name, text in value.items() if isinstance(value, dict) else [(None, None)]:
+        kind = _KIND.fullmatch(text) if isinstance(text, str) else None
+        if kind is None or not isinstance(name, str):
+            raise PackageError(
+                f"`{path}` line {line}: SETTINGS must say of each setting what it is",
+                'write it as in SETTINGS = {"pin": "pin", "time": "1..60000 = 1000", "active": "high|low?"}',
+            )
+        least, most = kind["least"], kind["most"]
+        found[name] = Setting(
+            kind["kind"] == "pin",
+            kind["optional"] is None,
+            int(least) if least is not None else None,
+            int(most) if most is not None else None,
+            tuple(kind["words"].split("|")) if kind["words"] else (),
+        )
+    return found
+
+
+def _literal(value: ast.expr) -> object:
+    try:
+        return ast.literal_eval(value)
+    except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
+        return None
+
+
+def _listed(names: Sequence[str] | Mapping[str, object]) -> str:
+    return ", ".join(f"`{name}`" for name in names)

@@ -1,0 +1,60 @@
+"""Whether the drivers of a program's devices understand what the robot's XML tells them, before anything is sent."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kitrobot.deploy.declarations import pins_of, refuse_what_is_not_understood
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.package import FAMILIES, Package
+from kitrobot.deploy.program_file import ProgramFile
+
+
+def refuse_misfits(file: ProgramFile, package: Package, family: str, names: Sequence[str] = ()) -> None:
+    """Holds the devices against the drivers for a kind of board. `names`: of the parts, in the order of the devices.
+
+    Raises:
+        PackageError: a driver does not understand its settings or its procedures, or two parts share a pin.
+    """
+    wired: dict[str, str] = {}
+    for number, device in enumerate(file.devices):
+        part = names[number] if names else device.driver
+        says = package.declared(device.driver, family)
+        first = 2 if device.kind == "a" else 3
+        settings = dict(word.split("=", 1) for word in device.words[first:])
+        procedures = None
+        if device.kind == "a":
+            procedures = [call.split("/")[0] for call in device.words[1].split(",") if call != "-"]
+        refuse_what_is_not_understood(part, device.driver, says, procedures, settings)
+        for pin in pins_of(says, settings):
+            if wired.get(pin) == part:
+                raise PackageError(
+                    f"`{part}` says the pin `{pin}` for two different things",
+                    "give one of them another pin in the robot’s XML",
+                )
+            if pin in wired:
+                raise PackageError(
+                    f"`{wired[pin]}` and `{part}` are both wired to the pin `{pin}`",
+                    "give one of them another pin in the robot’s XML",
+                )
+            wired[pin] = part
+
+
+def refuse_what_fits_no_board(file: ProgramFile, package: Package, names: Sequence[str]) -> None:
+    """The same when it is not known yet which kind of board it will be: it must fit one of those it has drivers for.
+
+    Raises:
+        PackageError: what the first of these kinds does not understand.
+    """
+    problems = []
+    for family in FAMILIES:
+        if package.missing(file.drivers, family):
+            continue
+        try:
+            refuse_misfits(file, package, family, names)
+        except PackageError as problem:
+            problems.append(problem)
+        else:
+            return
+    if problems:
+        raise problems[0]

@@ -1,0 +1,174 @@
+"""What a driver says of its settings and procedures is held against the robot's XML, before anything is sent."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+import kitrobot_onboard
+from kitrobot.deploy import FAMILIES, Package, PackageError, make_program_file, refuse_what_fits_no_board
+from kitrobot.deploy.declarations import Setting, declared
+from kitrobot.deploy.fitting import refuse_misfits
+from kitrobot.deploy.program_file import Device, ProgramFile
+from kitrobot.primitives import load_catalogue
+
+DRIVERS = Path(kitrobot_onboard.__file__).parent / "drivers"
+
+
+def file_of(*lines: str) -> ProgramFile:
+    """A program file with these devices."""
+    words = [line.split(" ") for line in lines]
+    return ProgramFile(tuple(Device(kind, driver, tuple(rest)) for kind, driver, *rest in words), b"")
+
+
+def refused(*lines: str, package: Package | None = None) -> PackageError:
+    names = [f"Part{number}" for number in range(len(lines))]
+    with pytest.raises(PackageError) as caught:
+        refuse_misfits(file_of(*lines), package or Package(), "machine", names)
+    return caught.value
+
+
+def own(folder: Path, text: str) -> Package:
+    (folder / "own.driver.py").write_text(text, encoding="utf-8")
+    return Package([folder])
+
+
+def test_settings_are_read_without_running_the_driver() -> None:
+    text = """
+raise SystemExit
+SETTINGS = {"a": "pin", "b": "pin?", "c": "1..9 = 3", "d": "-5..5", "e": "x|y", "f": "x|y = x", "g": "text?"}
+PROCEDURES = "Open Close"
+"""
+    says = declared(ast.parse(text), "own.driver.py")
+    assert says.procedures == ("Open", "Close")
+    assert says.settings == {
+        "a": Setting(True, True),
+        "b": Setting(True, False),
+        "c": Setting(False, False, 1, 9),
+        "d": Setting(False, True, -5, 5),
+        "e": Setting(False, True, words=("x", "y")),
+        "f": Setting(False, False, words=("x", "y")),
+        "g": Setting(False, False),
+    }
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "SETTINGS = [1]",
+        "SETTINGS = f()",
+        "SETTINGS = {'a': 'pine'}",
+        "SETTINGS = {'a': '1..'}",
+        "SETTINGS = {'a': 1}",
+        "SETTINGS = {1: 'pin'}",
+        "SETTINGS = {'a': 'x|'}",
+        "PROCEDURES = ['Open']",
+        "PROCEDURES = x + 1",
+    ],
+)
+def test_a_declaration_that_cannot_be_read_is_named_with_its_line(line: str) -> None:
+    with pytest.raises(PackageError, match=r"own.driver.py` line 2: ") as caught:
+        declared(ast.parse(f"\n{line}"), "own.driver.py")
+    assert line.split(" ")[0] in caught.value.help
+
+
+@pytest.mark.parametrize(
+    ("line", "sentence", "help"),
+    [
+        ("a servo 1 Open/0+,Close/0+ open=90", "`Part0` does not say its `pin`", 'pin="…"'),
+        ("a servo 1 Open/0+ pin=2 opened=90", "setting `opened`, which the driver `servo` does not know", "`closed`"),
+        ("a servo 1 Open/0+ pin=2 open=181", "must be a whole number from 0 to 180, and it is `181`", "XML"),
+        ("a servo 1 Open/0+ pin=2 open=-1", "from 0 to 180, and it is `-1`", "XML"),
+        ("a servo 1 Open/0+ pin=2 time=1.5", "from 1 to 60000, and it is `1.5`", "XML"),
+        ("a servo 1 Open/0+ pin=2 time=٣", "from 1 to 60000", "XML"),
+        ("a led - LightOn/0 pin=2 active=up", "must be one of `high`, `low`, and it is `up`", "XML"),
+        ("a led - Shine/1 pin=2", "procedure `Shine`, which the driver `led` cannot do", "`LightOn`, `LightOff`"),
+        ("s key 1 0 1", "`Part0` does not say its `pin`", "XML"),
+        ("s key 1 0 1 pin=2 limit=3", "does not know", "it knows `pin`"),
+        ("s random 1 0 1 pin=2", "does not know", "it knows none"),
+    ],
+)
+def test_what_a_driver_does_not_understand_is_refused(line: str, sentence: str, help: str) -> None:
+    error = refused(line)
+    assert sentence in str(error)
+    assert help in error.help
+
+
+def test_two_parts_on_one_pin_are_refused() -> None:
+    error = refused("a led - LightOn/0 pin=2", "s key 1 0 1 pin=3", "a pwm-motor - Stop/0 forward=4 backward=3")
+    assert error.message == "`Part1` and `Part2` are both wired to the pin `3`"
+    error = refused("a pwm-motor - Stop/0 forward=4 backward=4")
+    assert error.message == "`Part0` says the pin `4` for two different things"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "a servo 1 Open/0+,Close/0+ pin=2",
+        "a servo 1 Open/0+ pin=GP2 open=0 closed=180 time=60000 limit=5",
+        "a led - - pin=LED active=low",
+        "s line 1 0 1 pin=26 threshold=30000",
+        "s random 1 0 1",
+    ],
+)
+def test_what_a_driver_understands_is_taken(line: str) -> None:
+    refuse_misfits(file_of(line), Package(), "machine")
+
+
+def test_a_driver_that_says_nothing_is_told_anything(tmp_path: Path) -> None:
+    package = own(tmp_path, "def make(settings):\n    return None\n")
+    refuse_misfits(file_of("a own - Any/3 whatever=1 pin=2", "a own - Any/3 pin=2"), package, "machine")
+
+
+def test_ones_own_driver_is_held_to_what_it_says(tmp_path: Path) -> None:
+    package = own(tmp_path, "SETTINGS = {'speed': '1..3'}\ndef make(settings):\n    return None\n")
+    assert "from 1 to 3" in str(refused("s own 1 0 1 speed=4", package=package))
+    broken = own(tmp_path, "SETTINGS = 3\n")
+    assert re.search(r"own\.driver\.py` line 1: SETTINGS", str(refused("s own 1 0 1", package=broken)))
+
+
+def test_declarations_do_not_land_on_a_board() -> None:
+    built = Package().built("machine", ["servo", "pin-in"])
+    for content in built.files.values():
+        assert b"SETTINGS" not in content
+        assert b"PROCEDURES" not in content
+
+
+@pytest.mark.parametrize(
+    "path",
+    sorted([*DRIVERS.glob("machine/*.py"), *DRIVERS.glob("any/*.py")]),
+    ids=lambda path: f"{path.parent.name}/{path.stem}",
+)
+def test_every_shipped_driver_declares_its_settings(path: Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    says = declared(ast.parse(text), path.name)
+    if "make" not in text:
+        return
+    assert says.settings is not None
+    read = set(re.findall(r"settings(?:\.get\(|\[)\"(\w+)\"", text))
+    assert read - {"min", "max"} == set(says.settings), "what it reads is what it declares"
+    if " do(" in text:
+        assert says.procedures
+
+
+@pytest.mark.parametrize("robot", ["kit-robot"])
+def test_shipped_robots_fit_their_boards(robot: str) -> None:
+    found = load_catalogue().robots[robot]
+    devices = make_program_file_of(found)
+    package = Package()
+    families = [family for family in FAMILIES if not package.missing(devices.drivers, family)]
+    assert families
+    refuse_what_fits_no_board(devices, package, [part.name for part in (*found.actuators, *found.sensors)])
+
+
+def make_program_file_of(robot: object) -> ProgramFile:
+    from kitrobot.compiler import compile_text
+    from kitrobot.primitives import Robot
+
+    assert isinstance(robot, Robot)
+    image = compile_text("WAIT(1);", robot).image
+    assert image is not None
+    return make_program_file(image, robot)
