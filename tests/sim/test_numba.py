@@ -144,6 +144,36 @@ def test_a_long_run_asks_for_the_compiled_step_and_takes_it_when_it_is_there() -
     assert child.stdout == here.snapshot()
 
 
+CROWD = """
+import sys
+from kitrobot.sim import compiling, expect_run
+from tests.sim.teams import random_team
+expect_run(99)
+assert compiling._asked is None, "for so few it is not worth it"
+expect_run(100)
+assert compiling._asked is not None
+compiling._asked.join()
+run = random_team(5, 130)
+run.advance(20)
+run.advance(20)
+assert not isinstance(run.state.clock, list), "it was there from the start and is not taken"
+sys.stdout.buffer.write(run.snapshot())
+"""
+
+
+def test_what_a_crowd_needs_is_there_before_its_run_begins() -> None:
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}"}
+    child = subprocess.run(
+        [sys.executable, "-c", CROWD], env=environment, capture_output=True, check=False, timeout=200
+    )
+    assert child.returncode == 0, child.stderr.decode()
+    here = random_team(5, 130)
+    here.stays_plain = True
+    for _ in range(2):
+        here.advance(20)
+    assert child.stdout == here.snapshot()
+
+
 @pytest.mark.slow
 def test_what_is_not_kept_yet_is_compiled_in_a_process_of_its_own(tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}", "KITROBOT_CACHE": str(tmp_path)}

@@ -29,6 +29,7 @@ from kitrobot.server.shapes import (
     world_shape,
 )
 from kitrobot.server.studio import Studio
+from kitrobot.sim import expect_run
 from kitrobot.workspace import OpenMission, carried_mission, is_picture, new_mission, revision_of
 
 _FAILURES: dict[int | str, dict[str, object]] = {
@@ -123,7 +124,10 @@ def mission_text(wanted: MissionTextShape) -> TextShape:
 def check(studio: StudioOf, wanted: CheckShape) -> Response:
     """Looks a mission through: LLL and three-address code of each program, and every problem."""
     with collection_paused():
-        return report_answer(studio.open(mission_from_shape(wanted.mission), wanted.path).check())
+        opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
+        answer = report_answer(opened.check())
+    expect_run(len(opened.mission.team.agents))
+    return answer
 
 
 def mission_file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:

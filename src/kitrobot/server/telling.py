@@ -67,13 +67,12 @@ class Teller:
 
     def __init__(self, header: TraceHeader) -> None:
         self._header = header
-        places = {(column.owner, column.name): at for at, column in enumerate(header.columns)}
         by_owner: dict[str, list[tuple[str, int]]] = {}
         for at, column in enumerate(header.columns):
             by_owner.setdefault(column.owner, []).append((column.name, at))
         try:
             self._agents = [self._plan(one.name, one.program, by_owner.get(one.name, [])) for one in header.agents]
-            self._collisions = places[TEAM, "collisions"]
+            self._collisions = dict(by_owner.get(TEAM, []))["collisions"]
         except KeyError as error:
             raise TraceError("the trace lacks numbers that every run has", "record the run once more") from error
         self._poses = [place for agent in self._agents for place in agent.pose]

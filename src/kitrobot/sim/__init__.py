@@ -1,5 +1,6 @@
 """The simulator: a mission in its world, fixed step, seeded, the same run every time."""
 
+from kitrobot.sim.hurry import expect_run
 from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
 from kitrobot.sim.sayings import Event
 from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Outcome, Simulation
@@ -19,6 +20,7 @@ __all__ = [
     "Recorder",
     "Simulation",
     "SimulationError",
+    "expect_run",
     "record_again",
     "simulate",
 ]

@@ -1,7 +1,8 @@
 """When a run takes the compiled step: after enough work to be worth it, and only once it is there.
 
 Compiling, or loading what was compiled, goes on beside the run, which takes its steps plain until then; both give the
-same numbers, so nobody sees the change but by the clock.
+same numbers, so nobody sees the change but by the clock. A crowd is worth it from its first steps, and `expect_run`
+has the compiled step ready before such a run begins.
 """
 
 from __future__ import annotations
@@ -11,8 +12,20 @@ from kitrobot.sim import compiling
 WORTH = 100_000
 """Steps of one robot in a run after which it asks for the compiled step: a second or two of plain work."""
 
+CROWD = 100
+"""Robots of a run that is worth it nearly at once: plain, some hundreds are slower than real time."""
+
+CROWD_WORTH = 2000
+"""As `WORTH`, of a crowd."""
+
 AT_ONCE = 10_000
 """Steps of one robot that are run plain before it is asked again whether the compiled one is there."""
+
+
+def expect_run(robots: int) -> None:
+    """A run of so many robots may begin soon: has the compiled step made or loaded, if it is worth it for them."""
+    if robots >= CROWD:
+        compiling.ask()
 
 
 class Hurry:
@@ -31,7 +44,7 @@ class Hurry:
 
     def compiled(self) -> compiling.Advance | None:
         """The compiled step, if it is worth it and there; None: go on plain."""
-        if self._advance is None and self._work >= WORTH:
+        if self._advance is None and self._work >= (WORTH if self._robots < CROWD else CROWD_WORTH):
             if not self._asked:
                 self._asked = True
                 compiling.ask()

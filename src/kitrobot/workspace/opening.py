@@ -126,16 +126,22 @@ class OpenMission:
     @cached_property
     def report(self) -> Report:
         """What `check` gives; worked out once."""
+        found = list(self.before_staging)
+        if self.mission.team.agents and not any(item.is_error for item in found):
+            found += self._stage_problems()
+        sources = [*self.sources, *(compiled.source for compiled in self.compiled.values())]
+        return Report(tuple(self._program_reports()), tuple(found), tuple(sources))
+
+    @cached_property
+    def before_staging(self) -> tuple[Diagnostic, ...]:
+        """What can be said without letting the team take its places in the world, which is what takes long of many."""
         found = list(self.diagnostics)
         # Whoever names a part of the mission's own world that does not fit is not to blame for it.
         place = self.mission.own_world or self.world
         found += team_problems(self.mission, self.catalogue, place, self.places)
         for compiled in self.compiled.values():
             found += self.placed(compiled.diagnostics)
-        if self.mission.team.agents and not any(item.is_error for item in found):
-            found += self._stage_problems()
-        sources = [*self.sources, *(compiled.source for compiled in self.compiled.values())]
-        return Report(tuple(self._program_reports()), tuple(found), tuple(sources))
+        return tuple(found)
 
     def _stage_problems(self) -> tuple[Diagnostic, ...]:
         """What keeps a team from taking its places in the world."""

@@ -69,14 +69,15 @@ class _Look:
         for name in (name for name, count in names.items() if count > 1):
             yield SAME_NAME(f"{names[name]} agents are called `{name}`", self._agent(name))
         programs = [program.name for program in self.mission.programs]
+        starts = [] if self.world is None else [start.name for start in self.world.starts]
+        known = set(starts)
         for agent in team.agents:
             # Of a file, its reader has told this.
             if self.places is None and agent.program not in programs:
                 message = f"`{agent.name}` runs the program `{agent.program}`, which is not in this mission"
                 help = did_you_mean(agent.program, programs) or f"its programs: {', '.join(programs) or 'none'}"
                 yield NO_PROGRAM(message, help=help)
-            if self.world is not None and self.world.start(agent.start_name) is None:
-                starts = [start.name for start in self.world.starts]
+            if self.world is not None and agent.start_name not in known:
                 message = (
                     f"`{agent.name}` would start at `{agent.start_name}`, which the world `{self.world.name}` has not"
                 )

@@ -233,6 +233,9 @@ class _Whole:
         pose = world.start_pose(start)
         self._inside(where, [(pose.x_mm, pose.y_mm)])
         for wall in world.walls:
+            # Of very many walls most are told apart from near ones by this alone.
+            if not _is_around(wall, pose.x_mm, pose.y_mm, WALL_CLEARANCE_MM):
+                continue
             away, _ = distance_to_stretch(pose.x_mm, pose.y_mm, wall.x1_mm, wall.y1_mm, wall.x2_mm, wall.y2_mm)
             if away < WALL_CLEARANCE_MM:
                 where.report(rules.START, f"{start.name} starts in a wall", help="move the start away from the wall")
@@ -256,3 +259,14 @@ class _Whole:
                 message = f"({mm(x_mm)}, {mm(y_mm)}) is outside the world, which is {mm(width)} × {mm(height)} mm"
                 where.report(rules.OUTSIDE, message)
                 return
+
+
+def _is_around(wall: Wall, x_mm: float, y_mm: float, within_mm: float) -> bool:
+    """Whether a point is in the rectangle around a wall, with so much to spare."""
+    if wall.x1_mm < x_mm - within_mm and wall.x2_mm < x_mm - within_mm:
+        return False
+    if wall.x1_mm > x_mm + within_mm and wall.x2_mm > x_mm + within_mm:
+        return False
+    if wall.y1_mm < y_mm - within_mm and wall.y2_mm < y_mm - within_mm:
+        return False
+    return not (wall.y1_mm > y_mm + within_mm and wall.y2_mm > y_mm + within_mm)
