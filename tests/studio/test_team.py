@@ -192,3 +192,23 @@ def test_a_world_of_the_folder_can_be_chosen(open_studio: OpenStudio) -> None:
     expect(studio.at("world-yard")).to_contain_text("from this folder")
     studio.at("world-yard").locator("input").check()
     assert 'href="yard.world.xml"' in save(studio, "square.krt")
+
+
+def test_after_a_run_the_arena_shows_what_was_edited_and_in_its_past_the_run(open_studio):
+    studio = open_studio("transport/transport.krt")
+    summary = studio.at("arena-summary")
+    expect(summary).to_contain_text("0 of 12")
+    studio.full_speed()
+    studio.at("run-button").click()
+    studio.wait_until_done()
+    expect(summary).to_contain_text("12 of 12")
+    studio.at("tab-of-team").click()
+    studio.at("add-agent").click()
+    expect(summary).to_contain_text("0 of 12")
+    studio.at("undo").click()
+    expect(summary).to_contain_text("12 of 12")
+    studio.at("redo").click()
+    expect(summary).to_contain_text("0 of 12")
+    studio.at("step-back-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+    expect(summary).to_contain_text("12 of 12")

@@ -6,7 +6,7 @@ import { useStudio } from "../model/studio";
 import { GRID_MM } from "../model/world/thing";
 import { ARENA_KEYS, keyIn } from "../reach/key-table";
 import { posesAt, watchFrames } from "../run/poses";
-import { useRun } from "../run/run";
+import { isLive, useRun } from "../run/run";
 import { Seed } from "../run/Seed";
 import { Icon, useTheme } from "../theme";
 import { decimal } from "../words/numbers";
@@ -18,7 +18,7 @@ import { Painter } from "./painter";
 import { Crowd } from "./Crowd";
 import { RobotMenu } from "./RobotMenu";
 import { choose, follow, openRobotMenu, useRobots } from "./robots";
-import { actorsOf, lookAt, type Scene, sceneBefore, sceneOf } from "./scene";
+import { actorsOf, hasOtherPlaces, lookAt, type Scene, sceneBefore, sceneOf } from "./scene";
 import { StatesSaid } from "./StatesSaid";
 import { complain } from "../shell/document";
 import { later } from "../shell/later";
@@ -44,14 +44,17 @@ function useScene(): Scene | null {
     () => (ownWorld === null ? null : sceneBefore(mission, ownWorld, catalogue)),
     [mission, ownWorld, catalogue],
   );
-  const { world, agents } = run;
+  const { world, agents, mission: ran } = run;
+  // A run that is over gives way to what was edited since; going back in it brings it back.
+  const over = ran !== null && !run.real && !isLive(run.status);
+  const edited = useMemo(() => over && hasOtherPlaces(mission, ran), [over, mission, ran]);
   const actors = useMemo(
     () => (world === null ? [] : actorsOf(agents, mission, catalogue, world)),
     [world, agents, mission, catalogue],
   );
   return useMemo(
-    () => (world !== null && actors.length > 0 ? sceneOf(run, actors, world) : before),
-    [run, world, actors, before],
+    () => (world !== null && actors.length > 0 && !edited ? sceneOf(run, actors, world) : before),
+    [run, world, actors, before, edited],
   );
 }
 

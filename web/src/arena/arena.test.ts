@@ -5,7 +5,7 @@ import { isCrowd } from "./draw-crowd";
 import { newStates } from "./StatesSaid";
 import { fit, toScreen, toWorld, zoomAt } from "./camera";
 import { nearestOn, placeAlong, roadLength, signAt } from "./geometry";
-import { lookAt, roleAt, sceneBefore, totalOf } from "./scene";
+import { hasOtherPlaces, lookAt, roleAt, sceneBefore, totalOf } from "./scene";
 import { summary } from "./summary";
 import { placeTag } from "./tag-place";
 
@@ -150,6 +150,29 @@ describe("the scene before a run", () => {
   it("says load and failure of a robot", () => {
     const poses = [{ x_mm: 1000, y_mm: 600, heading_rad: 0, load: 1, flags: 2 }];
     expect(summary(scene, lookAt(scene, poses))).toContain("c-1 at section 1, loaded, failed.");
+  });
+});
+
+describe("a mission that was edited since its run", () => {
+  const one: Mission = {
+    version: 1,
+    programs: [],
+    agents: [{ name: "a", program: "p", start: "" }],
+    goals: [],
+    world: "w",
+  };
+
+  it("has other places when its team or its world is another", () => {
+    expect(hasOtherPlaces({ ...one, agents: [] }, one)).toBe(true);
+    expect(hasOtherPlaces({ ...one, agents: [{ name: "a", program: "p", start: "b" }] }, one)).toBe(true);
+    expect(hasOtherPlaces({ ...one, world: "v" }, one)).toBe(true);
+  });
+
+  it("has the same ones whatever else was edited, and once more after undo", () => {
+    expect(hasOtherPlaces({ ...one, goals: [{ storehouse: "A", stock: "all" }] }, one)).toBe(false);
+    expect(hasOtherPlaces({ ...one, agents: [{ name: "a", program: "p", start: "" }], own_world: null }, one)).toBe(
+      false,
+    );
   });
 });
 

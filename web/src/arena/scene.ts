@@ -154,6 +154,14 @@ export function actorsOf(agents: readonly RunAgent[], mission: Mission, catalogu
   });
 }
 
+/** Whether the world or the team of one mission is not that of the other; what the programs do is not asked. */
+export function hasOtherPlaces(one: Mission, other: Mission): boolean {
+  const parts = ["agents", "world", "own_world"] as const;
+  return parts.some(
+    (part) => one[part] !== other[part] && JSON.stringify(one[part] ?? null) !== JSON.stringify(other[part] ?? null),
+  );
+}
+
 /** A run as it stands. */
 export function sceneOf(run: Standing, actors: Actor[], world: World): Scene {
   return {
