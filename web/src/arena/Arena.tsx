@@ -22,7 +22,6 @@ import { actorsOf, hasOtherPlaces, lookAt, type Scene, sceneBefore, sceneOf } fr
 import { StatesSaid } from "./StatesSaid";
 import { complain } from "../shell/document";
 import { later } from "../shell/later";
-import { press, release, releaseAll } from "./hands";
 import { summary } from "./summary";
 
 const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
@@ -201,7 +200,7 @@ export function Arena() {
     const { clientX: x, clientY: y } = event;
     const place = event.currentTarget.getBoundingClientRect();
     const key = painter?.keyAt(x - place.left, y - place.top) ?? null;
-    if (key !== null && press(key.agent, key.sensor)) {
+    if (key !== null && painter?.boards?.press(key.agent, key.sensor) === true) {
       holding.current = key;
       return;
     }
@@ -252,7 +251,7 @@ export function Arena() {
       .finally(() => painter?.putDown());
   };
   const letGo = () => {
-    if (holding.current !== null) release(holding.current.agent, holding.current.sensor);
+    if (holding.current !== null) painter?.boards?.release(holding.current.agent, holding.current.sensor);
     holding.current = null;
   };
   const onPointerUp = (event: PointerEvent<HTMLCanvasElement>) => {
@@ -285,11 +284,11 @@ export function Arena() {
   };
   const onKeyUp = (event: KeyboardEvent) => {
     const key = keyOf(event);
-    if (key !== undefined) release(selected, key.sensor);
+    if (key !== undefined) painter?.boards?.release(selected, key.sensor);
   };
   const onKeyDown = (event: KeyboardEvent) => {
     const key = keyOf(event);
-    if (key !== undefined && (event.repeat || press(selected, key.sensor))) {
+    if (key !== undefined && (event.repeat || painter?.boards?.press(selected, key.sensor) === true)) {
       event.preventDefault();
       event.stopPropagation();
       return;
@@ -329,7 +328,7 @@ export function Arena() {
           aria-describedby="arena-summary"
           onKeyDown={onKeyDown}
           onKeyUp={onKeyUp}
-          onBlur={releaseAll}
+          onBlur={() => painter?.boards?.releaseAll()}
           onContextMenu={onContextMenu}
           onPointerDown={onPointerDown}
           onPointerMove={onPointerMove}

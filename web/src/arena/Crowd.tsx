@@ -5,7 +5,7 @@ import { FAILED } from "../api/wire";
 import { posesAt } from "../run/poses";
 import { grouped } from "../words/numbers";
 import { t } from "../words/words";
-import { CROWD } from "./draw-crowd";
+import { CROWD } from "./crowd-size";
 import { useRobots } from "./robots";
 import type { Scene } from "./scene";
 

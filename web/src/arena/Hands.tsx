@@ -1,13 +1,13 @@
 /** The keys of the robot that is watched, as buttons that are held: for fingers, keyboards and screen readers. */
 import "./hands.css";
 
-import { canInterfere, useRun } from "../run/run";
+import { canInterfere, isLive, useRun } from "../run/run";
 import { t } from "../words/words";
 import type { HandKey } from "./boards";
 import { isHeld, press, release, useHands } from "./hands";
 
 export function Hands({ agent, keys }: { agent: string; keys: readonly HandKey[] }) {
-  const live = useRun(canInterfere);
+  const live = useRun((run) => canInterfere(run) && isLive(run.status));
   return (
     <div className="arena-hands" role="group" aria-label={t("arena.hands", { name: agent })} data-testid="hands">
       {keys.map((key) => (

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Mission, World } from "../api/types";
-import { isCrowd } from "./draw-crowd";
+import { isCrowd } from "./crowd-size";
 import { newStates } from "./StatesSaid";
 import { fit, toScreen, toWorld, zoomAt } from "./camera";
 import { nearestOn, placeAlong, roadLength, signAt } from "./geometry";

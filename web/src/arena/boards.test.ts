@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 
 import type { Robot, RobotObject } from "../model/types";
-import { useRun } from "../run/run";
+import { type RunAgent, useRun } from "../run/run";
 import { faceOf, keysOf, letterOf, lightsOf } from "./boards";
 import { boardUnit, keyAt } from "./draw-board";
 import { isHeld, press, release, releaseAll, useHands } from "./hands";
@@ -98,38 +98,58 @@ describe("a button of a board", () => {
 
 describe("a hand on a key", () => {
   const force = vi.fn();
+  const feels = (inputs: Record<string, number>): { agents: RunAgent[] } => {
+    const started = { name: "b", program: "p", robot: "board", number: 1, kind: "robot" };
+    return {
+      agents: [{ ...started, active: [], state: "waiting", values: {}, inputs, shown: {}, fault: 0, forced: [] }],
+    };
+  };
   beforeEach(() => {
     force.mockClear();
     useHands.setState({ held: [] });
-    useRun.setState({ status: "running", name: "r", tick: 10, tickMs: 20, recording: false, watching: false, force });
+    useRun.setState({ status: "running", name: "r", tick: 10, recording: false, watching: false, force, ...feels({}) });
   });
   const held = () => useHands.getState().held;
 
   it("forces the sensor while it is held, and gives it back", () => {
     expect(press("b", "A")).toBe(true);
     expect(force.mock.calls).toEqual([["b", "A", 1]]);
+    useRun.setState({ tick: 50, ...feels({ A: 1 }) });
     expect(isHeld(held(), "b", "A")).toBe(true);
-    useRun.setState({ tick: 50 });
     release("b", "A");
     expect(force.mock.calls.slice(1)).toEqual([["b", "A", null]]);
     expect(held()).toEqual([]);
   });
 
-  it("holds a short press until the program has had its tick", () => {
+  it("holds a short press until the program has felt it", () => {
     press("b", "A");
     release("b", "A");
-    expect(isHeld(held(), "b", "A")).toBe(false);
+    useRun.setState({ tick: 60 });
     expect(force).toHaveBeenCalledTimes(1);
-    useRun.setState({ tick: 11 });
-    expect(force).toHaveBeenCalledTimes(1);
-    useRun.setState({ tick: 12 });
+    expect(isHeld(held(), "b", "A")).toBe(true);
+    useRun.setState(feels({ A: 1 }));
     expect(force.mock.calls.slice(1)).toEqual([["b", "A", null]]);
+  });
+
+  it("does not wait for ever for a program that feels nothing any more", () => {
+    press("b", "A");
+    release("b", "A");
+    useRun.setState({ tick: 261 });
+    expect(force.mock.calls.slice(1)).toEqual([["b", "A", null]]);
+  });
+
+  it("holds on when it presses again before that", () => {
+    press("b", "A");
+    release("b", "A");
+    press("b", "A");
+    useRun.setState(feels({ A: 1 }));
+    expect(force.mock.calls).toEqual([["b", "A", 1]]);
   });
 
   it("lets go of everything at once", () => {
     press("b", "A");
     press("b", "B");
-    useRun.setState({ tick: 99 });
+    useRun.setState(feels({ A: 1, B: 1 }));
     releaseAll();
     expect(force.mock.calls.slice(2)).toEqual([
       ["b", "A", null],
@@ -137,19 +157,20 @@ describe("a hand on a key", () => {
     ]);
   });
 
-  it("can do nothing to a recording, to a run of somebody else, and without a run", () => {
-    for (const state of [{ recording: true }, { watching: true }, { status: "idle" as const }]) {
+  it("can do nothing to a recording, to a run of somebody else, to one that is over, and without one", () => {
+    const states = [{ recording: true }, { watching: true }, { status: "idle" as const }, { status: "done" as const }];
+    for (const state of states) {
       useRun.setState({ status: "running", recording: false, watching: false, ...state });
       expect(press("b", "A")).toBe(false);
     }
     expect(force).not.toHaveBeenCalled();
   });
 
-  it("does not reach into the next run", () => {
+  it.each([{ name: "another", tick: 0 }, { status: "done" as const }])("is forgotten when the run is over", (state) => {
     press("b", "A");
-    useRun.setState({ name: "another", tick: 0 });
+    useRun.setState(state);
+    expect(held()).toEqual([]);
     release("b", "A");
     expect(force).toHaveBeenCalledTimes(1);
-    expect(held()).toEqual([]);
   });
 });

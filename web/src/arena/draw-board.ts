@@ -1,6 +1,6 @@
 /**
  * Draws a robot that is a board: its lights, its buttons, its pins along the edge, and that it sounds. Fetched when the
- * arena shows one.
+ * arena shows one, and with it what a hand does to it.
  *
  * A board is 64 units wide, about as large as a robot is long, but never so small on the screen that its lights cannot be
  * told apart. Its upper edge is up where its heading is 0.
@@ -8,6 +8,7 @@
 import { toScreen } from "./camera";
 import { lightsOf } from "./boards";
 import { type Brush, write } from "./draw-world";
+export { press, release, releaseAll } from "./hands";
 import type { Seen } from "./scene";
 
 const [WIDTH, HEIGHT] = [64, 54];
@@ -30,6 +31,7 @@ const COLOURS = {
   off: "#46282c",
   on: "255 64 48",
   ink: "#f4f6f8",
+  pin: "#9fb0c4",
 };
 
 /** Px a unit for boards; few of them are drawn larger than they are. */
@@ -66,12 +68,12 @@ function drawLights(brush: Brush, rows: readonly number[]): void {
 function drawEdge(brush: Brush, pins: readonly number[]): void {
   const top = HEIGHT / 2 - EDGE;
   ["0", "1", "2", "3V", "⏚"].forEach((name, number) => {
-    const x = (number - 2) * 13;
-    box(brush, x - 5, top, 10, EDGE, 1.2, COLOURS.gold);
+    const x = (number - 2) * 12;
+    box(brush, x - 4.6, top, 9.2, EDGE, 1.2, COLOURS.gold);
     const level = number < 3 ? (pins[number] ?? 0) : 0;
     disc(brush, x, top + EDGE / 2, 2.9, COLOURS.goldDark);
     disc(brush, x, top + EDGE / 2, 2.2, level > 0 ? `rgb(255 224 120 / ${String(35 + 65 * level)}%)` : COLOURS.key);
-    write(brush, name, x * brush.unit, (top - 2.6) * brush.unit, 3.6 * brush.unit, 600, COLOURS.rim);
+    write(brush, name, x * brush.unit, (top - 3) * brush.unit, 4 * brush.unit, 600, COLOURS.pin);
   });
 }
 

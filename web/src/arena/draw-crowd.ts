@@ -6,16 +6,7 @@ import { toScreen } from "./camera";
 import { type Brush, ROBOT_MM } from "./draw-world";
 import type { Seen } from "./scene";
 
-/** From so many robots on they are drawn simply, while they are small. */
-export const CROWD = 150;
-/** Robots shorter than this on the screen are small, in px. */
-const SMALL_PX = 26;
 const LEAST_PX = 3.5;
-
-/** Whether the robots are to be drawn simply; `scale` is px a mm. */
-export function isCrowd(robots: number, scale: number): boolean {
-  return robots >= CROWD && scale * ROBOT_MM < SMALL_PX;
-}
 
 interface Dot {
   x: number;

@@ -4,7 +4,8 @@ import { ARM_OUT, LAMP } from "../api/wire";
 import { grouped } from "../words/numbers";
 import { toScreen } from "./camera";
 import type * as DrawBoard from "./draw-board";
-import { drawCrowd, isCrowd } from "./draw-crowd";
+import type * as DrawCrowd from "./draw-crowd";
+import { isCrowd } from "./crowd-size";
 import { drawFailed, drawMuted, drawStalled } from "./draw-signs";
 import { type Brush, drawBox, write } from "./draw-world";
 import { boundsOf } from "./geometry";
@@ -123,8 +124,13 @@ function drawBump({ pen, colours, unit: u }: Brush): void {
   pen.lineCap = "butt";
 }
 
-/** How boards are drawn; null until it was fetched. */
 export type Boards = typeof DrawBoard;
+
+/** What is drawn seldom, and fetched when it is; null until then. */
+export interface Seldom {
+  boards: Boards | null;
+  crowds: typeof DrawCrowd | null;
+}
 
 function drawSeen(usual: Brush, one: Seen, selected: boolean, boards: Boards | null, count: number): void {
   if (one.actor.role === "keeper") return;
@@ -247,11 +253,11 @@ export function drawActors(
   seen: readonly Seen[],
   selected: string,
   program: string,
-  boards: Boards | null,
+  { boards, crowds }: Seldom,
 ): void {
   drawScore(brush, scene);
   const crowd = isCrowd(seen.length, brush.camera.scale);
-  if (crowd) drawCrowd(brush, seen, program);
+  if (crowd) crowds?.drawCrowd(brush, seen, program);
   const order = { keeper: 0, robot: 1, arm: 2 };
   const closely = crowd ? seen.filter((one) => one.actor.name === selected) : [...seen];
   for (const one of closely.sort((a, b) => order[a.actor.role] - order[b.actor.role])) {

@@ -2,29 +2,30 @@
  * A person's hand on the keys of a board: a key is held while it is pressed, and goes over the same road as any sensor
  * whose value is forced, so the run's recording says what was done.
  *
- * However short, a press lasts until the program has had its tick to see it; in a run that pauses, until it goes on. Left
- * to others: where keys are (draw-board, Hands), and whether anybody may touch the run (run).
+ * However short, a press lasts until the program has felt it: a tick may be over before the next message of the run is
+ * here, and a run may pause. Left to others: where keys are (draw-board, Hands), who may touch the run (run).
  */
 import { create } from "zustand";
 
-import { useStudio } from "../model/studio";
-import { canInterfere, useRun } from "../run/run";
+import { canInterfere, isLive, useRun } from "../run/run";
 
 interface Hold {
   agent: string;
   sensor: string;
   /** The run it belongs to. */
   run: string;
-  /** The program has seen it from this tick on. */
-  seenAt: number;
+  since: number;
   /** Whether the hand has gone already. */
   let: boolean;
 }
 
 interface Hands {
-  /** What is held now. */
+  /** What is held now, by a hand or because the program has not felt it yet. */
   held: readonly Hold[];
 }
+
+/** A program that has felt nothing for so many ticks will not: it has ended, or it failed. */
+const PATIENCE_TICKS = 250;
 
 export const useHands = create<Hands>(() => ({ held: [] }));
 
@@ -33,43 +34,35 @@ function is(hold: Hold, agent: string, sensor: string): boolean {
 }
 
 export function isHeld(held: readonly Hold[], agent: string, sensor: string): boolean {
-  return held.some((hold) => is(hold, agent, sensor) && !hold.let);
-}
-
-/** How many ticks of the run a program takes to look once. */
-function ticksToSee(agent: string): number {
-  const { agents, tickMs } = useRun.getState();
-  const robot = agents.find(({ name }) => name === agent)?.robot;
-  const period = useStudio.getState().catalogue.robots.find(({ name }) => name === robot)?.tick_ms ?? tickMs;
-  return Math.ceil(period / Math.max(tickMs, 1)) + 1;
+  return held.some((hold) => is(hold, agent, sensor));
 }
 
 /** Presses a key; false where nobody may. */
 export function press(agent: string, sensor: string): boolean {
   const run = useRun.getState();
-  if (!canInterfere(run)) return false;
+  if (!canInterfere(run) || !isLive(run.status)) return false;
   const { held } = useHands.getState();
-  if (held.some((hold) => is(hold, agent, sensor) && hold.run === run.name)) {
+  if (isHeld(held, agent, sensor)) {
     useHands.setState({ held: held.map((hold) => (is(hold, agent, sensor) ? { ...hold, let: false } : hold)) });
     return true;
   }
-  const hold = { agent, sensor, run: run.name, seenAt: run.tick + ticksToSee(agent), let: false };
-  useHands.setState({ held: [...held.filter((one) => one.run === run.name), hold] });
+  useHands.setState({ held: [...held, { agent, sensor, run: run.name, since: run.tick, let: false }] });
   run.force(agent, sensor, 1);
   return true;
 }
 
-/** Gives back what was let go and seen, and forgets what belongs to another run. */
+/** Gives back what was let go and felt, and forgets what belongs to a run that is over. */
 function settle(): void {
   const { held } = useHands.getState();
   if (held.length === 0) return;
   const run = useRun.getState();
-  const gone = held.filter((hold) => hold.run !== run.name || (hold.let && run.tick >= hold.seenAt));
+  const over = ({ run: name }: Hold) => name !== run.name || !isLive(run.status);
+  const felt = ({ agent, sensor, since }: Hold) =>
+    run.agents.find(({ name }) => name === agent)?.inputs[sensor] === 1 || run.tick > since + PATIENCE_TICKS;
+  const gone = held.filter((hold) => over(hold) || (hold.let && felt(hold)));
   if (gone.length === 0) return;
   useHands.setState({ held: held.filter((hold) => !gone.includes(hold)) });
-  for (const { agent, sensor, run: name } of gone) {
-    if (name === run.name && canInterfere(run)) run.force(agent, sensor, null);
-  }
+  for (const hold of gone) if (!over(hold)) run.force(hold.agent, hold.sensor, null);
 }
 
 export function release(agent: string, sensor: string): void {

@@ -8,7 +8,8 @@ import type { World } from "../api/types";
 import { posesAt } from "../run/poses";
 import { type Camera, fit, type Room, toScreen, toWorld, zoomAt } from "./camera";
 import { readColours, type Colours } from "./colours";
-import { type Boards, drawActors } from "./draw-robots";
+import { CROWD } from "./crowd-size";
+import { type Boards, drawActors, type Seldom } from "./draw-robots";
 import { drawWorld, unitOf } from "./draw-world";
 import { lookAt, type Scene, type Seen } from "./scene";
 
@@ -33,7 +34,7 @@ export class Painter {
   private readonly seenFrom: (camera: Camera) => void;
   private readonly margin: number | null;
   private told: Camera | null = null;
-  private boards: Boards | null = null;
+  private seldom: Seldom = { boards: null, crowds: null };
   private fetching = false;
   private carried: { name: string; x_mm: number; y_mm: number } | null = null;
 
@@ -74,7 +75,7 @@ export class Painter {
     const other = before === undefined || size(before) !== size(now);
     this.scene = scene;
     this.selected = selected;
-    if (scene.actors.some(({ face }) => face !== null)) this.fetchBoards();
+    this.fetchSeldom(scene);
     if (other) this.showAll();
     this.paintSoon();
   }
@@ -145,19 +146,30 @@ export class Painter {
     return best?.seen ?? null;
   }
 
-  /** Boards are drawn once the means are there; a fetch that failed is tried again with the next scene. */
-  private fetchBoards(): void {
-    if (this.boards !== null || this.fetching) return;
+  /** Boards and crowds are drawn once the means are there; a fetch that failed is tried again with the next scene. */
+  private fetchSeldom({ actors }: Scene): void {
+    if (this.fetching) return;
+    const boards = this.seldom.boards === null && actors.some(({ face, keys }) => face !== null || keys.length > 0);
+    const crowds = this.seldom.crowds === null && actors.length >= CROWD;
+    if (!boards && !crowds) return;
     this.fetching = true;
-    void import("./draw-board")
-      .then((boards) => {
-        this.boards = boards;
+    void Promise.all([
+      boards ? import("./draw-board") : this.seldom.boards,
+      crowds ? import("./draw-crowd") : this.seldom.crowds,
+    ])
+      .then(([drawBoards, drawCrowds]) => {
+        this.seldom = { boards: drawBoards, crowds: drawCrowds };
         this.paintSoon();
       })
       .catch(() => undefined)
       .finally(() => {
         this.fetching = false;
       });
+  }
+
+  /** What a hand does to boards; null until it was fetched. */
+  get boards(): Boards | null {
+    return this.seldom.boards;
   }
 
   /** The button of a board under a point of the canvas: the robot, and the sensor that feels it. */
@@ -219,7 +231,7 @@ export class Painter {
     }
     const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
-    drawActors(brush, this.scene, seen, this.selected, this.program, this.boards);
+    drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom);
     if (!still) this.paintSoon();
   }
 

@@ -2,9 +2,12 @@
 import type { MissionEntry } from "../api/client";
 import { text } from "../model/texts";
 import { t } from "../words/words";
-import { Picture } from "./Picture";
+import { complain } from "../shell/document";
+import { later } from "../shell/later";
 
 import "./gallery.css";
+
+const Picture = later(() => import("./Picture").then((chunk) => chunk.Picture), complain);
 
 interface CardProps {
   entry: MissionEntry;

@@ -2,17 +2,19 @@
 import { useEffect, useState } from "react";
 
 import { partsApi } from "../api/parts";
-import { WorldPicture } from "../gallery/Picture";
 import { changeWorld, sameWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
 import { text } from "../model/texts";
 import type { WorldEntry } from "../model/types";
 import { foreseeWorld, useFiles } from "../parts/files";
 import { complain } from "../shell/document";
+import { later } from "../shell/later";
 import { Icon } from "../theme";
 import { decimal } from "../words/numbers";
 import { t } from "../words/words";
 import { openWorld } from "../world/state";
+
+const WorldPicture = later(() => import("../gallery/Picture").then((chunk) => chunk.WorldPicture), complain);
 
 function useWorlds(): WorldEntry[] {
   const path = useStudio((studio) => studio.file.path);

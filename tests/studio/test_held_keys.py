@@ -1,0 +1,125 @@
+"""A board in the arena: a person holds its buttons with mouse, finger and keyboard, and sees what it shows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[..., Studio]
+
+
+def running(open_studio: OpenStudio, **device: object) -> Studio:
+    """Dice that wait for somebody: button B ends the game."""
+    studio = open_studio("dice/dice.krt", **device)
+    studio.at("run-button").click()
+    expect(studio.at("hand-ButtonB")).to_be_enabled()
+    return studio
+
+
+def place_of_button_b(studio: Studio) -> tuple[float, float]:
+    """In the page: the desk is 240 mm wide, and the board 160 mm of it, in the middle."""
+    canvas = studio.at("arena-canvas").bounding_box()
+    assert canvas is not None
+    scale = min(canvas["width"] / 240, canvas["height"] / 180)
+    unit = scale * 135 / 54
+    return canvas["x"] + canvas["width"] / 2 + 24 * unit, canvas["y"] + canvas["height"] / 2 - 4 * unit
+
+
+def centre(locator: Locator) -> tuple[float, float]:
+    box = locator.bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def test_a_button_of_the_board_is_pressed_with_the_mouse_in_the_arena(open_studio: OpenStudio) -> None:
+    studio = running(open_studio)
+    studio.page.mouse.move(*place_of_button_b(studio))
+    expect(studio.at("arena-canvas")).to_have_css("cursor", "pointer")
+    studio.page.mouse.down()
+    expect(studio.at("hand-ButtonB")).to_have_attribute("aria-pressed", "true")
+    studio.wait_until_done()
+    studio.page.mouse.up()
+
+
+def test_a_press_on_the_canvas_beside_the_buttons_holds_nothing(open_studio: OpenStudio) -> None:
+    studio = running(open_studio)
+    x, y = place_of_button_b(studio)
+    studio.page.mouse.move(x, y + 60)
+    studio.page.mouse.down()
+    studio.page.mouse.up()
+    expect(studio.at("hand-ButtonB")).to_have_attribute("aria-pressed", "false")
+    expect(studio.at("status")).to_have_attribute("data-status", "running")
+
+
+@pytest.mark.parametrize("key", ["b", "Enter", "Space"])
+def test_a_button_is_held_with_the_keyboard(open_studio: OpenStudio, key: str) -> None:
+    studio = running(open_studio)
+    studio.at("arena-canvas" if key == "b" else "hand-ButtonB").focus()
+    studio.page.keyboard.down(key)
+    expect(studio.at("hand-ButtonB")).to_have_attribute("aria-pressed", "true")
+    studio.page.keyboard.up(key)
+    studio.wait_until_done()
+
+
+def test_a_finger_that_taps_shortly_is_felt(open_studio: OpenStudio) -> None:
+    studio = running(open_studio, has_touch=True)
+    studio.page.touchscreen.tap(*centre(studio.at("hand-ButtonB")))
+    studio.wait_until_done()
+
+
+def test_what_a_hand_did_stands_on_the_timeline_and_in_the_watch(open_studio: OpenStudio) -> None:
+    studio = running(open_studio)
+    studio.at("watch-button").click()
+    studio.page.mouse.move(*centre(studio.at("hand-ButtonA")))
+    studio.page.mouse.down()
+    expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "true")
+    studio.page.mouse.up()
+    expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "false")
+    expect(studio.at("hand-ButtonA")).to_have_attribute("aria-pressed", "false")
+
+
+def test_a_press_while_the_run_pauses_waits_for_it(open_studio: OpenStudio) -> None:
+    studio = running(open_studio)
+    studio.at("pause-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+    studio.at("hand-ButtonB").click()
+    expect(studio.at("hand-ButtonB")).to_have_attribute("aria-pressed", "true")
+    studio.page.keyboard.press("F5")
+    studio.wait_until_done()
+
+
+def test_before_a_run_there_is_a_board_and_nothing_to_hold(open_studio: OpenStudio) -> None:
+    studio = open_studio("dice/dice.krt")
+    expect(studio.at("hand-Shake")).to_be_disabled()
+    expect(studio.at("hands")).to_contain_text("Press Run first")
+    studio.at("run-button").click()
+    expect(studio.at("hand-Shake")).to_be_enabled()
+
+
+def test_dice_are_thrown_by_a_shake(open_studio: OpenStudio) -> None:
+    studio = running(open_studio)
+    studio.at("arena-canvas").focus()
+    studio.page.keyboard.down("s")
+    expect(studio.at("arena-summary")).to_contain_text(re.compile(r"[1-6] lights? on"))
+    studio.page.keyboard.up("s")
+
+
+def test_the_heart_beats_on_the_lights(open_studio: OpenStudio) -> None:
+    studio = open_studio("heart/heart.krt")
+    studio.at("run-button").click()
+    for lights in ("16 lights on", "6 lights on", "16 lights on"):
+        expect(studio.at("arena-summary")).to_contain_text(lights)
+
+
+@pytest.mark.parametrize("language", ["fr", "ur"])
+def test_keys_are_there_in_every_language(open_studio: OpenStudio, language: str) -> None:
+    studio = open_studio("reaction/reaction.krt", locale=language)
+    names = {"fr": "Bouton A", "ur": "بٹن A"}
+    expect(studio.at("hand-ButtonA")).to_contain_text(names[language])
