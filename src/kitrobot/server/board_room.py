@@ -187,7 +187,10 @@ class BoardRoom:
 
     def ports_text(self) -> str:
         """All ports, encoded."""
-        ports = [BoardPortShape(address=one.address, name=one.name, description=one.description) for one in self._ports]
+        ports = [
+            BoardPortShape(address=one.address, name=_shown(one.address, one.name), description=one.description)
+            for one in self._ports
+        ]
         return BoardPortsMessage(ports=ports).model_dump_json()
 
     # -- robots
@@ -221,7 +224,7 @@ class BoardRoom:
 
     async def _name_of(self, address: str) -> str:
         if address.lower().startswith(NETWORK):
-            return address.split("://", 1)[1]
+            return _shown(address, "")
         known = {one.address: one.name for one in self._ports}
         if address not in known:
             await self._find_ports()
@@ -230,7 +233,7 @@ class BoardRoom:
             raise AddressError(
                 f"there is no robot at `{address}`", "choose one of the list, or write `socket://host:port`"
             )
-        return known[address] or address
+        return _shown(address, known[address])
 
     def _mine(self, seat: Seat, hand: Hand) -> Hand:
         if hand.holder != seat.name:
@@ -283,6 +286,11 @@ class BoardRoom:
             kept = hand.message().model_dump_json()
             self._texts[address, language] = (version, kept)
         return kept
+
+
+def _shown(address: str, name: str) -> str:
+    """What a robot is called on the page: one on the network by where it is."""
+    return address.split("://", 1)[1] if "://" in address else name or address
 
 
 class BoardsError(KitRobotError):

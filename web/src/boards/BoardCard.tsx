@@ -78,6 +78,11 @@ function SmallTool({
 
 const SHAPES = { none: "idle", ready: "idle", running: "running", ended: "idle", fault: "failed" } as const;
 
+/** A number that keeps its order of digits in a script that runs the other way. */
+function isolated(number: string): string {
+  return `\u2066${number}\u2069`;
+}
+
 /** What it does, in a word. */
 function stateWords(board: Board | null): string {
   if (board === null || board.phase === "closed") return t("boards.state-closed");
@@ -97,7 +102,7 @@ function Stands({ board }: { board: Board }) {
       <span role="status">{stateWords(board)}</span>
       {open && board.program !== "" ? <span>{board.program}</span> : null}
       {open && !named ? <span>{t("boards.other-program")}</span> : null}
-      {open ? <span>{t("boards.free", { bytes: grouped(board.free) })}</span> : null}
+      {open ? <span>{t("boards.free", { bytes: isolated(grouped(board.free)) })}</span> : null}
       {open && board.program !== "" && board.tick > 0 ? <span>{clock(board.seconds)}</span> : null}
     </p>
   );
@@ -203,11 +208,20 @@ function Acts({ place: { address, board } }: { place: Place }) {
   if (board?.phase === "sending" || board?.phase === "connecting") return null;
   return (
     <div className="robot-acts">
+      {board?.phase === "lost" ? (
+        <Act
+          ink
+          icon="refresh-cw"
+          label={t("boards.reconnect")}
+          testId="robot-reconnect"
+          onPress={() => connectBoard(address)}
+        />
+      ) : null}
       {running ? (
         <Act ink icon="square" label={t("boards.stop")} testId="robot-stop" onPress={() => stopBoard(address)} />
       ) : (
         <Act
-          ink
+          ink={board?.phase !== "lost"}
           icon="play"
           label={t("boards.run")}
           testId="robot-run"
@@ -217,14 +231,6 @@ function Acts({ place: { address, board } }: { place: Place }) {
       )}
       {board === null || board.phase === "closed" ? (
         <Act icon="radio" label={t("boards.connect")} testId="robot-connect" onPress={() => connectBoard(address)} />
-      ) : null}
-      {board?.phase === "lost" ? (
-        <Act
-          icon="refresh-cw"
-          label={t("boards.reconnect")}
-          testId="robot-reconnect"
-          onPress={() => connectBoard(address)}
-        />
       ) : null}
       {!running ? (
         <Act
@@ -263,9 +269,11 @@ export function BoardCard({ place }: { place: Place }) {
       <div className="robot-head">
         <StateShape state={board?.phase === "lost" ? "stalled" : state} size={10} />
         <h3 id={title}>{name}</h3>
-        <span className="robot-address" dir="ltr" title={description}>
-          {address}
-        </span>
+        {address.endsWith(name) ? null : (
+          <span className="robot-address" dir="ltr" title={description}>
+            {address}
+          </span>
+        )}
         <span className="robots-space" />
         {open && mine ? (
           <SmallTool

@@ -46,7 +46,7 @@ function takeCanvas(): void {
 export function isCurrent(address: string): boolean {
   const { boards, given: all } = useBoards.getState();
   const [board, was] = [boards[address], all[address]];
-  if (board === undefined || was === undefined || board.program === "") return false;
+  if (board?.phase !== "open" || was === undefined || board.program === "") return false;
   const now = given(address);
   const [drawn, sent] = [now.mission, was.mission];
   const same = (["programs", "constructors", "variables"] as const).every((part) => drawn[part] === sent[part]);

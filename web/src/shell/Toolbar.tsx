@@ -120,13 +120,16 @@ export function Toolbar() {
       <span className="tool-line" />
       <SpeedControl />
       <span className="tool-line" />
-      <Tool
-        icon="upload"
-        label={t("boards.run")}
-        keys={keyFor.page("runOnRobot")}
-        testId="run-on-robot"
-        onPress={runOnRobots}
-      />
+      <button
+        type="button"
+        className="tool tool-named"
+        data-testid="run-on-robot"
+        title={`${t("boards.run")} (${keyFor.page("runOnRobot")})`}
+        onClick={runOnRobots}
+      >
+        <Icon name="upload" size={18} />
+        <span>{t("boards.run")}</span>
+      </button>
       <RunStatus />
     </div>
   );

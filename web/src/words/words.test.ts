@@ -45,6 +45,8 @@ const keys = Object.keys(EN) as Key[];
 /** Sentences that are the same in another language: names, and words that French and English share. */
 const NAMES: Key[] = [
   "app.name",
+  "boards.title",
+  "menu.robots",
   "menu.bar",
   "graph.action",
   "graph.condition",

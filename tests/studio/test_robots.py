@@ -1,0 +1,241 @@
+"""Real robots in the studio: greeted, run, watched, interfered with, stopped, lost; by mouse and by keys."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.boards.host import HostBoard, host_board, write_pulse
+from tests.boards.qemu import Emulated, running
+from tests.studio.conftest import Studio
+from tests.studio.test_reach import AXE, choose, find_nothing
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[..., Studio]
+LOOKS = [("light",), ("dark",), ("contrast",), ("light", "ur"), ("dark", "fr")]
+ACTIVE = ".vertex.is-active"
+
+
+@pytest.fixture
+def pulse(open_studio: OpenStudio, tmp_path: Path) -> Callable[..., Studio]:
+    """Opens the studio on the mission `pulse`, with its robot; `broken` as in `write_pulse`."""
+
+    def opened(broken: bool = False, **device: object) -> Studio:
+        source = tmp_path / "source"
+        source.mkdir()
+        # An absolute path stays what it is when it is joined to the folder of the examples.
+        return open_studio(str(write_pulse(source, broken)), **device)
+
+    return opened
+
+
+@pytest.fixture
+def robots(tmp_path: Path) -> Iterator[Callable[..., HostBoard]]:
+    """Starts robots on the network that have `pulse`."""
+    with ExitStack() as stack:
+
+        def robot(broken: bool = False) -> HostBoard:
+            folder = tmp_path / "robots"
+            folder.mkdir(exist_ok=True)
+            return stack.enter_context(host_board(write_pulse(folder, broken), "pulse", folder))
+
+        yield robot
+
+
+def connect(studio: Studio, robot: HostBoard) -> Locator:
+    """Greets a robot on the network; its place in the panel."""
+    if not studio.at("robots").is_visible():
+        studio.page.keyboard.press("Alt+r")
+    studio.at("robots-address").fill(robot.address)
+    studio.page.keyboard.press("Enter")
+    found = studio.page.locator(f'[data-testid="robot"][data-address="{robot.address}"]')
+    expect_robot(found, phase="open")
+    return found
+
+
+def again(studio: Studio, robot: HostBoard) -> Locator:
+    """Loads the page again and opens the panel; the robot's place there."""
+    studio.page.reload()
+    expect(studio.page.locator('[data-testid="code"] .cm-line').first).not_to_be_empty()
+    studio.page.keyboard.press("Alt+r")
+    return studio.page.locator(f'[data-testid="robot"][data-address="{robot.address}"]')
+
+
+def expect_robot(robot: Locator, **states: str) -> None:
+    for name, value in states.items():
+        expect(robot.get_by_test_id("robot-state")).to_have_attribute(f"data-{name}", value)
+
+
+def test_a_robot_runs_glows_is_watched_and_stopped(pulse: OpenStudio, robots: Callable[..., HostBoard]) -> None:
+    studio = pulse()
+    robot = connect(studio, robots())
+    expect(robot).to_contain_text(re.compile("1.000.000.{0,2} bytes free"))
+    robot.get_by_test_id("robot-stop").click()
+    expect_robot(robot, state="ready")
+    expect(studio.page.locator(ACTIVE)).to_have_count(0)
+    robot.get_by_test_id("robot-run").click()
+    expect_robot(robot, state="running")
+    expect(studio.at("status")).to_contain_text("Running on a robot")
+    expect(studio.page.locator(ACTIVE).first).to_be_visible()
+    expect(studio.at("run-button")).to_be_disabled()
+    expect(studio.at("pause-button")).to_be_disabled()
+    robot.get_by_test_id("robot-watch").click()
+    value = studio.at("watch-Count").locator("input")
+    expect(value).to_have_value(re.compile("^[1-9]"))
+    value.fill("500")
+    studio.page.keyboard.press("Enter")
+    expect(value).to_have_value(re.compile("^50[1-9]$"))
+    studio.at("watch-ButtonA").get_by_role("combobox").select_option("1")
+    expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "true")
+    studio.at("release-ButtonA").click()
+    expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "false")
+    studio.at("team-stop").click()
+    expect_robot(robot, state="ready")
+    expect(studio.page.locator(ACTIVE)).to_have_count(0)
+    expect(studio.at("status")).to_have_attribute("data-status", "stopped")
+
+
+def test_keys_alone_run_and_stop_every_robot(pulse: OpenStudio, robots: Callable[..., HostBoard]) -> None:
+    studio = pulse()
+    both = [connect(studio, robots()) for _ in range(2)]
+    studio.page.keyboard.press("Shift+F5")
+    for robot in both:
+        expect_robot(robot, state="ready")
+    studio.page.keyboard.press("Control+F5")
+    for robot in both:
+        expect_robot(robot, state="running")
+    expect(studio.at("watched-agent").locator("option")).to_have_count(2)
+    studio.page.keyboard.press("Alt+r")
+    expect(studio.at("robots")).to_have_count(0)
+    expect(studio.at("arena")).to_be_visible()
+    expect(studio.page.locator(ACTIVE).first).to_be_visible()
+    studio.page.keyboard.press("Shift+F5")
+    expect(studio.at("status")).to_have_attribute("data-status", "stopped")
+    studio.page.keyboard.press("Alt+r")
+    for robot in both:
+        expect_robot(robot, state="ready")
+
+
+def test_a_lost_link_is_said_and_the_robot_is_greeted_again(
+    pulse: OpenStudio, robots: Callable[..., HostBoard]
+) -> None:
+    studio = pulse()
+    board = robots()
+    robot = connect(studio, board)
+    robot.get_by_test_id("robot-stop").click()
+    expect_robot(robot, state="ready")
+    robot.get_by_test_id("robot-run").click()
+    expect_robot(robot, state="running")
+    board.pull()
+    expect_robot(robot, phase="lost")
+    expect(robot.get_by_test_id("robot-trouble")).to_contain_text("motors stop within one second")
+    expect(studio.at("status")).to_contain_text("motors stop within one second")
+    expect(studio.page.locator(ACTIVE)).to_have_count(0)
+    robot.get_by_test_id("robot-reconnect").click()
+    expect(robot.get_by_test_id("robot-trouble")).to_contain_text("cannot be opened")
+    expect_robot(robot, phase="closed")
+
+
+def test_a_fault_leads_to_its_vertex_and_says_its_line(pulse: OpenStudio, robots: Callable[..., HostBoard]) -> None:
+    studio = pulse(broken=True)
+    robot = connect(studio, robots(broken=True))
+    fault = robot.get_by_test_id("robot-fault")
+    expect(fault).to_contain_text("Fault 1")
+    expect(fault).to_contain_text("Display")
+    expect(fault).to_contain_text("line 2")
+    robot.get_by_test_id("robot-fault-vertex").click()
+    expect(studio.page.locator(".vertex.is-selected", has_text="Image")).to_be_visible()
+
+
+def test_a_robot_that_runs_on_its_own_goes_on_when_the_page_is_loaded_again(
+    pulse: OpenStudio, robots: Callable[..., HostBoard]
+) -> None:
+    studio = pulse()
+    board = robots()
+    robot = connect(studio, board)
+    robot.get_by_test_id("robot-stop").click()
+    expect_robot(robot, state="ready")
+    robot.get_by_test_id("robot-free").click()
+    expect(robot).to_contain_text("Running on its own")
+    found = again(studio, board)
+    found.get_by_test_id("robot-connect").click()
+    expect(found).to_contain_text("Running on its own")
+    expect(studio.page.locator(ACTIVE).first).to_be_visible()
+
+
+def test_a_page_that_goes_away_stops_the_robot_it_held(pulse: OpenStudio, robots: Callable[..., HostBoard]) -> None:
+    studio = pulse()
+    board = robots()
+    robot = connect(studio, board)
+    robot.get_by_test_id("robot-stop").click()
+    expect_robot(robot, state="ready")
+    robot.get_by_test_id("robot-run").click()
+    expect_robot(robot, state="running")
+    found = again(studio, board)
+    found.get_by_test_id("robot-connect").click()
+    expect_robot(found, phase="open", state="ready")
+
+
+def test_without_a_robot_the_panel_says_how_one_gets_there(pulse: OpenStudio) -> None:
+    studio = pulse()
+    studio.at("run-on-robot").click()
+    expect(studio.at("robots-empty")).to_contain_text("Plug a micro:bit")
+    studio.at("robots-empty").locator("summary").click()
+    expect(studio.at("robots-empty")).to_contain_text("dialout")
+    studio.at("robots-address").fill("not a robot")
+    studio.page.keyboard.press("Enter")
+    expect(studio.page.get_by_role("alert")).to_contain_text("socket://192.168.4.1:4000")
+    studio.at("robots-close").click()
+    expect(studio.at("arena")).to_be_visible()
+
+
+@pytest.mark.parametrize("look", LOOKS, ids=str)
+def test_axe_finds_nothing_on_the_robots(
+    pulse: OpenStudio, robots: Callable[..., HostBoard], look: tuple[str, ...]
+) -> None:
+    if not AXE.is_file():
+        pytest.fail("the page's tools are not installed; run `make install`")
+    studio = pulse()
+    choose(studio, *look)
+    studio.page.keyboard.press("Alt+r")
+    expect(studio.at("robots-empty")).to_be_visible()
+    find_nothing(studio, "no robot")
+    board = robots()
+    robot = connect(studio, board)
+    find_nothing(studio, "a robot that runs")
+    board.pull()
+    expect_robot(robot, phase="lost")
+    find_nothing(studio, "a lost robot")
+
+
+@pytest.mark.boards
+def test_a_program_is_sent_to_a_micro_bit_runs_there_and_is_stopped(
+    pulse: OpenStudio, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with running() as board:
+        monkeypatch.setenv("KITROBOT_BOARDS", board.address)
+        studio = pulse()
+        studio.page.keyboard.press("Alt+r")
+        robot = studio.at("robot")
+        robot.get_by_test_id("robot-run").click()
+        expect(robot.get_by_test_id("robot-progress")).to_be_visible()
+        expect(robot.get_by_test_id("robot-state")).to_have_attribute("data-state", "running", timeout=240_000)
+        expect(studio.page.locator(ACTIVE).first).to_be_visible()
+        robot.get_by_test_id("robot-watch").click()
+        expect(studio.at("watch-Count").locator("input")).to_have_value(re.compile("^[1-9]"))
+        studio.at("team-stop").click()
+        expect_robot(robot, state="ready")
+        _pull(board)
+        expect_robot(robot, phase="lost")
+        expect(robot.get_by_test_id("robot-trouble")).to_contain_text("is lost")
+
+
+def _pull(board: Emulated) -> None:
+    board.process.kill()
+    board.process.wait(10)

@@ -1,0 +1,191 @@
+import { describe, expect, it } from "vitest";
+
+import { applyMessage, type BoardsState, networkAddress, placesOf, programFor, readKept } from "./boards";
+import { systemOf } from "./EmptyRobots";
+import { namesOf, runOf, shownBoards } from "./shown";
+import type { Board } from "./wire";
+
+const BOARD: Board = {
+  type: "board",
+  address: "/dev/ttyACM0",
+  name: "micro:bit",
+  holder: "page-1",
+  phase: "open",
+  state: "running",
+  held: true,
+  free: 2048,
+  tick: 50,
+  seconds: 1,
+  generation: 1,
+  package: "c0ffee00",
+  installed: "12345678",
+  program: "heart",
+  robot: "microbit",
+  active: [[0, "v1"]],
+  values: { Count: 3 },
+  inputs: { ButtonA: 1 },
+  forced: ["ButtonA"],
+  progress: null,
+  fault: null,
+  message: "",
+  help: "",
+};
+
+const STATE: BoardsState = {
+  you: "page-1",
+  barred: null,
+  ports: [{ address: "/dev/ttyACM0", name: "micro:bit", description: "DAPLink" }],
+  boards: {},
+  refused: {},
+  given: {},
+  chosen: {},
+  typed: [],
+};
+
+function board(more: Partial<Board> = {}): Board {
+  return { ...BOARD, ...more };
+}
+
+describe("addresses on the network", () => {
+  it.each([
+    ["socket://127.0.0.1:4000", "socket://127.0.0.1:4000"],
+    [" 192.168.4.1:4000 ", "socket://192.168.4.1:4000"],
+    ["robot.local:23", "socket://robot.local:23"],
+    ["rfc2217://robot:2217", "rfc2217://robot:2217"],
+    ["[::1]:4000", "socket://[::1]:4000"],
+  ])("takes %s", (text, address) => {
+    expect(networkAddress(text)).toBe(address);
+  });
+
+  it.each([
+    "",
+    "robot",
+    "socket://robot",
+    "spy://robot:1",
+    "robot:0",
+    "robot:65536",
+    "a b:1",
+    "socket://a:1?logging=x",
+    "user@a:1",
+  ])("does not take %s", (text) => {
+    expect(networkAddress(text)).toBeNull();
+  });
+
+  it("remembers only what makes sense", () => {
+    expect(readKept(null)).toEqual({ chosen: {}, typed: [] });
+    expect(readKept("{")).toEqual({ chosen: {}, typed: [] });
+    expect(readKept('{"chosen": {"a": "b", "c": 1}, "typed": ["socket://a:1", "spy://x", 3]}')).toEqual({
+      chosen: { a: "b" },
+      typed: ["socket://a:1"],
+    });
+  });
+});
+
+describe("what the server tells", () => {
+  it("keeps a robot as a whole, until it is gone", () => {
+    const there = { ...STATE, ...applyMessage(STATE, BOARD) };
+    expect(there.boards).toEqual({ "/dev/ttyACM0": BOARD });
+    const given = { ...there, given: { "/dev/ttyACM0": { path: "", program: "heart", mission: null as never } } };
+    const gone = { ...given, ...applyMessage(given, { type: "gone", address: "/dev/ttyACM0" }) };
+    expect([gone.boards, gone.given]).toEqual([{}, {}]);
+  });
+
+  it("keeps a refusal with its robot, and one about nobody for all", () => {
+    const refusal = { type: "refused" as const, message: "No.", help: "", problems: [] };
+    expect(applyMessage(STATE, { ...refusal, address: "a" }).refused?.["a"]?.message).toBe("No.");
+    expect(applyMessage(STATE, { ...refusal, address: "" }).barred?.message).toBe("No.");
+  });
+});
+
+describe("the list", () => {
+  it("holds ports, then robots on the network, then those that were pulled out", () => {
+    const boards = { "/dev/ttyACM7": board({ address: "/dev/ttyACM7", phase: "lost" }) };
+    const places = placesOf({ ...STATE, boards, typed: ["socket://a:1"] });
+    expect(places.map(({ address, name, board }) => [address, name, board?.phase])).toEqual([
+      ["/dev/ttyACM0", "micro:bit", undefined],
+      ["socket://a:1", "a:1", undefined],
+      ["/dev/ttyACM7", "micro:bit", "lost"],
+    ]);
+  });
+
+  it("offers the chosen program, else the one on the robot, else the open one", () => {
+    const state = { chosen: {}, boards: { a: board({ program: "heart" }) } };
+    expect(programFor({ ...state, chosen: { a: "dice" } }, "a", ["dice", "heart", "open"], "open")).toBe("dice");
+    expect(programFor({ ...state, chosen: { a: "gone" } }, "a", ["dice", "heart", "open"], "open")).toBe("heart");
+    expect(programFor(state, "b", ["dice", "heart", "open"], "open")).toBe("open");
+    expect(programFor(state, "b", [], "open")).toBe("");
+  });
+});
+
+describe("robots as a run", () => {
+  const given = { "/dev/ttyACM0": { path: "m.krt", program: "heart", mission: null as never } };
+
+  it("shows those that this page holds, with a program of the mission that is open", () => {
+    const shown = (more: Partial<Board>, path = "m.krt") =>
+      shownBoards({ ...STATE, given, boards: { "/dev/ttyACM0": board(more) } }, path).length;
+    expect([shown({}), shown({ program: "" }), shown({ holder: "page-2" }), shown({}, "other.krt")]).toEqual([
+      1, 0, 0, 0,
+    ]);
+  });
+
+  it("tells robots of one name apart", () => {
+    const two = [board(), board({ address: "b" }), board({ address: "c", name: "Pico" })];
+    expect(namesOf(two)).toEqual(["micro:bit 1", "micro:bit 2", "Pico"]);
+  });
+
+  it("is a run with an agent for each, and the clock of the one that ran longest", () => {
+    const run = runOf([board(), board({ address: "b", name: "Pico", tick: 100, seconds: 2, active: [] })], []);
+    expect([run.status, run.tick, run.seconds]).toEqual(["running", 100, 2]);
+    expect(
+      run.agents?.map(({ name, program, state, active, values, inputs, forced }) => [
+        name,
+        program,
+        state,
+        active,
+        values,
+        inputs,
+        forced,
+      ]),
+    ).toEqual([
+      ["micro:bit", "heart", "running", [[0, "v1"]], { Count: 3 }, { ButtonA: 1 }, ["ButtonA"]],
+      ["Pico", "heart", "running", [], { Count: 3 }, { ButtonA: 1 }, ["ButtonA"]],
+    ]);
+  });
+
+  it("keeps where a robot stands the same object while it stands there", () => {
+    const before = runOf([board()], []).agents ?? [];
+    const after = runOf([board({ tick: 51, active: [[0, "v1"]] })], before).agents ?? [];
+    expect(after[0]?.active).toBe(before[0]?.active);
+  });
+
+  it("has failed when a robot stopped by itself or its link is lost, and nothing glows there", () => {
+    const fault = {
+      number: 1,
+      sentence: "A driver failed.",
+      text: "",
+      program: "heart",
+      vertex: "v1",
+      line: 2,
+      tick: 3,
+    };
+    const failed = runOf([board({ state: "fault", fault })], []);
+    expect([failed.status, failed.sentence, failed.agents?.[0]?.state]).toEqual([
+      "failed",
+      "A driver failed.",
+      "failed",
+    ]);
+    const lost = runOf([board({ phase: "lost", message: "The link is lost." })], []);
+    expect([lost.status, lost.sentence, lost.agents?.[0]?.active]).toEqual(["failed", "The link is lost.", []]);
+  });
+
+  it("is done when the programs have ended, and stopped when somebody stopped them", () => {
+    expect(runOf([board({ state: "ended" })], []).status).toBe("done");
+    expect(runOf([board({ state: "ready" })], []).status).toBe("stopped");
+  });
+});
+
+it("knows the kind of computer that the page is on", () => {
+  expect(systemOf("Mozilla/5.0 (X11; Linux x86_64)")).toBe("linux");
+  expect(systemOf("Mozilla/5.0 (Windows NT 10.0; Win64; x64)")).toBe("windows");
+  expect(systemOf("Mozilla/5.0 (Linux; Android 14)")).toBe("other");
+});
