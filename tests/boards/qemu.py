@@ -33,6 +33,12 @@ class Emulated:
             data += piece
         return data
 
+    def cut_power(self) -> None:
+        """Takes the power away at once and gives it back; what is in the flash stays."""
+        assert self.process.stdin is not None
+        self.process.stdin.write(b"system_reset\n")
+        self.process.stdin.flush()
+
     def wire(self) -> socket.socket:
         """A bare connection to its serial line."""
         wire = socket.create_connection(("127.0.0.1", self.port), timeout=BOOT_S)
@@ -48,7 +54,12 @@ def running(*extra: str) -> Iterator[Emulated]:
     assert found is not None, "no QEMU with a micro:bit here; install them, or leave these tests out: -m 'not boards'"
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]
-        process = subprocess.Popen(_command(found, listener.fileno(), extra), pass_fds=[listener.fileno()])
+        process = subprocess.Popen(
+            _command(found, listener.fileno(), extra),
+            pass_fds=[listener.fileno()],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+        )
     try:
         board = Emulated(f"socket://127.0.0.1:{port}", port, process)
         with board.wire() as wire:
@@ -63,7 +74,7 @@ def running(*extra: str) -> Iterator[Emulated]:
 def _command(found: qemu.Emulator, listener: int, extra: Sequence[str]) -> list[str]:
     return [
         found.program,
-        *("-M", "microbit", "-display", "none", "-monitor", "none"),
+        *("-M", "microbit", "-display", "none", "-monitor", "stdio"),
         *("-chardev", f"socket,id=s,fd={listener},server=on,wait=off,nodelay=on", "-serial", "chardev:s"),
         *("-device", f"loader,file={found.firmware}"),
         *extra,

@@ -4,9 +4,12 @@ from kitrobot.deploy.board import FAULTS, Board, Fault, Hello, News, Step, Text,
 from kitrobot.deploy.errors import BoardError, DeployError, LineError, PackageError, SilentError
 from kitrobot.deploy.fitting import refuse_what_fits_no_board
 from kitrobot.deploy.installing import Deployed, Progress, deploy
+from kitrobot.deploy.line import Line
 from kitrobot.deploy.package import FAMILIES, OWN_SUFFIX, Package
 from kitrobot.deploy.ports import BOARDS_VARIABLE, Port, list_ports
 from kitrobot.deploy.program_file import ProgramFile, make_program_file, program_name, read_program_file
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import RawRepl
 
 __all__ = [
     "BOARDS_VARIABLE",
@@ -19,6 +22,7 @@ __all__ = [
     "Deployed",
     "Fault",
     "Hello",
+    "Line",
     "LineError",
     "News",
     "Package",
@@ -26,6 +30,8 @@ __all__ = [
     "Port",
     "ProgramFile",
     "Progress",
+    "RawRepl",
+    "Receiver",
     "SilentError",
     "Step",
     "Text",

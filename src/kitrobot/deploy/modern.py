@@ -6,8 +6,12 @@ port itself and says nothing of why it could not; this one takes a line that is 
 
 from __future__ import annotations
 
+import struct
+
+import serial
+
 from kitrobot.deploy.errors import LineError
-from kitrobot.deploy.line import Line, Trouble
+from kitrobot.deploy.line import Line
 from kitrobot.deploy.repl import GarbledError
 
 
@@ -36,8 +40,8 @@ def tell_at_once(line: Line, text: str) -> None:
     line.write(b"\r\x03\x01")
     try:
         transport.exec(text)
-    except TransportError as error:
-        raise GarbledError(str(error)) from error
-    except Trouble as error:
+    except serial.SerialException as error:
         raise LineError(f"the line to `{line.address}` broke", "run the command again") from error
+    except (TransportError, ValueError, struct.error, IndexError) as error:
+        raise GarbledError(str(error)) from error
     line.read_until(b">", 1)

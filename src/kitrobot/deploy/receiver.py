@@ -22,6 +22,9 @@ from kitrobot_onboard import link
 
 _TRIES = 12
 _DEFINITION_TRIES = 5
+_FIRST_S = 0.3
+"""How long the first answer is waited for; then twice as long, and so on."""
+
 _READ = 64
 """Bytes of a file that are asked for at once: a small board has no room for many."""
 
@@ -36,7 +39,7 @@ class Receiver:
         self.repl = repl
         self.line: Line = repl.line
         self.told = told
-        self.modern = False
+        self.modern = self.disturbed = False
         self.free = 0
         """Bytes of memory that were free on the board when nothing ran."""
 
@@ -135,18 +138,34 @@ class Receiver:
         self.repl.run("gc.collect()")
         free = self.repl.run("print(gc.mem_free())").strip()
         try:
-            self.modern = ast.literal_eval(version) >= (1, 20)
+            # Where it went wrong once the line is bad, and small steps are the better ones.
+            self.modern = ast.literal_eval(version) >= (1, 20) and not self.disturbed
             self.free = int(free)
         except (SyntaxError, TypeError, ValueError):
             raise GarbledError(version) from None
         for text in _texts():
-            if self.modern:
-                tell_at_once(self.line, text)
-            else:
-                self._tell(text)
+            self.modern = self.modern and self._lay_at_once(text)
+            if not self.modern:
+                self._lay_down(text)
+            self.repl.run("gc.collect()")
+            self.repl.run("exec(s)")
+            self.repl.run("s=0;gc.collect()")
 
-    def _tell(self, text: str) -> None:
-        """Runs a text that is longer than a command: it is laid down piece by piece, compared, and then executed."""
+    def _lay_at_once(self, text: str) -> bool:
+        """Brings a text into the board's `s` through mpremote; whether it is there as it was sent."""
+        try:
+            tell_at_once(self.line, f"s={text!r}")
+            return all(
+                self.repl.run(f"print(repr(s[{at}:{at + 200}]))").strip() == repr(text[at : at + 200])
+                for at in range(0, len(text) + 1, 200)
+            )
+        except GarbledError:
+            self.disturbed = True
+            self.repl.again()
+            return False
+
+    def _lay_down(self, text: str) -> None:
+        """Brings a text into the board's `s` piece by piece, each no longer than a command, and compares them."""
         self.repl.run("import gc;t={}")
         pieces = _pieces(text)
         missing = list(range(len(pieces)))
@@ -170,8 +189,6 @@ class Receiver:
         self.repl.run("t={};gc.collect()")
         if self.repl.run("print(len(s))").strip() != str(len(text)):
             raise GarbledError("the receiver")
-        self.repl.run("exec(s)")
-        self.repl.run("s=0;gc.collect()")
 
     def _asked(self, kind: str, payload: bytes, timeout_s: float) -> tuple[str, bytes]:
         answer = self._ask(kind, payload, timeout_s)
@@ -185,7 +202,7 @@ class Receiver:
         assert len(frame) <= link.LONGEST
         for attempt in range(tries):
             self.line.write(frame)
-            answer = self._frame(number, min(timeout_s, 0.25 * 2**attempt) if kind == "d" else timeout_s)
+            answer = self._frame(number, min(timeout_s, _FIRST_S * 2**attempt))
             if answer is not None:
                 return answer
         return None

@@ -65,15 +65,15 @@ class RawRepl:
         data = command.encode() + b"\x04"
         assert len(data) <= LONGEST, command
         error = b""
-        for _ in range(_TRIES):
+        for attempt in range(_TRIES):
             self.line.write(data)
-            answer = self.line.read_until(b"\x04>", timeout_s)
+            answer = self.line.read_until(b"\x04>", min(timeout_s, 0.5 * 2**attempt))
             text, _, error = answer.removeprefix(b"OK").removesuffix(b"\x04>").partition(b"\x04")
             if answer.startswith(b"OK") and answer.endswith(b"\x04>"):
                 if not error:
                     return text.decode(errors="replace").replace("\r\n", "\n")
             else:
-                self._again()
+                self.again()
         if error:
             raise GarbledError(error.decode(errors="replace"))
         raise SilentError(f"the board on `{self.line.address}` stopped answering", "run the command again")
@@ -84,7 +84,7 @@ class RawRepl:
         self.line.read_until(b">>> ", 1)
         self.line.write(b"\x04")
 
-    def _again(self) -> None:
+    def again(self) -> None:
         """Back to an empty line of the raw REPL, whatever is half said."""
         self.line.write(b"\r\x03")
         self.line.drain(0.1)

@@ -1,0 +1,37 @@
+"""Boards to deploy to: the real firmware of the micro:bit in QEMU, and a current MicroPython as WebAssembly."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.boards.modern import ModernBoard
+from tests.boards.qemu import Emulated, running
+
+
+@pytest.fixture(autouse=True)
+def _own_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing of the person who runs the tests is read or written."""
+    monkeypatch.setenv("KITROBOT_CONFIG", str(tmp_path / "no-config"))
+    monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
+    monkeypatch.delenv("KITROBOT_BOARDS", raising=False)
+
+
+@pytest.fixture
+def microbit() -> Iterator[Emulated]:
+    """A micro:bit of 2016, with nothing on it."""
+    with running() as board:
+        yield board
+
+
+@pytest.fixture(params=[pytest.param("microbit", marks=pytest.mark.boards), "modern"])
+def board(request: pytest.FixtureRequest) -> Iterator[Any]:
+    """Each of the boards: `address`, `cut_power()`."""
+    if request.param == "microbit":
+        yield request.getfixturevalue("microbit")
+    else:
+        with ModernBoard() as made:
+            yield made

@@ -1,0 +1,184 @@
+"""A program is put onto boards: what is sent, what stays, and what happens when the line is cut or disturbed."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kitrobot.deploy import BoardError, Deployed, Line, LineError, RawRepl, Receiver, connect, deploy
+from kitrobot.workspace import BoardProgram
+from tests.boards.bench import ONE, OTHER, bench_program
+from tests.boards.proxy import Proxy, noise
+from tests.boards.qemu import Emulated
+
+THOROUGH = bool(os.environ.get("KITROBOT_THOROUGH"))
+"""Every single message is cut, and many seeds are tried; else every tenth, and few."""
+
+EVERY = 1 if THOROUGH else 10
+SEEDS = range(20 if THOROUGH else 2)
+
+
+def put(address: str, program: BoardProgram, *, replace: bool = False, fresh: bool = False) -> Deployed:
+    return deploy(address, program.file.to_bytes(), program.package, replace=replace, fresh=fresh)
+
+
+def runs(address: str) -> str:
+    """The program that runs on a board."""
+    with connect(address, 10) as board:
+        assert board.hello.state == 2
+        return board.hello.program
+
+
+def port_of(address: str) -> int:
+    return int(address.rpartition(":")[2])
+
+
+def files_of(address: str) -> dict[str, bytes]:
+    """What lies on a board, read over its line."""
+    line = Line(address)
+    try:
+        receiver = Receiver(RawRepl(line))
+        receiver.begin()
+        return {name: receiver.read(name) for name in receiver.names()}
+    finally:
+        line.close()
+
+
+def write(address: str, name: str, content: bytes) -> None:
+    """Puts a file of somebody else onto a board."""
+    line = Line(address)
+    try:
+        receiver = Receiver(RawRepl(line))
+        receiver.begin()
+        receiver.write(name, content)
+        receiver.end()
+    finally:
+        line.close()
+
+
+def test_an_empty_board_gets_all_of_it_and_runs(board: Any, tmp_path: Path) -> None:
+    program = bench_program(tmp_path)
+    done = put(board.address, program)
+    assert program.is_called(done.program)
+    assert done.hello.state == 2
+    assert done.generation == 1
+    assert done.kept_files == ()
+    assert done.free > 300
+    assert runs(board.address) == done.program
+
+
+def test_the_program_starts_by_itself_when_the_power_comes_on(board: Any, tmp_path: Path) -> None:
+    done = put(board.address, bench_program(tmp_path))
+    board.cut_power()
+    assert runs(board.address) == done.program
+
+
+def test_an_update_sends_only_what_differs(board: Any, tmp_path: Path) -> None:
+    first = put(board.address, bench_program(tmp_path))
+    second = put(board.address, bench_program(tmp_path, OTHER))
+    assert second.sent_files == (f"kp{second.program}",)
+    assert set(second.kept_files) == {name for name in first.sent_files if name.endswith(".py")} - {"main.py"}
+    assert second.generation == 2
+    again = put(board.address, bench_program(tmp_path, OTHER))
+    assert again.sent_files == ()
+    assert again.generation == 2
+    assert runs(board.address) == second.program
+
+
+def test_what_nobody_names_any_more_is_removed_by_the_next_installation(board: Any, tmp_path: Path) -> None:
+    write(board.address, "mine.txt", b"of the user")
+    for mark, text in (("a", ONE), ("b", OTHER), ("c", ONE), ("d", OTHER)):
+        put(board.address, bench_program(tmp_path, text, mark))
+    names = set(files_of(board.address))
+    assert {"mine.txt", "main.py", "kr0", "kr1"} <= names
+    programs = [name for name in names if name.startswith("kp")]
+    assert len(programs) == 2
+    package = bench_program(tmp_path, OTHER, "d")
+    modules = {name for name in names if name.endswith(".py")} - {"main.py"}
+    kind = "microbit" if isinstance(board, Emulated) else "machine"
+    assert len(modules) == len(package.package.built(kind, package.file.drivers).files) + 1  # the driver before
+
+
+def test_a_main_of_somebody_else_is_only_overwritten_when_asked(board: Any, tmp_path: Path) -> None:
+    write(board.address, "main.py", b"print('mine')\n")
+    with pytest.raises(BoardError, match=r"main\.py"):
+        put(board.address, bench_program(tmp_path))
+    assert files_of(board.address)["main.py"] == b"print('mine')\n"
+    done = put(board.address, bench_program(tmp_path), replace=True)
+    assert runs(board.address) == done.program
+
+
+def test_a_file_that_was_spoilt_is_sent_again(board: Any, tmp_path: Path) -> None:
+    first = put(board.address, bench_program(tmp_path))
+    spoilt = next(name for name in first.sent_files if name.endswith(".py"))
+    content = files_of(board.address)[spoilt]
+    write(board.address, spoilt, content[: len(content) // 2])
+    again = put(board.address, bench_program(tmp_path))
+    assert again.sent_files == (spoilt,)
+    assert runs(board.address) == first.program
+
+
+def test_a_board_that_would_not_start_it_goes_on_with_what_it_had(board: Any, tmp_path: Path) -> None:
+    first = put(board.address, bench_program(tmp_path))
+    program = bench_program(tmp_path, OTHER, "two")
+    (tmp_path / "stores.driver.py").write_text("def make(settings):\n    raise OSError('no such pin')\n")
+    with pytest.raises(BoardError, match="no such pin"):
+        put(board.address, program)
+    assert runs(board.address) == first.program
+    board.cut_power()
+    assert runs(board.address) == first.program
+
+
+@pytest.mark.timeout(280)
+def test_a_deploy_that_is_cut_leaves_what_was_there_and_the_next_one_mends_it(board: Any, tmp_path: Path) -> None:
+    old = put(board.address, bench_program(tmp_path, ONE, "old"))
+    new = bench_program(tmp_path, OTHER, "new" * 60)
+    with Proxy(port_of(board.address)) as whole:
+        put(whole.address, new)
+        count = whole.messages
+    assert new.is_called(runs(board.address))
+    put(board.address, bench_program(tmp_path, ONE, "old"))
+    tried = 0
+    for cut in range(EVERY, count, EVERY):
+        new = bench_program(tmp_path, OTHER, "new" * 60)
+        with Proxy(port_of(board.address), cut_after=cut) as wire, contextlib.suppress(LineError):
+            put(wire.address, new)
+        board.cut_power()
+        running = runs(board.address)
+        assert running == old.program or new.is_called(running), f"cut after message {cut}"
+        if not new.is_called(running):
+            tried += 1
+        put(board.address, new)
+        assert new.is_called(runs(board.address))
+        put(board.address, bench_program(tmp_path, ONE, "old"))
+    assert tried >= count // EVERY // 2
+
+
+@pytest.mark.timeout(280)
+def test_a_first_deploy_that_is_cut_is_mended_by_the_next_one(board: Any, tmp_path: Path) -> None:
+    program = bench_program(tmp_path)
+    for cut in range(15, 400, 10 if THOROUGH else 97):
+        with Proxy(port_of(board.address), cut_after=cut) as wire, pytest.raises(LineError):
+            put(wire.address, program, fresh=True)
+        board.cut_power()
+    assert program.is_called(put(board.address, program).program)
+    assert program.is_called(runs(board.address))
+
+
+@pytest.mark.timeout(280)
+@pytest.mark.parametrize("seed", SEEDS)
+def test_bytes_that_are_lost_changed_and_added_are_mended(board: Any, tmp_path: Path, seed: int) -> None:
+    program = bench_program(tmp_path, OTHER)
+    with Proxy(port_of(board.address), disturb=noise(seed, 0.002)) as wire:
+        done = put(wire.address, program)
+    assert program.is_called(done.program)
+    assert runs(board.address) == done.program
+    files = files_of(board.address)
+    kind = "microbit" if isinstance(board, Emulated) else "machine"
+    built = program.package.built(kind, program.file.drivers)
+    for name, content in built.files.items():
+        assert files[name] == content
