@@ -1,5 +1,6 @@
 """What is shipped: the paper's constructors and robot objects, in words people understand, valid by the schemas."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -152,6 +153,78 @@ def test_the_mini_robot_has_every_object_of_the_paper(catalogue: Catalogue) -> N
         "sensor Button.IsPressed() equal 1",
         "sensor Button.IsReleased() equal 0",
     ]
+
+
+def test_the_micro_bit_has_what_is_on_the_board(catalogue: Catalogue) -> None:
+    robot = catalogue.robot("microbit")
+    pins = [f"actuator Pin{n}.{what}" for n in range(3) for what in ("Write(value 0…1)", "Analog(value 0…1023)")]
+    lines = described(robot)
+    assert set(pins) < set(lines)
+    assert [line for line in lines if "Pin" not in line and not line.startswith(("variable", "system"))] == [
+        "actuator Display.Image(number 0…19) → Clear",
+        "actuator Display.Number(value 0…9) → Clear",
+        "actuator Display.Scroll(value -99999…99999) later → Clear",
+        "actuator Display.Pixel(x 0…4, y 0…4, brightness 0…9) later",
+        "actuator Display.Clear()",
+        "actuator Music.Tone(frequency 0…10000, duration 0…10000) later → Stop",
+        "actuator Music.Play(melody 0…11) later → Stop",
+        "actuator Music.Stop()",
+        "sensor ButtonA.IsPressed() equal 1",
+        "sensor ButtonA.IsReleased() equal 0",
+        "sensor ButtonB.IsPressed() equal 1",
+        "sensor ButtonB.IsReleased() equal 0",
+        "sensor Shake.IsShaken() equal 1",
+        "sensor TiltX.IsLeft() less -300",
+        "sensor TiltX.IsRight() greater 300",
+        "sensor TiltX.Value()",
+        "sensor TiltY.IsForward() less -300",
+        "sensor TiltY.IsBackward() greater 300",
+        "sensor TiltY.Value()",
+        "sensor Dice.EqualTo(value 1…6) equal",
+        "sensor Dice.LessThan(value 1…6) less",
+        "sensor Dice.GreaterThan(value 1…6) greater",
+        "sensor Dice.Value()",
+        "sensor Random.EqualTo(value 0…99) equal",
+        "sensor Random.LessThan(value 0…99) less",
+        "sensor Random.GreaterThan(value 0…99) greater",
+        "sensor Random.Value()",
+    ]
+
+
+def documented_drivers() -> dict[str, tuple[set[str], set[str]]]:
+    """Driver → its settings, and the devices it works, as docs/xml.md has them."""
+    page = (REPOSITORY / "docs" / "xml.md").read_text(encoding="utf-8")
+    table = page[page.index("| driver | works |") : page.index("## Devices of the simulator")]
+    found = {}
+    for line in table.splitlines()[2:]:
+        if not line.startswith("| `"):
+            break
+        driver, works, settings = (cell.strip() for cell in line.strip("|").split("|"))
+        found[driver.strip("`")] = (set(re.findall(r"`([a-z]+)`", settings)), set(re.findall(r"`([a-z-]+)`", works)))
+    return found
+
+
+@pytest.mark.parametrize("name", ["microbit", "kit-robot"])
+def test_what_a_real_robots_drivers_are_told_is_documented(catalogue: Catalogue, name: str) -> None:
+    drivers = documented_drivers()
+    robot = catalogue.robot(name)
+    for part in (*robot.actuators, *robot.sensors):
+        settings, devices = drivers[part.board.driver]
+        assert part.device in devices, part.name
+        assert set(part.board.settings) <= settings, part.name
+
+
+def test_the_pins_of_the_kit_robot_are_its_own_and_no_servo_shares_a_timer_with_a_motor(catalogue: Catalogue) -> None:
+    robot = catalogue.robot("kit-robot")
+    pins = [
+        (part.board.driver, int(value))
+        for part in (*robot.actuators, *robot.sensors)
+        for name, value in part.board.settings.items()
+        if name in {"pin", "forward", "backward", "trigger", "echo"} and value.isdigit()
+    ]
+    assert len({pin for _, pin in pins}) == len(pins) == 9
+    timers = {pin // 2 % 8: driver for driver, pin in pins if driver == "pwm-motor"}
+    assert not [pin for driver, pin in pins if driver == "servo" and pin // 2 % 8 in timers]
 
 
 def test_no_constructor_is_named_in_the_code_that_reads_them() -> None:
