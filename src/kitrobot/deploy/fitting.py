@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from kitrobot.deploy.declarations import pins_of, refuse_what_is_not_understood
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.package import FAMILIES, Package
-from kitrobot.deploy.program_file import ProgramFile
+from kitrobot.deploy.program_file import UNUSED, Device, ProgramFile
 
 
-def refuse_misfits(file: ProgramFile, package: Package, family: str, names: Sequence[str] = ()) -> None:
-    """Holds the devices against the drivers for a kind of board. `names`: of the parts, in the order of the devices.
+def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
+    """Holds the devices against the drivers for a kind of board.
 
     Raises:
         PackageError: a driver does not understand its settings or its procedures, or two parts share a pin.
     """
-    wired: dict[str, str] = {}
-    for number, device in enumerate(file.devices):
-        part = names[number] if names else device.driver
+    wired: dict[str, Device] = {}
+    for device in file.devices:
+        if device.driver == UNUSED:
+            continue
+        part = device.part or device.driver
         says = package.declared(device.driver, family)
         first = 2 if device.kind == "a" else 3
         settings = dict(word.split("=", 1) for word in device.words[first:])
@@ -27,20 +27,20 @@ def refuse_misfits(file: ProgramFile, package: Package, family: str, names: Sequ
             procedures = [call.split("/")[0] for call in device.words[1].split(",") if call != "-"]
         refuse_what_is_not_understood(part, device.driver, says, procedures, settings)
         for pin in pins_of(says, settings):
-            if wired.get(pin) == part:
+            if wired.get(pin) is device:
                 raise PackageError(
                     f"`{part}` says the pin `{pin}` for two different things",
                     "give one of them another pin in the robot’s XML",
                 )
             if pin in wired:
                 raise PackageError(
-                    f"`{wired[pin]}` and `{part}` are both wired to the pin `{pin}`",
-                    "give one of them another pin in the robot’s XML",
+                    f"`{wired[pin].part}` and `{part}` are both wired to the pin `{pin}`",
+                    "give one of them another pin in the robot’s XML, or use only one of them in a program",
                 )
-            wired[pin] = part
+            wired[pin] = device
 
 
-def refuse_what_fits_no_board(file: ProgramFile, package: Package, names: Sequence[str]) -> None:
+def refuse_what_fits_no_board(file: ProgramFile, package: Package) -> None:
     """The same when it is not known yet which kind of board it will be: it must fit one of those it has drivers for.
 
     Raises:
@@ -51,7 +51,7 @@ def refuse_what_fits_no_board(file: ProgramFile, package: Package, names: Sequen
         if package.missing(file.drivers, family):
             continue
         try:
-            refuse_misfits(file, package, family, names)
+            refuse_misfits(file, package, family)
         except PackageError as problem:
             problems.append(problem)
         else:

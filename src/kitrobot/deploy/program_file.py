@@ -1,4 +1,8 @@
-"""The program file: what a board's loop needs to know of a robot's devices, and the image (docs/reference/link.md)."""
+"""The program file: what a board's loop needs to know of a robot's devices, and the image (docs/reference/link.md).
+
+Only what the program uses is there: a device that nobody reads or commands costs no memory on the board, and its pins
+stay free, so that one pin may be an output in one program and an input in another.
+"""
 
 from __future__ import annotations
 
@@ -9,18 +13,22 @@ from typing import NamedTuple
 from kitrobot.deploy.errors import DeployError, PackageError
 from kitrobot.deploy.package import PROGRAM, name_of
 from kitrobot.image import Image, Layout
-from kitrobot.primitives import Robot
+from kitrobot.image.instructions import ACT, BY_NUMBER, Role
+from kitrobot.primitives import Robot, RobotObject
 from kitrobot_onboard.link import checksum
 
 _FIRST = "KRP1"
+UNUSED = "unused"
+"""The driver of an actuator that the program gives no command."""
 
 
 class Device(NamedTuple):
-    """A line of the table: `a` or `s`, the driver, and the words after it."""
+    """A line of the table: `a` or `s`, the driver, and the words after it; and the name of the robot's part."""
 
     kind: str
     driver: str
     words: tuple[str, ...]
+    part: str = ""
 
 
 @dataclass(frozen=True)
@@ -39,7 +47,7 @@ class ProgramFile:
         """The file. `modules`: what the drivers are called on a board."""
         rows = [
             " ".join((kind, driver if modules is None else modules[driver], *words))
-            for kind, driver, words in self.devices
+            for kind, driver, words, _ in self.devices
         ]
         rest = "".join(f"{row}\n" for row in rows).encode() + b"\n" + self.image
         return f"{_FIRST} {checksum(rest)}\n".encode() + rest
@@ -50,33 +58,68 @@ def program_name(data: bytes) -> str:
     return name_of(data, PROGRAM)
 
 
-def make_program_file(image: Image, robot: Robot) -> ProgramFile:
+def make_program_file(image: Image, robot: Robot, *, all_devices: bool = False) -> ProgramFile:
     """The program file of an image that was compiled for this robot.
 
+    `all_devices`: those that the program does not use too.
+
     Raises:
-        PackageError: a part of the robot names no driver and no device.
+        PackageError: a part of the robot that is used names no driver and no device.
     """
     layout = Layout(robot)
+    cells, commands = _used(image)
     devices = []
-    for part in (*robot.actuators, *robot.sensors):
-        driver = part.board.driver or part.device
-        if not driver or not driver.replace("-", "_").isidentifier():
-            raise PackageError(
-                f"`{part.name}` of the robot `{robot.name}` has no driver for a real board",
-                f'write `<board driver="…"/>` into `{part.name}` in the XML of the robot `{robot.name}`',
-            )
-        settings = [f"{name}={value}" for name, value in part.board.settings.items()]
-        if part.name in layout.sensors and part in robot.sensors:
-            numbers = (layout.sensors[part.name], part.minimum, part.maximum)
-            devices.append(Device("s", driver, (*map(str, numbers), *settings)))
-        else:
+    for number, part in enumerate(robot.actuators):
+        mine = {at for at, actuator in enumerate(image.commands) if actuator == number}
+        if all_devices or mine & commands:
             calls = [
                 f"{method.name}/{len(method.parameters)}{'+' if method.completes_later else ''}"
                 for method in part.methods
             ]
-            words = (str(layout.done.get(part.name, "-")), ",".join(calls) or "-", *settings)
-            devices.append(Device("a", driver, words))
+            done = str(layout.done.get(part.name, "-"))
+            devices.append(
+                Device("a", _driver(part, robot), (done, ",".join(calls) or "-", *_settings(part)), part.name)
+            )
+        else:
+            # Commands are numbered through, so each keeps its place.
+            devices.append(Device("a", UNUSED, ("-", ",".join(["-/0"] * len(mine)) or "-"), part.name))
+    for part in robot.sensors:
+        cell = layout.sensors[part.name]
+        if all_devices or cell in cells:
+            words = (str(cell), str(part.minimum), str(part.maximum), *_settings(part))
+            devices.append(Device("s", _driver(part, robot), words, part.name))
     return ProgramFile(tuple(devices), image.to_bytes())
+
+
+def _used(image: Image) -> tuple[set[int], set[int]]:
+    """The cells that a program reads, and the commands that it can give."""
+    cells: set[int] = set()
+    commands = {stop.command for stop in image.stops}
+    for at in range(0, len(image.code), 4):
+        number, *operands = image.code[at : at + 4]
+        op = BY_NUMBER[number]
+        for role, operand in zip((op.a, op.b, op.c), operands, strict=True):
+            if role is Role.READ:
+                cells.add(operand)
+            elif role is Role.COMMAND:
+                commands.add(operand)
+        if number == ACT:
+            cells.update(range(operands[1], operands[1] + operands[2]))
+    return cells, commands
+
+
+def _driver(part: RobotObject, robot: Robot) -> str:
+    driver = part.board.driver or part.device
+    if not driver or not driver.replace("-", "_").isidentifier():
+        raise PackageError(
+            f"`{part.name}` of the robot `{robot.name}` has no driver for a real board",
+            f'write `<board driver="…"/>` into `{part.name}` in the XML of the robot `{robot.name}`',
+        )
+    return driver
+
+
+def _settings(part: RobotObject) -> list[str]:
+    return [f"{name}={value}" for name, value in part.board.settings.items()]
 
 
 def read_program_file(data: bytes) -> ProgramFile:

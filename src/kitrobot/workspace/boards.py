@@ -156,7 +156,7 @@ def _ready(
     missing = package.missing(file.drivers)
     if missing:
         raise no_driver(robot, missing[0], package)
-    refuse_what_fits_no_board(file, package, [part.name for part in (*robot.actuators, *robot.sensors)])
+    refuse_what_fits_no_board(file, package)
     return BoardProgram(names_of(name, robot, compiled), file, package, found, sources)
 
 
