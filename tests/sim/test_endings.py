@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from kitrobot.compiler import compile_program, compile_text
 from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Goal, Mission, Team
+from kitrobot.mission import Agent, Failure, FailureKind, Goal, Mission, Team
 from kitrobot.primitives import Catalogue
 from kitrobot.sim import MAX_AGENTS, Simulation, SimulationError
-from kitrobot.world import Pose, Start, World
+from kitrobot.sim.columns import CHANCE, STUCK
+from kitrobot.world import Pose, Start, Wall, World
 from tests.sim.building import (
     WHEEL,
     avatar,
@@ -101,6 +105,76 @@ def test_what_still_moves_or_speaks_is_not_stuck_but_runs_out_of_time(text: str)
 
 def test_a_moving_robot_is_never_called_stuck() -> None:
     assert ended("Motor.Turn(1); <Flag.IsTrue()>();", seconds=20).outcome == "time"
+
+
+def test_who_pushes_against_a_wall_for_ever_is_stuck() -> None:
+    mini = catalogue().robots[MINI]
+    walled = replace(ROOM, walls=(Wall(1500, 500, 1500, 1500),))
+
+    def pushing(text: str) -> Simulation:
+        return gone_on(run_of({"a": (mini, text)}, walled, seconds=100))
+
+    assert pushing("Wheel.Advance(50); <Flag.IsTrue()>();").outcome == "stuck"
+    assert pushing("Wheel.Advance(50); WAIT(300); Wheel.Stop();").outcome == "done", "that ends by itself"
+
+
+def stalled(seed: int, step: int, agent: str = "carrier-1", failures: Sequence[Failure] = ()) -> Simulation:
+    """The transport mission in which somebody stalls; its wheels go on as they were told."""
+    run = transport(seed, failures=failures)
+    run.stays_plain = True
+    run.advance(step)
+    run.harm(agent, "stall")
+    return run
+
+
+def gone_on(run: Simulation, most: int = 6000) -> Simulation:
+    while run.outcome is None and run.tick < most:
+        run.advance(500)
+    return run
+
+
+@pytest.mark.parametrize("step", [50, 200, 700, 1500])
+def test_a_ring_on_which_a_stalled_one_pushes_the_others_is_stuck(step: int) -> None:
+    run = gone_on(stalled(1, step))
+    assert run.outcome == "stuck"
+    assert f"carrier-1 stalled after {step / 50:.1f} s (by hand)" in run.sentence
+
+
+@settings(max_examples=12, deadline=None)
+@given(st.integers(0, 99), st.integers(1, 2500), st.sampled_from(["carrier-1", "carrier-2", "carrier-3", "loader"]))
+def test_what_is_called_stuck_never_changes_again(seed: int, step: int, agent: str) -> None:
+    run = gone_on(stalled(seed, step, agent))
+    if run.outcome != "stuck":
+        return
+
+    def standing() -> list[object]:
+        return [[list(row) for row in run.state.real], list(run.state.stock), run.collisions]
+
+    before = standing()
+    run.outcome, run.state.clock[STUCK] = None, 0
+    run.state.clock[CHANCE] = 1  # so that it is not looked for again
+    assert run.advance(4000) == 4000
+    assert standing() == before
+    assert run.events == []
+
+
+def test_while_the_schedule_may_let_go_of_the_others_nobody_is_called_stuck() -> None:
+    later = [Failure("carrier-1", 60.0, FailureKind.FAIL)]
+    run = gone_on(stalled(1, 400, failures=later), 2900)
+    assert run.outcome is None, "without the schedule it is stuck after 1300 steps"
+    gone_on(run)
+    assert (run.outcome, run.tick > 3000) == ("stuck", True)
+
+
+def test_a_snapshot_of_robots_that_are_held_goes_on_to_the_same_end() -> None:
+    run = stalled(1, 400)
+    run.advance(1240 - 400)
+    other = transport(1)
+    other.stays_plain = True
+    other.restore(run.snapshot())
+    assert run.outcome is None
+    assert (gone_on(run).tick, run.outcome) == (gone_on(other).tick, other.outcome)
+    assert run.snapshot() == other.snapshot()
 
 
 def test_a_noisy_sensor_keeps_hope_alive() -> None:

@@ -87,6 +87,22 @@ def test_a_run_that_changes_over_in_the_middle_is_the_same_run() -> None:
     assert states(plain, [1, 50]) == states(changing, [1, 50])
 
 
+@pytest.mark.parametrize("before", [1, 200, 400])
+def test_that_robots_are_held_is_found_out_alike(before: int) -> None:
+    ends = []
+    for compiled in (False, True):
+        run = transport(1)
+        run.stays_plain = not compiled
+        run.advance(before)
+        assert run.hurry() or not compiled
+        run.advance(400 - before)
+        run.harm("carrier-1", "stall")
+        run.advance(5000)
+        ends.append((run.outcome, run.tick, run.snapshot()))
+    assert ends[0][0] == "stuck"
+    assert ends[0] == ends[1]
+
+
 def test_many_robots_run_alike_plain_and_compiled() -> None:
     plain, compiled = random_team(15, 300), hurried(random_team(15, 300))
     assert states(plain, [40, 160]) == states(compiled, [40, 160])

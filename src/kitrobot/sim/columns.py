@@ -134,7 +134,7 @@ ACTUATOR_REALS = 6
     ROLLING,  # robots that rolled or turned in the last step
     MOVED,  # 1: robots moved since the grid was filled
     CHANCE,  # sensors whose reading may change although nothing does: by chance, or by a person's hand
-    QUIET,  # steps without motion or command
+    QUIET,  # steps without command and without motion that leads anywhere
     KEPT,  # 1: a state is kept to compare with
     DISTANCE,
     UNTIL,

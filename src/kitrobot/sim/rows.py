@@ -5,12 +5,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TypeVar
 
-def same(one: list[int], other: list[int]) -> bool:
+Number = TypeVar("Number", int, float)
+
+
+def same(one: Sequence[float], other: Sequence[float]) -> bool:
     """Whether two rows hold the same numbers."""
     return one == other
 
 
-def copy_row(to: list[int], row: list[int]) -> None:
+def copy_row(to: list[Number], row: list[Number]) -> None:
     """Makes a row hold what another one holds; a list also becomes as long."""
     to[:] = row

@@ -4,15 +4,114 @@ It is certain when the whole state of the run (machines, nothing moving, nothing
 sensors have nothing new to tell) comes back as it was, nothing in it is left to chance, and nobody is to be revived on
 schedule: from the same state follows the same future. States are compared with one that is kept and taken anew at ever
 longer distances (Brent's way to find a cycle), so a program that only polls is found out too, whatever its period.
+
+A robot that is held (its wheels turn, another one or a wall is in its way) moves nothing either: where it is and how
+fast, and what its devices count, come out of the step as they went into it, to the bit. Whether that is so is looked
+at now and then, and at each step once it was: comparing costs as much as moving.
 """
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import CHANCE, CYCLE, DISTANCE, ENDED, KEPT, PATIENCE, QUIET, REVIVALS, STUCK, TICK, UNTIL
+from kitrobot.sim.columns import (
+    A_DONE,
+    A_FRESH,
+    A_KIND,
+    A_P,
+    A_Q,
+    A_QUEUED,
+    A_R,
+    A_ROBOT,
+    A_S,
+    AT,
+    CHANCE,
+    CYCLE,
+    DISTANCE,
+    DOWN,
+    ENDED,
+    FAILED,
+    HEADING,
+    KEPT,
+    PATIENCE,
+    PLANNED,
+    QUIET,
+    REVIVALS,
+    ROLLING,
+    SPEED,
+    STUCK,
+    TARGET,
+    TICK,
+    TURN,
+    UNTIL,
+    X,
+    Y,
+)
+from kitrobot.sim.devices.drive import DRIVE
+from kitrobot.sim.devices.turn import TURN_DEVICE
+from kitrobot.sim.devices.wheel import WHEEL_DEVICE
 from kitrobot.sim.rows import copy_row, same
 
 QUIET_STEPS = 50
 """Steps without motion or command, besides what the latest sensor needs, before it is worth while to look."""
+
+LOOK_EVERY = 32
+"""Steps in which robots roll between two looks at whether they get anywhere."""
+
+HELD_ROWS = 11
+"""Rows of `held`: seven numbers of each robot, four of each actuator."""
+
+
+def may_be_held(step: int, clock: list[int], planned: int, fail_rate: float) -> bool:
+    """Whether it is worth while to look in this step whether all that roll are held.
+
+    Never while a robot may still fail on schedule or by chance: who is held, and fails, lets go.
+    """
+    if clock[ROLLING] == 0 or clock[PLANNED] < planned or fail_rate > 0.0 or clock[CHANCE] > 0:
+        return False
+    return clock[QUIET] > 0 or step % LOOK_EVERY == 0
+
+
+def remember(real: list[list[float]], actuator_real: list[list[float]], held: list[list[float]]) -> None:
+    """Keeps how robots and devices are before a step."""
+    copy_row(held[0], real[X])
+    copy_row(held[1], real[Y])
+    copy_row(held[2], real[HEADING])
+    copy_row(held[3], real[SPEED])
+    copy_row(held[4], real[TARGET])
+    copy_row(held[5], real[TURN])
+    copy_row(held[6], real[AT])
+    copy_row(held[7], actuator_real[A_P])
+    copy_row(held[8], actuator_real[A_Q])
+    copy_row(held[9], actuator_real[A_R])
+    copy_row(held[10], actuator_real[A_S])
+
+
+def is_held(real: list[list[float]], actuator_real: list[list[float]], held: list[list[float]]) -> bool:
+    """Whether robots and devices are after a step as they were before it."""
+    if not (same(real[X], held[0]) and same(real[Y], held[1]) and same(real[HEADING], held[2])):
+        return False
+    if not (same(real[SPEED], held[3]) and same(real[TARGET], held[4]) and same(real[TURN], held[5])):
+        return False
+    if not (same(real[AT], held[6]) and same(actuator_real[A_P], held[7]) and same(actuator_real[A_Q], held[8])):
+        return False
+    return same(actuator_real[A_R], held[9]) and same(actuator_real[A_S], held[10])
+
+
+def is_at_work(step: int, actuator: list[list[int]], whole: list[list[int]]) -> bool:
+    """Whether a device was told something new in this step, has a command on its way, or does something that ends.
+
+    What wheels do is not asked: that is in the numbers that `is_held` compares.
+    """
+    for k in range(len(actuator[A_FRESH])):
+        if actuator[A_FRESH][k] == step + 1:
+            return True
+        if whole[DOWN][actuator[A_ROBOT][k]] == FAILED:
+            continue
+        if actuator[A_QUEUED][k] > 0:
+            return True
+        kind = actuator[A_KIND][k]
+        if kind != DRIVE and kind != WHEEL_DEVICE and kind != TURN_DEVICE and actuator[A_DONE][k] == 0:
+            return True
+    return False
 
 
 def look_for_standstill(

@@ -112,11 +112,13 @@ class State(NamedTuple):
     before: Wholes
     buckets: Wholes
     chain: Wholes
+    # Of a step that may change nothing: where and how fast robots were, and their devices' numbers (see standstill).
+    held: RealRows
 
 
 _REAL = frozenset(
     ("fixed_real", "real", "sensor_real", "actuator_real", "road_length", "points", "cut_from", "docks", "walls")
-) | {"wall_frame", "stretches", "line_frame", "floor_box", "floor_points", "frame", "ray_exits"}
+) | {"wall_frame", "stretches", "line_frame", "floor_box", "floor_points", "frame", "ray_exits", "held"}
 _NARROW = frozenset(("cells", "threads", "pars", "out", "seen", "was_cells", "was_threads", "was_pars")) | {
     "kept_cells",
     "kept_threads",

@@ -58,7 +58,14 @@ from kitrobot.sim.physics import CLOSED, move_robots
 from kitrobot.sim.reacting import react
 from kitrobot.sim.sampling import sample, sample_done
 from kitrobot.sim.sharing import exchange
-from kitrobot.sim.standstill import look_for_standstill, stirred
+from kitrobot.sim.standstill import (
+    is_at_work,
+    is_held,
+    look_for_standstill,
+    may_be_held,
+    remember,
+    stirred,
+)
 from kitrobot.sim.state import State
 
 # What does not change in a run: state.fixed_real and state.fixed.
@@ -153,6 +160,7 @@ def advance(state: State, steps: int) -> int:
         before,
         buckets,
         chain,
+        held,
     ) = state
     dt = fixed_real[DT]
     widest = fixed_real[WIDEST]
@@ -167,6 +175,9 @@ def advance(state: State, steps: int) -> int:
             break
         step = clock[TICK]
         events_before = clock[EVENTS]
+        looks = may_be_held(step, clock, len(plan[0]), fixed_real[FAILS])
+        if looks:
+            remember(real, actuator_real, held)
 
         if clock[PLANNED] < len(plan[0]):
             harm_on_schedule(
@@ -440,11 +451,11 @@ def advance(state: State, steps: int) -> int:
         clock[TICK] = step + 1
         done += 1
 
-        if (
-            clock[ROLLING] > 0
-            or clock[EVENTS] > events_before
-            or is_stirring(step, actuator, actuator_real, real, whole)
-        ):
+        if clock[ROLLING] == 0:
+            stirs = is_stirring(step, actuator, actuator_real, real, whole)
+        else:
+            stirs = not looks or is_at_work(step, actuator, whole) or not is_held(real, actuator_real, held)
+        if stirs or clock[EVENTS] > events_before:
             stirred(clock)
         elif clock[RUNNING] > 0:
             look_for_standstill(whole, cells, threads, pars, kept_cells, kept_threads, kept_pars, clock)

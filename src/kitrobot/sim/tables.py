@@ -22,7 +22,7 @@ from kitrobot.sim.failures import Fates
 from kitrobot.sim.grids import FEW, Grid, fixed
 from kitrobot.sim.physics import arrange
 from kitrobot.sim.shared import SharedTables
-from kitrobot.sim.standstill import QUIET_STEPS
+from kitrobot.sim.standstill import HELD_ROWS, QUIET_STEPS
 from kitrobot.sim.state import State
 from kitrobot.world import COLOURS, Pose, World
 
@@ -261,6 +261,7 @@ class Tables:
             before=[0] * (2 * pairs),
             buckets=[-1] * buckets,
             chain=[0] * pairs,
+            held=[[0.0] * max(count, len(self._actuators)) for _ in range(HELD_ROWS)],
         )
         if guided:
             arrange(real, whole, guided, state.roads, state.road_length, state.points)
