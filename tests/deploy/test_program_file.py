@@ -1,64 +1,66 @@
-"""The program file: what is used of a robot, and nothing else."""
+"""The program file: what it says of devices, that it reads back, and that damage is noticed."""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.compiler import compile_text
-from kitrobot.deploy import DeployError, Package, make_program_file, read_program_file, refuse_what_fits_no_board
-from kitrobot.deploy.program_file import UNUSED, ProgramFile
-from kitrobot.primitives import load_catalogue
-
-MICROBIT = load_catalogue().robots["microbit"]
-
-
-def file_of(text: str) -> ProgramFile:
-    image = compile_text(text, MICROBIT).image
-    assert image is not None
-    return make_program_file(image, MICROBIT)
+from kitrobot.deploy import DeployError, read_program_file
+from kitrobot.deploy.errors import BoardError
+from kitrobot.deploy.memory import image_bytes, refuse_what_does_not_fit
+from kitrobot.deploy.package import Package
+from kitrobot_onboard.link import checksum
+from tests.boards.bench import OTHER, bench_program
 
 
-def used(text: str) -> list[str]:
-    return [device.part for device in file_of(text).devices if device.driver != UNUSED]
+@pytest.fixture
+def data(tmp_path: Path) -> bytes:
+    return bench_program(tmp_path, OTHER).file.to_bytes()
 
 
-def test_what_a_program_neither_reads_nor_commands_is_left_out() -> None:
-    assert used("WAIT(1);") == []
-    assert used("Display.Clear();") == ["Display"]
-    assert used("*[ButtonA.IsPressed()](Display.Number(Dice.Value()););") == ["Display", "ButtonA", "Dice"]
-    assert used("Count.Set(TiltX.Value());") == ["TiltX"]
+def test_each_device_has_its_line(data: bytes) -> None:
+    lines = data.partition(b"\n\n")[0].decode().split("\n")
+    assert lines[0] == f"KRP1 {checksum(data.partition(chr(10).encode())[2])}"
+    assert lines[1:] == [
+        "a stores 2 Turn/1+,Stop/0 pin=1",
+        "a stores - Advance/1,Stop/0 pin=2",
+        "s zero 1 0 100",
+    ]
 
 
-def test_the_stop_of_a_marked_action_is_a_use_of_its_device() -> None:
-    assert used("//(<ButtonB.IsPressed()>();, °Display.Image(0)°;);") == ["Display", "ButtonB"]
+def test_it_reads_back(data: bytes) -> None:
+    assert read_program_file(data).to_bytes() == data
 
 
-def test_actuators_keep_their_places_and_commands_their_numbers() -> None:
-    devices = file_of("Pin1.Write(1);").devices
-    assert [device.part for device in devices] == [part.name for part in MICROBIT.actuators]
-    for device, part in zip(devices, MICROBIT.actuators, strict=True):
-        assert len(device.words[1].split(",")) == len(part.methods)
+def test_drivers_get_the_names_of_their_modules(data: bytes) -> None:
+    named = read_program_file(data).to_bytes({"stores": "kr00000000", "zero": "kr11111111"})
+    assert named.count(b"kr00000000") == 2
+    assert read_program_file(named).drivers == ["kr00000000", "kr11111111"]
 
 
-def test_one_pin_serves_programs_that_use_it_in_different_ways_but_not_one_that_does_both() -> None:
-    package = Package()
-    for text in ("Pin0.Write(1);", "<Pin0.IsHigh()>();"):
-        refuse_what_fits_no_board(file_of(text), package)
-    with pytest.raises(DeployError, match="both wired to the pin"):
-        refuse_what_fits_no_board(file_of("Pin0.Write(1); <Pin0.IsHigh()>();"), package)
+@given(st.data())
+def test_damage_is_noticed(tmp_path_factory: pytest.TempPathFactory, data: st.DataObject) -> None:
+    whole = bench_program(tmp_path_factory.mktemp("bench"), OTHER).file.to_bytes()
+    at = data.draw(st.integers(0, len(whole) - 1))
+    byte = data.draw(st.integers(0, 255))
+    spoilt = whole[:at] + bytes((byte,)) + whole[at + 1 :]
+    # Fletcher-16 cannot tell 0 from 255.
+    if byte == whole[at] or {byte, whole[at]} <= {0, 255}:
+        return
+    with pytest.raises(DeployError, match="damaged"):
+        read_program_file(spoilt)
+    with pytest.raises(DeployError, match="damaged"):
+        read_program_file(whole[:at])
 
 
-@given(st.integers(0, 400), st.binary(min_size=1, max_size=3))
-def test_a_file_reads_back_and_damage_is_told(at: int, damage: bytes) -> None:
-    made = file_of("*[ButtonA.IsPressed()](Display.Number(Dice.Value()););")
-    data = made.to_bytes()
-    read = read_program_file(data)
-    assert [device[:3] for device in read.devices] == [device[:3] for device in made.devices]
-    assert read.image == made.image
-    at %= len(data)
-    broken = data[:at] + damage + data[at + len(damage) :]
-    if broken != data:
-        with pytest.raises(DeployError):
-            read_program_file(broken)
+def test_a_program_that_is_too_large_for_a_board_is_refused(tmp_path: Path) -> None:
+    program = bench_program(tmp_path, "Count.Add(1);\n" * 2000)
+    built = Package((tmp_path,)).built("microbit", program.file.drivers)
+    image = program.file.image
+    assert image_bytes(image) > 8000
+    with pytest.raises(BoardError, match=rf"needs {image_bytes(image)} bytes"):
+        refuse_what_does_not_fit(image, built, 9600, "microbit")
+    refuse_what_does_not_fit(image, built, 200_000, "machine")
