@@ -177,3 +177,27 @@ def test_robots_fail_by_chance_as_often_as_is_wanted(open_studio):
     expect(studio.at("event-strip").locator('[data-kind="failure"]').first).to_contain_text("(by chance)")
     expect(field).to_be_enabled()
     assert "fail-rate" not in (studio.folder / "transport.krt").read_text()
+
+
+def test_the_list_of_what_happened_says_who_brought_it_about_and_leads_there(open_studio):
+    studio = open_studio(TRANSPORT)
+    start_paused(studio)
+    choose(studio, ROBOT)
+    studio.page.keyboard.press("Enter")
+    studio.at("menu-harm-mute").click()
+    studio.at("watch-button").click()
+    row = studio.at("event-list").locator('tr[data-kind="failure"]')
+    expect(row).to_have_count(1)
+    expect(row).to_contain_text(ROBOT)
+    expect(row.locator("td").last).to_have_text("by hand")
+    expect(row).not_to_contain_text("(")
+    at = studio.at("event-strip").get_attribute("aria-valuenow")
+    assert at is not None
+    studio.page.keyboard.press("Escape")
+    studio.full_speed()
+    studio.at("run-button").click()
+    expect(studio.at("event-list").locator('tr[data-kind="load"]').first).to_be_visible()
+    studio.at("event-list").locator('tr[data-kind="failure"] button').click()
+    expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", at)
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+    expect(studio.at("event-list").locator("tbody tr").first).to_have_attribute("data-cause", "person")

@@ -13,6 +13,7 @@ import type { RobotObject } from "../model/types";
 import { canInterfere, type RunAgent, useRun, watchedAgent } from "../run/run";
 import { Icon } from "../theme";
 import { t } from "../words/words";
+import { EventList } from "./EventList";
 import { samplesNow, seriesOf, stepsPath } from "./samples";
 import { useWatch } from "./watching";
 
@@ -69,6 +70,7 @@ function Values({ agent }: { agent: RunAgent }) {
     <div className="watch-columns">
       <Column title={t("parts.variables")} objects={variables} agent={agent} sensors={false} />
       <Column title={t("parts.sensors")} objects={sensors} agent={agent} sensors />
+      <EventList />
     </div>
   );
 }
