@@ -1,0 +1,115 @@
+"""Boards under measurement: a program is deployed as users do it, and the board's own clock says when its ticks begin.
+
+    python -m benchmarks.boards
+
+The robot has a sensor that measures time (`peers/clock.driver.py`), an actuator that forgets what it is told, and the
+counting loop of `subjects.interpreting`. The micro:bit is the real firmware in QEMU, where a processor's instruction
+takes as long each time (`-icount shift=6`); the other a current MicroPython as WebAssembly, on this machine's clock.
+"""
+
+from __future__ import annotations
+
+import ast
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from kitrobot.deploy import Deployed, Line, RawRepl, connect, deploy
+from kitrobot.workspace import BoardProgram, load_board_program
+
+FORGETS = """
+class Forgets:
+    def do(self, procedure, arguments):
+        pass
+    def stop(self):
+        pass
+def make(settings):
+    return Forgets()
+"""
+ROBOT = """<robot name="measured" version="1" tick="{tick_ms}" wait-unit="{tick_ms}">
+  <help>Counts.</help>
+  <actuator name="Arm" device="switch"><board driver="forgets"/><help>Forgets.</help>
+    <procedure name="Act"><help>Is told.</help>
+      <parameter name="x" min="0" max="3000"><help>It.</help></parameter></procedure>
+  </actuator>
+  <sensor name="Clock" device="pin-in" min="0" max="32767"><board driver="clock" keep="{keep}"/><help>Ticks.</help>
+    <operation name="LessThan" test="less"><help>So far.</help>
+      <parameter name="value" min="0" max="32767"><help>It.</help></parameter></operation>
+  </sensor>
+  <variable name="Count" type="integer" min="0" max="1000" initial="0"><help>Counts.</help></variable>
+  <variable name="Total" type="integer" min="0" max="3000" initial="0"><help>Counts.</help></variable>
+</robot>
+"""
+LOOP = """*[Clock.LessThan(32767)](
+  Count.Set(0); Total.Set(0);
+  *[!(Count.EqualTo(1000))]( Count.Add(1); Total.Add(3); Arm.Act(Total.Value()); );
+);
+"""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """How long after one another ticks began, in µs, in their order; what the deployment told."""
+
+    intervals_us: list[int]
+    deployed: Deployed
+
+
+def program(folder: Path, tick_ms: int, keep: int, text: str = LOOP) -> BoardProgram:
+    """The program, with a tick of so many milliseconds, and a clock that keeps so many of them."""
+    (folder / "measured.robot.xml").write_text(ROBOT.format(tick_ms=tick_ms, keep=keep), encoding="utf-8")
+    (folder / "forgets.driver.py").write_text(FORGETS, encoding="utf-8")
+    driver = Path(__file__).parent / "peers" / "clock.driver.py"
+    (folder / "clock.driver.py").write_bytes(driver.read_bytes())
+    path = folder / "loop.lll"
+    path.write_text(text, encoding="utf-8")
+    return load_board_program(path, robot=str(folder / "measured.robot.xml"))
+
+
+def measure(
+    address: str, family: str, *, tick_ms: int, ticks: int, watched_ms: int = 0, limit_s: float = 300
+) -> Measured:
+    """Runs the loop for so many ticks. `family`: of the board. `watched_ms`: somebody watches, with news that often.
+
+    Raises:
+        TimeoutError: it takes longer than `limit_s`.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        made = program(Path(folder), tick_ms, ticks)
+        deployed = deploy(address, made.file.to_bytes(), made.package)
+        clock = made.package.built(family, made.file.drivers).drivers["clock"]
+    until = time.monotonic() + limit_s
+    last = deployed.hello.tick + ticks + 10
+    with connect(address, 20) as board:
+        if watched_ms:
+            board.watch(watched_ms)
+            while getattr(board.news(1), "tick", 0) < last:
+                _hurry(until)
+        else:
+            while board.greet().tick < last:
+                _hurry(until)
+                time.sleep(0.5)  # nobody speaks to it meanwhile
+        board.quit()
+    return Measured(_log(address, clock), deployed)
+
+
+def _hurry(until: float) -> None:
+    if time.monotonic() > until:
+        raise TimeoutError("the board does not get on with its ticks")
+
+
+def _log(address: str, module: str) -> list[int]:
+    """What the clock kept, asked at the prompt that the robot left to: its memory is as it was."""
+    line = Line(address)
+    try:
+        line.write(b"\r\x03\x03\r\x01")
+        line.read_until(b"exit\r\n>", 20)
+        repl = RawRepl(line)
+        count = int(repl.run(f"from {module} import log;print(len(log))", 20))
+        found: list[int] = []
+        for at in range(0, count, 20):
+            found += ast.literal_eval(repl.run(f"print(list(log[{at}:{at + 20}]))", 20))
+        return found
+    finally:
+        line.close()
