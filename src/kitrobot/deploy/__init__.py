@@ -1,7 +1,15 @@
 """Real robots: the line to a board, what is put onto it, and talking to what runs there."""
 
 from kitrobot.deploy.board import FAULTS, Board, Fault, Hello, News, Step, Text, connect
-from kitrobot.deploy.errors import BoardError, DeployError, LineError, PackageError, SilentError
+from kitrobot.deploy.errors import (
+    BoardError,
+    DeployError,
+    ForeignError,
+    FullError,
+    LineError,
+    PackageError,
+    SilentError,
+)
 from kitrobot.deploy.fitting import refuse_what_fits_no_board
 from kitrobot.deploy.installing import Deployed, Progress, deploy
 from kitrobot.deploy.line import Line
@@ -21,6 +29,8 @@ __all__ = [
     "DeployError",
     "Deployed",
     "Fault",
+    "ForeignError",
+    "FullError",
     "Hello",
     "Line",
     "LineError",

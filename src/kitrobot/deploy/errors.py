@@ -23,5 +23,13 @@ class BoardError(DeployError):
     """The board answers and says no, or does not hold what it should."""
 
 
+class ForeignError(BoardError):
+    """The board holds somebody else's program, which is not overwritten unasked."""
+
+
+class FullError(BoardError):
+    """There is no room on the board for the new beside the old."""
+
+
 class PackageError(DeployError):
     """A file that belongs on the board is missing or no Python that a board can read."""

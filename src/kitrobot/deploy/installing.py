@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from kitrobot.deploy.board import Board, Hello
-from kitrobot.deploy.errors import BoardError, SilentError
+from kitrobot.deploy.errors import BoardError, ForeignError, SilentError
 from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.lying import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
@@ -184,12 +184,13 @@ class _Job:
         try:
             hello = self._greeting()
         except SilentError as error:
-            said = f" ({self._said})" if self._said else ""
+            said = self._said
             self._undo()
-            before = "" if self.old is None else ", and starts again what it had before"
             raise BoardError(
-                f"the board did not start what was sent{said}{before}",
-                "send it once more; if that does not help, reset it",
+                f"the board did not start what was sent: {said}" if said else "the board did not start what was sent",
+                "send it once more; if that does not help, reset the board"
+                if self.old is None
+                else "it starts again what it had before; send the program once more, or reset the board",
             ) from error
         if hello.state != 0 and hello.fault not in (_MEMORY, _DAMAGED, _NO_DRIVER):
             return hello
@@ -220,7 +221,7 @@ class _Job:
                 if hello.generation != self.new.generation or hello.program != self.name[2:]:
                     raise SilentError("the board starts something else")
                 fault = board.last_fault()
-                self._said = "" if fault is None else f"{fault.meaning} {fault.text}".strip()
+                self._said = "" if fault is None else ": ".join(filter(None, (fault.meaning, fault.text.strip())))
                 return hello
 
     def _undo(self) -> None:
@@ -244,7 +245,7 @@ class _Job:
         theirs = self.board.read(MAIN)
         if b"kr0" not in theirs and not self.built.main.startswith(theirs):
             self.board.end()
-            raise BoardError(
+            raise ForeignError(
                 "the board holds a `main.py` that is not KitRobot's",
                 "save it if you need it (`mpremote cp :main.py .`), then deploy with --replace",
             )

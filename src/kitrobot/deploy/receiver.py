@@ -13,7 +13,7 @@ from collections.abc import Callable
 from importlib.resources import files
 from itertools import cycle
 
-from kitrobot.deploy.errors import BoardError, SilentError
+from kitrobot.deploy.errors import BoardError, FullError, SilentError
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.modern import tell_at_once
 from kitrobot.deploy.repl import LONGEST, GarbledError, RawRepl
@@ -84,8 +84,8 @@ class Receiver:
         kind, answer = self._asked("x", data, timeout_s)
         if kind == "E":
             text = answer.decode(errors="replace")
-            if "28" in text and "OSError" in text:
-                raise BoardError("the board's flash is full", "remove files of yours from the board, or use --fresh")
+            if "OSError" in text and ("28" in text or "storage" in text):  # as boards of today and of 2016 say it
+                raise FullError("the board's flash is full", "remove files of yours from the board, or use --fresh")
             raise BoardError(f"the board failed: {text}", "reset it and run the command again")
         return answer
 
@@ -121,7 +121,7 @@ class Receiver:
             piece = _fitting(content, at)
             kind, answer = self._asked("d", piece, 2)
             if kind == "E":
-                raise BoardError(
+                raise FullError(
                     f"the board cannot take more: {answer.decode(errors='replace')}",
                     "its flash may be full: remove files of yours, or use --fresh",
                 )
