@@ -3,10 +3,7 @@
 
 from array import array
 
-try:
-    from time import ticks_diff, ticks_us
-except ImportError:
-    from utime import ticks_diff, ticks_us
+from utime import ticks_diff, ticks_us
 
 SETTINGS = {"keep": "1..1000"}
 log = array("i")
