@@ -21,7 +21,10 @@ PULSE = """<kitrobot version="1">
     <vertex id="v4" element="Count.Add"><set name="value">1</set></vertex>
     <vertex id="v5" element="Wait"><set name="duration">3</set></vertex>
     <vertex id="v6" element="Display.Clear"/>
-    <vertex id="v7" element="Wait"><set name="duration">3</set></vertex>
+    <vertex id="v7" element="If Then"/>
+    <vertex id="v8" element="ButtonA.IsPressed"/>
+    <vertex id="v9" element="Count.Add"><set name="value">10</set></vertex>
+    <vertex id="v10" element="Wait"><set name="duration">3</set></vertex>
     <vertex id="stop" element="Stop"/>
     <arc from="start" to="v1"/>
     <arc from="v2" to="v1" at="condition"/>
@@ -30,7 +33,11 @@ PULSE = """<kitrobot version="1">
     <arc from="v4" to="v5"/>
     <arc from="v5" to="v6"/>
     <arc from="v6" to="v7"/>
-    <arc from="v7" to="v1" at="return"/>
+    <arc from="v8" to="v7" at="condition"/>
+    <arc from="v7" out="then" to="v9"/>
+    <arc from="v9" to="v7" at="return"/>
+    <arc from="v7" to="v10"/>
+    <arc from="v10" to="v1" at="return"/>
     <arc from="v1" to="stop"/>
   </program>
   <team>
@@ -38,7 +45,7 @@ PULSE = """<kitrobot version="1">
   </team>
 </kitrobot>
 """
-"""Shows a picture again and again, and counts; it ends when `Run` is set to false."""
+"""Shows a picture again and again, and counts, faster while the button is pressed; ends when `Run` is set to false."""
 
 PULSER = """<?xml version="1.0" encoding="UTF-8"?>
 <robot name="pulser" version="1" tick="20" wait-unit="100">

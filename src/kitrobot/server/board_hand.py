@@ -12,6 +12,8 @@ Left to others: the link itself (deploy), names for numbers (workspace), who may
 
 from __future__ import annotations
 
+import logging
+import os
 import threading
 import time
 from collections import deque
@@ -19,11 +21,19 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, get_args
 
-from kitrobot.deploy import Fault, News
+from kitrobot.deploy import Fault, ForeignError, FullError, LineError, News, SilentError
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.board_links import Board, Links
 from kitrobot.server.sentences import spoken
-from kitrobot.server.shapes import BoardFaultShape, BoardMessage, BoardPhase, BoardProgressShape, BoardState, BoardStep
+from kitrobot.server.shapes import (
+    BoardFaultShape,
+    BoardMessage,
+    BoardPhase,
+    BoardProgressShape,
+    BoardState,
+    BoardStep,
+    BoardWay,
+)
 
 if TYPE_CHECKING:
     from kitrobot.workspace import BoardNames, BoardProgram
@@ -42,6 +52,7 @@ LONGEST_TEXT = 500
 _KEPT = "the robot still has the program that it had"
 
 Order = Callable[[], None]
+_log = logging.getLogger("kitrobot.server")
 
 
 class BusyError(KitRobotError):
@@ -72,11 +83,12 @@ class Standing:
     known: BoardNames | None = None
     threads: dict[int, int] = field(default_factory=dict)
     cells: dict[int, int] = field(default_factory=dict)
-    forced: frozenset[str] = frozenset()
+    forced: dict[str, int] = field(default_factory=dict)
     progress: BoardProgressShape | None = None
     fault: BoardFaultShape | None = None
     message: str = ""
     help: str = ""
+    way: BoardWay = ""
 
 
 class Hand:
@@ -110,12 +122,12 @@ class Hand:
         """Greets the robot; `program` gives names to what it does, if it has that."""
         self._order(lambda: self._connect(program))
 
-    def send(self, program: BoardProgram, then: str, replace: bool = False) -> None:
+    def send(self, program: BoardProgram, then: str, replace: bool = False, fresh: bool = False) -> None:
         """Puts a program on the robot and lets it run: "held", "free", or "ready" for not yet. `replace`: also in the
         place of what is not ours.
         """
         self._cancelled = False
-        self._order(lambda: self._send(program, then, replace))
+        self._order(lambda: self._send(program, then, replace, fresh))
 
     def cancel(self) -> None:
         """Breaks off the sending."""
@@ -200,8 +212,11 @@ class Hand:
             if self._board is not None and self._links.is_lost(error):
                 self._lose()
             else:
-                self._say(message=error.message, help=error.help)
-        except OSError:
+                self._say(message=error.message, help=_way_out(error))
+        except Exception as error:
+            # What a broken line or a strange robot brings about; the hand goes on.
+            debugging = bool(os.environ.get("KITROBOT_DEBUG"))
+            _log.warning("the link to a robot broke: %s: %s", type(error).__name__, error, exc_info=debugging)
             self._lose()
 
     def _lose(self) -> None:
@@ -236,13 +251,13 @@ class Hand:
 
     def _connect(self, program: BoardProgram | None) -> None:
         self._hang_up()
-        self._say(phase="connecting", message="", help="", progress=None)
+        self._say(phase="connecting", message="", help="", way="", progress=None)
         try:
             self._greet(program)
         except (KitRobotError, OSError) as error:
             self._hang_up()
             said = error if isinstance(error, KitRobotError) else _no_answer(self.name)
-            self._say(phase="closed", message=said.message, help=said.help)
+            self._say(phase="closed", message=said.message, help=_way_out(said))
 
     def _greet(self, program: BoardProgram | None) -> None:
         self._board = board = self._links.connect(self.address)
@@ -261,7 +276,7 @@ class Hand:
             known=known,
             threads={},
             cells={},
-            forced=frozenset(),
+            forced={},
             fault=None,
         )
         if STATES[hello.state] == "fault":
@@ -269,11 +284,11 @@ class Hand:
         if known is not None:
             board.watch(WATCH_MS)
 
-    def _send(self, program: BoardProgram, then: str, replace: bool) -> None:
+    def _send(self, program: BoardProgram, then: str, replace: bool, fresh: bool) -> None:
         self._hang_up()
-        self._say(phase="sending", known=None, threads={}, message="", help="", fault=None)
+        self._say(phase="sending", known=None, threads={}, message="", help="", way="", fault=None)
         try:
-            self._links.deploy(self.address, program, self._progress, replace)
+            self._links.deploy(self.address, program, self._progress, replace, fresh)
             self._say(progress=None)
             self._greet(program)
         except _Cancelled:
@@ -282,7 +297,8 @@ class Hand:
         except (KitRobotError, OSError) as error:
             self._hang_up()
             said = error if isinstance(error, KitRobotError) else _no_answer(self.name)
-            self._say(phase="closed", progress=None, message=said.message, help=said.help)
+            way = self._links.way(said)
+            self._say(phase="closed", progress=None, message=said.message, help=_way_out(said), way=way)
             return
         if then == "ready":
             self._stop()
@@ -309,8 +325,8 @@ class Hand:
     def _force(self, sensor: str, value: int | None) -> None:
         known = self._known()
         self._open().force(known.input(sensor), value)
-        forced = self.standing.forced
-        self._say(forced=forced - {sensor} if value is None else forced | {sensor})
+        forced = {name: held for name, held in self.standing.forced.items() if name != sensor}
+        self._say(forced=forced if value is None else {**forced, sensor: value})
 
     def _set(self, variable: str, value: int) -> None:
         self._open().set(self._known().variable(variable), value)
@@ -396,13 +412,28 @@ class Hand:
             robot=known.robot if known is not None else "",
             active=[(slot, vertex) for slot, vertex in places if vertex is not None],
             values=values,
-            inputs=inputs,
+            # A robot tells nothing of a sensor that its program does not use.
+            inputs={**inputs, **now.forced},
             forced=sorted(now.forced),
             progress=now.progress,
             fault=now.fault,
             message=spoken(now.message),
             help=spoken(now.help),
+            way=now.way,
         )
+
+
+def _way_out(error: KitRobotError) -> str:
+    """The help of an error, for somebody who has a panel with buttons and not a terminal."""
+    if "`kitrobot " not in error.help and " --" not in error.help:
+        return error.help
+    if isinstance(error, ForeignError):
+        return "save it first if you need it, then press Replace it"
+    if isinstance(error, FullError):
+        return "press Make room: what KitRobot put there goes first, and until the new program is whole there is none"
+    if isinstance(error, SilentError):
+        return "press its reset button; when it holds no KitRobot yet, press Send"
+    return "look at its cable, then try again" if isinstance(error, LineError) else "send the program again"
 
 
 def _no_answer(name: str) -> KitRobotError:

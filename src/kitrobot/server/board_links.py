@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.shapes import BoardWay
 
 if TYPE_CHECKING:
     from kitrobot.deploy import Fault, Hello, News, Port, Text
@@ -63,8 +64,11 @@ class Links(Protocol):
     def connect(self, address: str) -> Board:
         """Greets the robot there. Raises KitRobotError."""
 
-    def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool) -> None:
+    def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
         """Puts a program on the robot there. Raises KitRobotError, and what `progress` raises."""
+
+    def way(self, error: KitRobotError) -> BoardWay:
+        """With what a sending that failed so can be asked for again."""
 
     def is_lost(self, error: KitRobotError) -> bool:
         """Whether an error means that the link is gone, not only that the robot said no."""
@@ -85,11 +89,17 @@ class RealLinks:
 
         return connect(address)
 
-    def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool) -> None:
-        """As `workspace.send_program`; what goes wrong is raised."""
+    def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
+        """As `deploy.deploy`."""
         from kitrobot.deploy import deploy
 
-        deploy(address, program.file.to_bytes(), program.package, progress, replace=replace)
+        deploy(address, program.file.to_bytes(), program.package, progress, replace=replace, fresh=fresh)
+
+    def way(self, error: KitRobotError) -> BoardWay:
+        """Whether it was refused for somebody else's program, or for want of room."""
+        from kitrobot.deploy import ForeignError, FullError
+
+        return "replace" if isinstance(error, ForeignError) else "fresh" if isinstance(error, FullError) else ""
 
     def is_lost(self, error: KitRobotError) -> bool:
         """Whether the line is broken or silent."""

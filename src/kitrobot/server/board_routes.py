@@ -134,7 +134,7 @@ class BoardSession:
                 (await room.hand(seat, request.address)).connect(program)
             case BoardSendRequest():
                 program = await asyncio.to_thread(self._program, request)
-                (await room.hand(seat, request.address)).send(program, request.then, request.replace)
+                (await room.hand(seat, request.address)).send(program, request.then, request.replace, request.fresh)
             case BoardStopRequest():
                 room.stop(request.address)
             case BoardCancelRequest():

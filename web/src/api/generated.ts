@@ -119,6 +119,7 @@ export interface BoardMessage {
   fault: BoardFault | null;
   message: string;
   help: string;
+  way: "" | "replace" | "fresh";
 }
 
 /** A port of this machine where a robot may be. */
@@ -159,6 +160,7 @@ export interface BoardSendRequest {
   program: string;
   then: "held" | "free" | "ready";
   replace?: boolean;
+  fresh?: boolean;
 }
 
 /** Set a variable. */

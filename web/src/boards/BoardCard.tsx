@@ -172,6 +172,16 @@ function Trouble({ address, board }: { address: string; board: Board | null }) {
             {t("boards.problems", { count: said.problems.length })}
           </button>
         )}
+        {refused !== undefined || board === null || board.way === "" ? null : (
+          <button
+            type="button"
+            className="robot-link"
+            data-testid={`robot-${board.way}`}
+            onClick={() => sendTo(address, "ready", board.way)}
+          >
+            {t(`boards.${board.way}`)}
+          </button>
+        )}
       </p>
     </div>
   );

@@ -5,6 +5,7 @@ import { reveal } from "../shell/actions";
 import { type Given, isMine, networkAddress, placesOf, programFor, useBoards, without } from "./boards";
 import { send } from "./line";
 import { keepShown } from "./shown";
+import type { Board } from "./wire";
 
 /** What is open here, for the robot at that address. */
 function given(address: string): Given {
@@ -31,9 +32,10 @@ export function disconnectBoard(address: string): void {
   send({ type: "forget", address });
 }
 
-export function sendTo(address: string, then: "held" | "free" | "ready"): void {
+/** `way`: what else may be done for it, when the robot refused before. */
+export function sendTo(address: string, then: "held" | "free" | "ready", way: Board["way"] = ""): void {
   if (then === "held") takeCanvas();
-  send({ type: "send", address, then, ...give(address) });
+  send({ type: "send", address, then, replace: way === "replace", fresh: way === "fresh", ...give(address) });
 }
 
 /** A robot takes the canvas from a simulated run. */

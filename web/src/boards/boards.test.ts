@@ -29,6 +29,7 @@ const BOARD: Board = {
   fault: null,
   message: "",
   help: "",
+  way: "",
 };
 
 const STATE: BoardsState = {

@@ -41,6 +41,8 @@ export const BOARDS_EN = {
   "boards.fault-where": "Show where in {program} {place}",
   "boards.fault-line": "(line {line} of the code)",
   "boards.problems": { one: "Show the problem", other: "Show the {count} problems" },
+  "boards.replace": "Replace it",
+  "boards.fresh": "Make room, then send",
   "boards.another-page": "Another page of this studio has it.",
   "boards.network": "A robot on the network",
   "boards.network-wrong": "Write it like socket://192.168.4.1:4000, a name or number and a port.",

@@ -43,6 +43,8 @@ export const BOARDS_FR = {
   "boards.fault-where": "Montrer l’endroit dans {program} {place}",
   "boards.fault-line": "(ligne {line} du code)",
   "boards.problems": { one: "Montrer le problème", other: "Montrer les {count} problèmes" },
+  "boards.replace": "Le remplacer",
+  "boards.fresh": "Faire de la place, puis envoyer",
   "boards.another-page": "Une autre page de ce studio l’utilise.",
   "boards.network": "Un robot sur le réseau",
   "boards.network-wrong": "Écrivez-le comme socket://192.168.4.1:4000 : un nom ou un numéro, et un port.",

@@ -43,6 +43,8 @@ export const BOARDS_UR = {
   "boards.fault-where": "{program} میں جگہ دکھائیں {place}",
   "boards.fault-line": "(کوڈ کی سطر {line})",
   "boards.problems": { one: "مسئلہ دکھائیں", other: "{count} مسئلے دکھائیں" },
+  "boards.replace": "اسے بدل دیں",
+  "boards.fresh": "جگہ بنا کر بھیجیں",
   "boards.another-page": "اس اسٹوڈیو کا دوسرا صفحہ اسے استعمال کر رہا ہے۔",
   "boards.network": "نیٹ ورک پر روبوٹ",
   "boards.network-wrong": "یوں لکھیں: socket://192.168.4.1:4000 یعنی نام یا نمبر، پھر پورٹ۔",

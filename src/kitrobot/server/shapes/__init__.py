@@ -31,6 +31,7 @@ from kitrobot.server.shapes.board import (
     BoardStep,
     BoardStopRequest,
     BoardsWelcomeMessage,
+    BoardWay,
 )
 from kitrobot.server.shapes.catalogue import CatalogueShape, catalogue_shape
 from kitrobot.server.shapes.files import (
@@ -128,6 +129,7 @@ __all__ = [
     "BoardState",
     "BoardStep",
     "BoardStopRequest",
+    "BoardWay",
     "BoardsLookRequest",
     "BoardsMessage",
     "BoardsWelcomeMessage",

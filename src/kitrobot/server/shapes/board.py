@@ -52,6 +52,9 @@ class BoardSendRequest(BaseModel):
     replace: bool = False
     """Whether a program of somebody else on it may be overwritten."""
 
+    fresh: bool = False
+    """Whether to remove first what KitRobot put there; when there is no room for the new beside the old."""
+
 
 class BoardCancelRequest(BaseModel):
     """Break off the sending; the robot keeps the program that it had."""
@@ -173,6 +176,8 @@ class BoardFaultShape(BaseModel):
     tick: int
 
 
+BoardWay = Literal["", "replace", "fresh"]
+"""With what a sending that was refused can be asked for again."""
 BoardStep = Literal["connect", "compare", "send", "start"]
 
 
@@ -219,6 +224,7 @@ class BoardMessage(_Message):
     message: Sentence
     """What went wrong last, "" when nothing did."""
     help: Sentence
+    way: BoardWay
 
 
 class BoardGoneMessage(_Message):
