@@ -122,6 +122,8 @@ def test_the_run_is_saved_with_what_was_done_to_it_and_shows_it_again(open_studi
     studio.page.keyboard.press("Control+o")
     studio.page.locator('[data-path="kept.krtrace"]').click()
     expect(studio.at("recording-bar")).to_contain_text("kept.krt, seed 1")
+    expect(studio.at("status")).to_contain_text("visit 1")  # its mission brought the breakpoint along
+    studio.at("run-button").click()
     expect(studio.at("status")).to_have_attribute("data-status", "end")
     expect(studio.at("status")).to_contain_text("still on")
     expect_tick(studio, latest)
