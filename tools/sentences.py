@@ -65,7 +65,7 @@ NOT_SAID = frozenset(
         # In several languages already.
         "My parts",
         "Mes pièces",
-        # What is told to a board, what systems say, and errors that are told in other words.
+        # What is told to a board, what is looked for in errors of systems, and errors that are told in other words.
         "import sys,gc;print(sys.implementation[1][:2])",
         "import gc;t={}",
         "s=''.join(t[i]for i in range({1}))",
@@ -81,20 +81,7 @@ NOT_SAID = frozenset(
         "USB serial",
         # Names joined; the lists in a sentence are translated as lists.
         "{1} or {2}",
-        # What is told to MicroPython, and what an answer of it was meant for.
-        "import sys,gc;print(sys.implementation[1][:2])",
-        "import gc;t={}",
-        "s=''.join(t[i]for i in range({1}))",
-        "the receiver",
-        # What is looked for in an error of the system.
-        "Access is denied",
-        "exclusively lock",
-        # What boards are called by their makers, and a state that travels as a word.
-        "Raspberry Pi Pico",
-        "MicroPython board",
-        "Adafruit board",
-        "Arduino board",
-        "USB serial",
+        # A state that travels as a word.
         "no program",
     }
 )
