@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.studio.conftest import Studio
+from tests.studio.test_reach import choose, find_nothing
 
 pytestmark = pytest.mark.browser
 
@@ -123,3 +124,17 @@ def test_keys_are_there_in_every_language(open_studio: OpenStudio, language: str
     studio = open_studio("reaction/reaction.krt", locale=language)
     names = {"fr": "Bouton A", "ur": "بٹن A"}
     expect(studio.at("hand-ButtonA")).to_contain_text(names[language])
+
+
+@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast", "ur")], ids=str)
+def test_axe_finds_nothing_on_a_board(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
+    studio = open_studio("dice/dice.krt")
+    choose(studio, *look)
+    find_nothing(studio, "before a run")
+    studio.at("run-button").click()
+    expect(studio.at("hand-ButtonA")).to_be_enabled()
+    studio.page.mouse.move(*centre(studio.at("hand-ButtonA")))
+    studio.page.mouse.down()
+    expect(studio.at("hand-ButtonA")).to_have_attribute("aria-pressed", "true")
+    find_nothing(studio, "a button is held")
+    studio.page.mouse.up()

@@ -85,7 +85,7 @@ class AgentView:
 
     `state` is "failed" or "stalled" when that befell it; else "running" while a device of it works or moves, "waiting"
     while only its program goes on, "idle" after its program has ended. `active` is (slot, instruction) of each live
-    thread.
+    thread. `shown` is what its displays and the like show, by the actuator (docs/trace.md says which numbers).
     """
 
     name: str
@@ -102,6 +102,7 @@ class AgentView:
     active: Threads
     values: Mapping[str, int]
     inputs: Mapping[str, int]
+    shown: Mapping[str, list[int]]
     fault: int
 
 
@@ -460,6 +461,7 @@ class Simulation:
             agent.active,
             machine.variables(),
             {name: machine.input(name) for name in machine.layout.sensors},
+            dict(agent.faces()),
             machine.fault,
         )
 

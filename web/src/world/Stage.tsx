@@ -48,7 +48,11 @@ export function Stage() {
   const own = mission.own_world ?? null;
   const now = own === null ? null : (draft ?? own);
   const world = now === null ? fromFile : drawnWorld(now);
-  const scene = useMemo(() => (world === null ? null : sceneBefore(mission, world)), [mission, world]);
+  const catalogue = useStudio((studio) => studio.catalogue);
+  const scene = useMemo(
+    () => (world === null ? null : sceneBefore(mission, world, catalogue)),
+    [mission, world, catalogue],
+  );
   const frame = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const drag = useRef<Drag | null>(null);
