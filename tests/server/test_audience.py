@@ -296,8 +296,10 @@ def test_what_a_watcher_looks_at_is_told_beside_what_the_owner_looks_at(app, con
         watched = app.state.studio.watches[run]
         monkeypatch.setattr(watched, "look_at", lambda agents: looked.append(set(agents)))
         watch(other, run, forever)
-        owner.send(type="look", agents=["a"])
         other.send(type="look", agents=["b"])
+        while {"b"} not in looked:
+            assert owner.next()["type"] != "error"
+        owner.send(type="look", agents=["a"])
         while {"a", "b"} not in looked:
             assert owner.next()["type"] != "error"
 

@@ -195,12 +195,15 @@ class Audience:
         watcher.looks = tuple(agents)
         self._looks_anew = True
 
-    def looks(self) -> tuple[str, ...] | None:
-        """All that somebody looks at, if that is not what it was when last asked."""
-        if not self._looks_anew:
-            return None
-        self._looks_anew = False
-        return tuple({agent for watcher in (*self._watchers, *self._new) for agent in watcher.looks})
+    @property
+    def looks(self) -> set[str]:
+        """All that somebody looks at."""
+        return {agent for watcher in (*self._watchers, *self._new) for agent in watcher.looks}
+
+    def looks_anew(self) -> bool:
+        """Whether `looks` may be another than when this was asked last."""
+        anew, self._looks_anew = self._looks_anew, False
+        return anew
 
     def welcome(self, run: str, told: Told, state: StateMessage | None) -> None:
         """Tells the newcomers how the run stands; nothing may be untold to the others at this moment."""

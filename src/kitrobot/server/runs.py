@@ -31,18 +31,13 @@ from kitrobot.server.playing import Player
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     REQUEST,
-    BreakpointsRequest,
     ErrorMessage,
-    ForceRequest,
-    HarmRequest,
     HitShape,
     LookRequest,
     PauseRequest,
     ProblemsMessage,
     ReplayRequest,
     ResumeRequest,
-    SeekRequest,
-    SetRequest,
     SpeedRequest,
     StartRequest,
     StateMessage,
@@ -50,10 +45,10 @@ from kitrobot.server.shapes import (
     StepRequest,
     StopRequest,
     WatchRequest,
-    breakpoint_from_shape,
     mission_from_shape,
     problem_shapes,
 )
+from kitrobot.server.steering import Job, goes_back, job_of
 from kitrobot.server.studio import Studio
 from kitrobot.server.watching import Watch
 from kitrobot.workspace import ProblemsError
@@ -62,8 +57,6 @@ LARGEST_MESSAGE_BYTES = 16 * 1024 * 1024
 MOST_RUNS = 8
 """Runs that one studio has at a time: a forgotten page must not stop the others."""
 FRAME_S = 1 / 30
-
-Job = Callable[[], None]
 
 run_routes = APIRouter()
 _log = logging.getLogger("kitrobot.server")
@@ -200,34 +193,24 @@ class Session:
         self._wake.set()
 
     def _bid(self, request: Steering, watch: Watch | Player, pace: Pace) -> None:
-        match request:
-            case PauseRequest() | ResumeRequest():
-                pace.set_paused(isinstance(request, PauseRequest), watch.tick)
-            case SpeedRequest():
-                pace.set_speed(_speed(request.value), watch.tick)
-            case StepRequest(by="tick", back=False):
-                self._steps += pace.paused
-            case StepRequest(by="tick"):
-                self._jobs.append(lambda: watch.seek(watch.tick - 1, self._is_stopping))
-            case StepRequest(back=True):
-                self._jobs.append(lambda: watch.step_back(request.agent, self._is_stopping))
-            case StepRequest():
-                self._jobs.append(lambda: watch.step(request.agent, self._is_stopping))
-            case SeekRequest():
-                self._jobs.append(lambda: watch.seek(request.tick, self._is_stopping))
-            case ForceRequest():
-                self._jobs.append(lambda: watch.force(request.agent, request.sensor, request.value))
-            case SetRequest():
-                self._jobs.append(lambda: watch.set_variable(request.agent, request.variable, request.value))
-            case HarmRequest():
-                self._jobs.append(lambda: watch.harm(request.agent, request.kind))
-            case LookRequest():
-                self._looks = tuple(request.agents)
-                self._jobs.append(lambda: watch.look_at(self._looks))
-            case BreakpointsRequest():
-                self._jobs.append(lambda: watch.pause_at(breakpoint_from_shape(one) for one in request.breakpoints))
-        if isinstance(request, StepRequest | SeekRequest) and (request.type == "seek" or request.back):
+        if isinstance(request, PauseRequest | ResumeRequest):
+            pace.set_paused(isinstance(request, PauseRequest), watch.tick)
+        elif isinstance(request, SpeedRequest):
+            pace.set_speed(_speed(request.value), watch.tick)
+        elif isinstance(request, LookRequest):
+            self._looks = tuple(request.agents)
+            self._jobs.append(lambda: watch.look_at(self._looked_at()))
+        job = job_of(request, watch, self._is_stopping)
+        if job is not None:
+            self._jobs.append(job)
+        elif isinstance(request, StepRequest):
+            self._steps += pace.paused
+        if goes_back(request):
             pace.set_paused(True, watch.tick)
+
+    def _looked_at(self) -> tuple[str, ...]:
+        """All agents that somebody looks at, here or watching."""
+        return (*self._looks, *(self._audience.looks if self._audience is not None else ()))
 
     def _is_stopping(self) -> bool:
         return self._stopping
@@ -321,9 +304,8 @@ class Session:
 
     def _attend(self, watch: Watch | Player, audience: Audience) -> None:
         """Looks after those who watch; everything is told to everybody else at this moment."""
-        looks = audience.looks()
-        if looks is not None:
-            watch.look_at((*self._looks, *looks))
+        if audience.looks_anew():
+            watch.look_at(self._looked_at())
         now = self._state_now
         if now is not None:
             now = now.model_copy(update={"tick": watch.tick, "seconds": watch.seconds})
