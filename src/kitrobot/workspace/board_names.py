@@ -151,5 +151,6 @@ def kept_names(called: str) -> BoardNames | None:
 
 def _cell(cells: Mapping[str, int], name: str, message: str) -> int:
     if name not in cells:
-        raise NoNameError(message, did_you_mean(name, cells) or f"it has: {', '.join(cells) or 'none'}")
+        has = f"it has: {', '.join(cells)}" if cells else "it has none"
+        raise NoNameError(message, did_you_mean(name, cells) or has)
     return cells[name]

@@ -56,10 +56,10 @@ export const BOARDS_UR = {
   "boards.on-robot": "روبوٹ پر چل رہا ہے",
   "boards.none": "ابھی یہاں کوئی روبوٹ نہیں",
   "boards.none-plug": "micro:bit یا MicroPython والا کوئی اور بورڈ اس کمپیوٹر سے جوڑیں۔",
-  "boards.none-appears": "وہ خود یہاں نظر آئے گا۔ پھر ”روبوٹ پر چلائیں“ دبائیں۔",
+  "boards.none-appears": "وہ خود یہاں نظر آئے گا۔ پھر «روبوٹ پر چلائیں» دبائیں۔",
   "boards.none-trouble": "نظر نہیں آتا؟",
   "boards.none-linux": "Linux اسے صرف dialout گروہ کے ارکان کو دیتا ہے۔ ایک بار شامل ہوں، پھر دوبارہ لاگ اِن کریں:",
   "boards.none-windows":
-    "Windows micro:bit اور Pico کو پہچانتا ہے۔ CP210x یا CH340 چپ والے بورڈ کو اس کے بنانے والے کا ڈرائیور چاہیے۔",
+    "Windows کو micro:bit اور Pico کی پہچان ہے۔ CP210x یا CH340 چپ والے بورڈ کو چپ بنانے والے کا ڈرائیور چاہیے۔",
   "boards.none-cable": "کچھ تاریں صرف چارج کرتی ہیں: دوسری آزمائیں۔ مزید docs/boards.md میں ہے۔",
 } as const satisfies Table;

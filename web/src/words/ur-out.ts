@@ -4,7 +4,7 @@ import type { Table } from "./words";
 export const OUT_UR = {
   "out.download-kri": "{name} کا امیج اتاریں (.kri)",
   "out.download-kra": "{name} کا سہ پتہ کوڈ اتاریں (.kra)",
-  "out.no-image": "”{name}“ میں غلطیاں ہیں، اس لیے ابھی اس کا امیج نہیں بن سکتا۔",
+  "out.no-image": "«{name}» میں غلطیاں ہیں، اس لیے ابھی اس کا امیج نہیں بن سکتا۔",
   "out.no-image-help": "مسائل کی فہرست میں جو غلطیاں ہیں انھیں درست کریں؛ F8 اگلی غلطی پر لے جاتا ہے۔",
   "out.show-problem": "غلطی دکھائیں",
   "out.export-pdf": "گراف PDF میں محفوظ کریں",
