@@ -51,7 +51,7 @@ ZERO = """class Zero:
 def make(settings):
     return Zero()
 """
-ONE = "*[Run.IsTrue()](Count.Add(1); Wheel.Advance(20); WAIT(2); );\n"
+ONE = "*[Run.IsTrue()]([Captor.LessThan(90)](Count.Add(1); )!(Wheel.Advance(20); ); Motor.Turn(5); WAIT(2); );\n"
 OTHER = """*[Run.IsTrue()](
   [Captor.LessThan(10)](Motor.Turn(25); )!(Wheel.Advance(50); Count.Add(3); );
   [Captor.GreaterThan(90)](Wheel.Stop(); )!();

@@ -94,6 +94,11 @@ class Line:
             # In this order a board whose reset hangs on these two wires is not reset.
             self.port.rts = False
             self.port.dtr = False
+        wire = getattr(self.port, "_socket", None)
+        if isinstance(wire, socket.socket):
+            # pyserial would wait a while after it; nobody reads what was not answered.
+            wire.close()
+            return
         with contextlib.suppress(*Trouble):
             self.port.close()
 
