@@ -9,11 +9,14 @@ takes as long each time (`-icount shift=6`); the other a current MicroPython as 
 
 from __future__ import annotations
 
+import argparse
 import ast
 import tempfile
 import time
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from kitrobot.deploy import Deployed, Line, RawRepl, connect, deploy
 from kitrobot.workspace import BoardProgram, load_board_program
@@ -113,3 +116,71 @@ def _log(address: str, module: str) -> list[int]:
         return found
     finally:
         line.close()
+
+
+def memory_taken(address: str, tick_ms: int = 20) -> int:
+    """Bytes of a current MicroPython's heap that the package and the program take while they run."""
+    before = _allocated(address)
+    with tempfile.TemporaryDirectory() as folder:
+        made = program(Path(folder), tick_ms, 1)
+        deploy(address, made.file.to_bytes(), made.package)
+    with connect(address, 20) as board:
+        board.quit()
+    return _allocated(address) - before
+
+
+def _allocated(address: str) -> int:
+    line = Line(address)
+    try:
+        line.write(b"\r\x03\x03\r\x01")
+        line.read_until(b"exit\r\n>", 20)
+        repl = RawRepl(line)
+        repl.run("import gc;gc.collect()", 20)
+        return int(repl.run("print(gc.mem_alloc())", 20))
+    finally:
+        line.close()
+
+
+def shown(measured: Measured, tick_ms: int) -> str:
+    """How far ticks were from where they should be: the middle, nineteen of twenty, the worst; in ms."""
+    off = sorted(abs(interval - 1000 * tick_ms) / 1000 for interval in measured.intervals_us)
+    return f"{off[len(off) // 2]:.1f} · {off[len(off) * 19 // 20]:.1f} · {off[-1]:.1f}"
+
+
+def rate(measured: Measured) -> float:
+    """Ticks a second."""
+    return 1e6 * len(measured.intervals_us) / sum(measured.intervals_us)
+
+
+def main() -> None:
+    """Measures the boards that can run here and prints what docs/reference/boards.md holds."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.boards", description="Measure boards.")
+    parser.add_argument("--board", choices=("modern", "microbit"), default="modern")
+    parser.add_argument("--ticks", type=int, help="how many (modern 500, micro:bit 60, as far as its memory goes)")
+    given = parser.parse_args()
+    family = "machine" if given.board == "modern" else "microbit"
+    ticks = given.ticks or (500 if given.board == "modern" else 60)
+
+    def once(tick_ms: int, watched_ms: int) -> Measured:
+        with _board(given.board) as board:
+            return measure(board.address, family, tick_ms=tick_ms, ticks=ticks, watched_ms=watched_ms)
+
+    print(f"board: {given.board}; {ticks} ticks; ms off the tick: median · 95 % · worst")
+    print(f"a tick of 20 ms, nobody watches: {shown(once(20, 0), 20)}")
+    print(f"a tick of 20 ms, watched every 50 ms: {shown(once(20, 50), 20)}")
+    fastest = once(1, 0)
+    print(f"the whole loop as fast as it goes: {rate(fastest):.0f} ticks/s; {fastest.deployed.free} bytes free")
+    if given.board == "modern":
+        with _board(given.board) as board:
+            print(f"memory of package and program: {memory_taken(board.address)} bytes")
+
+
+def _board(kind: str) -> AbstractContextManager[Any]:
+    from tests.boards.modern import ModernBoard
+    from tests.boards.qemu import running
+
+    return ModernBoard() if kind == "modern" else running("-icount", "shift=6")
+
+
+if __name__ == "__main__":
+    main()
