@@ -19,7 +19,7 @@ THOROUGH = bool(os.environ.get("KITROBOT_THOROUGH"))
 """Every single message is cut, and many seeds are tried; else every tenth, and few."""
 
 EVERY = 1 if THOROUGH else 10
-SEEDS = range(20 if THOROUGH else 2)
+SEEDS = range(20 if THOROUGH else 1)
 
 
 def put(address: str, program: BoardProgram, *, replace: bool = False, fresh: bool = False) -> Deployed:

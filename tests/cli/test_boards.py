@@ -54,7 +54,8 @@ def nobody():
 
 
 def state_of(kitrobot, address: str) -> dict:
-    return kitrobot("boards", "--to", address, "--json").json[0]
+    found: dict = kitrobot("boards", "--to", address, "--json").json[0]
+    return found
 
 
 # ---- before anything is sent
@@ -268,3 +269,12 @@ def test_a_protocol_that_differs_says_what_to_update(kitrobot):
     assert said.status == 1
     assert "version 0" in said.err
     assert "kitrobot deploy" in said.err
+
+
+def test_the_command_line_starts_without_what_talks_to_boards():
+    code = "import sys, kitrobot.cli; print([one for one in sys.modules if one.startswith(('serial', 'mpremote'))])"
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, check=True)
+    assert ended.stdout.strip() == b"[]"
+    code = "import sys, kitrobot.cli; print('kitrobot.deploy' in sys.modules, 'python_minifier' in sys.modules)"
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, check=True)
+    assert ended.stdout.strip() == b"False False"

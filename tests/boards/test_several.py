@@ -1,0 +1,90 @@
+"""`kitrobot deploy` as a person types it: to several boards at once, with bars, and names that are known afterwards."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.boards.bench import ONE, bench_program
+from tests.boards.modern import ModernBoard
+
+KITROBOT = [sys.executable, "-m", "kitrobot"]
+SHORT_S = 120
+
+
+@pytest.fixture
+def two() -> Iterator[tuple[ModernBoard, ModernBoard]]:
+    with ModernBoard() as one, ModernBoard() as other:
+        yield one, other
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> list[str]:
+    """What a person names: the program and its robot."""
+    bench_program(tmp_path, ONE)
+    return [str(tmp_path / "program.lll"), "--robot", str(tmp_path / "bench.robot.xml")]
+
+
+def call(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([*KITROBOT, *arguments], capture_output=True, text=True, timeout=SHORT_S, check=False)
+
+
+def test_one_that_fails_does_not_hold_up_the_others(two: Any, files: list[str]) -> None:
+    one, other = two
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        nobody = f"socket://127.0.0.1:{listener.getsockname()[1]}"
+        said = call("deploy", *files, "--to", one.address, "--to", nobody, "--to", other.address, "--json")
+    assert said.returncode == 1
+    found = json.loads(said.stdout)
+    assert [each["ok"] for each in found] == [True, False, True]
+    assert found[0]["program"] == found[2]["program"]
+    assert f"{nobody}:" in said.stderr
+    for board in two:
+        seen = json.loads(call("boards", "--to", board.address, "--json").stdout)[0]
+        assert seen["state"] == "running"
+        # It was sent from here, so its name is known.
+        assert seen["name_of_program"] == "program"
+    watched = call("watch", "--to", one.address, "--seconds", "1", "--json")
+    assert watched.returncode == 0
+    assert any("Count" in json.loads(line)["variables"] for line in watched.stdout.splitlines())
+
+
+def test_it_says_how_much_memory_is_left_and_what_was_sent(two: Any, files: list[str]) -> None:
+    first = call("deploy", *files, "--to", two[0].address)
+    assert first.returncode == 0, first.stderr
+    assert "bytes of memory are left" in first.stdout
+    assert "generation 1" in first.stdout
+    again = call("deploy", *files, "--to", two[0].address)
+    assert "nothing to send" in again.stdout
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no terminals of our own there")
+def test_each_board_has_a_bar_while_a_person_watches(two: Any, files: list[str]) -> None:
+    import pty
+
+    ours, theirs = pty.openpty()
+    command = [*KITROBOT, "deploy", *files, "--to", two[0].address, "--to", two[1].address]
+    with open(ours, "rb", buffering=0) as terminal:
+        environment = {**os.environ, "COLUMNS": "120", "TERM": "xterm"}
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=theirs, env=environment)
+        os.close(theirs)
+        drawn = b""
+        with contextlib.suppress(OSError):  # how the end of a terminal is told
+            while piece := terminal.read(4096):
+                drawn += piece
+        assert process.stdout is not None
+        given = process.stdout.read()
+        assert process.wait(SHORT_S) == 0
+    for board in two:
+        assert board.address.encode() in drawn
+    assert b"sending" in drawn
+    assert given.count(b"bytes of memory are left") == 2
