@@ -118,9 +118,9 @@ def test_the_handle_of_the_timeline_goes_anywhere_and_on(open_studio: OpenStudio
     mouse.down()
     mouse.move(box["x"] + 22, handle["y"] + 6, steps=8)
     mouse.up()
-    expect(strip).not_to_have_attribute("aria-valuenow", str(latest))
+    # The 22 pixels from the strip's begin are a tick of the first half, however long the run was.
+    expect(strip).to_have_attribute("aria-valuenow", re.compile(rf"^({'|'.join(map(str, range(latest // 2)))})$"))
     expect(strip).to_have_attribute("aria-valuemax", str(latest))
-    assert tick(studio) < latest // 2
     expect(studio.at("status")).to_have_attribute("data-status", PAUSED)
 
 
