@@ -24,6 +24,9 @@ from tests.boards.modern import ModernBoard, onboard_files
 from tests.strategies import Shape, TickInputs, random_program, random_script
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "kit-rover" / "kit-rover.krt"
+LOOKS = "[Captor.LessThan(0)](Light.LightOff(); )!();"
+"""Never true; but only devices that a program uses go onto a board."""
+
 FORWARD_LEFT, FORWARD_RIGHT, SERVO, TRIGGER = 2, 4, 22, 14
 
 
@@ -111,7 +114,7 @@ def test_the_pins_of_motors_servo_and_lamp_do_what_the_program_says_and_stop_sto
     path = tmp_path / "drive.lll"
     robot = load_catalogue().robots["kit-robot"]
     number = next(variable.name for variable in robot.variables if variable.maximum >= 100)
-    go = "LeftWheel.Forward(50); RightWheel.Forward(20); Door.Open(); Light.LightOn();"
+    go = LOOKS + "LeftWheel.Forward(50); RightWheel.Forward(20); Door.Open(); Light.LightOn();"
     path.write_text(f"{go} {number}.Set(7); WAIT(600);\n")
     deploy_by_command(path, kit, "--robot", "kit-robot")
     with connect(kit.address, 10) as board:
@@ -136,7 +139,7 @@ def test_watching_tells_variables_and_inputs_and_a_variable_can_be_set(kit: Mode
     path = tmp_path / "count.lll"
     robot = load_catalogue().robots["kit-robot"]
     number = next(variable.name for variable in robot.variables if variable.maximum >= 100)
-    path.write_text(f"*[!({number}.EqualTo(100))]( WAIT(1); );\n Light.LightOn();\n")
+    path.write_text(f"*[!({number}.EqualTo(100))]( WAIT(1); {LOOKS} );\n Light.LightOn();\n")
     deploy_by_command(path, kit, "--robot", "kit-robot")
     layout = Layout(robot)
     cell = layout.variables[number]
@@ -211,7 +214,7 @@ def test_a_pin_that_the_board_does_not_have_is_named_and_the_old_program_stays(
     own = tmp_path / "own.robot.xml"
     own.write_text(robot.replace('trigger="14"', 'trigger="99"').replace('name="kit-robot"', 'name="own"'), "utf-8")
     path = tmp_path / "own.lll"
-    path.write_text("Light.LightOn();\n")
+    path.write_text(LOOKS + "Light.LightOn();\n")
     answer = deploy_by_command(path, kit, "--robot", str(own), status=1)
     assert "invalid pin" in answer["error"]
     with connect(kit.address, 10) as board:
