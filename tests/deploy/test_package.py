@@ -26,8 +26,9 @@ def test_every_file_is_named_by_what_is_in_it(family: str) -> None:
     built = Package().built(family, [])
     assert built.files
     for name, content in built.files.items():
-        assert name == name_of(content) + ".py"
-        assert is_ours(name)
+        if name != "krboot.py":  # which main.py imports, and which never changes
+            assert name == name_of(content) + ".py"
+            assert is_ours(name)
     assert f"{built.module}.py" in built.files
 
 
@@ -36,7 +37,7 @@ def test_all_files_are_named_by_one_another_from_the_first_on(family: str, tmp_p
     driver(tmp_path, "mine")
     built = Package((tmp_path,)).built(family, ["mine"])
     found = needed([f"{built.module}.py", f"{built.drivers['mine']}.py"], built.files.get)
-    assert found == set(built.files)
+    assert found == set(built.files) - {"krboot.py"}
     for content in built.files.values():
         for name in re.findall(rb"\bkr[0-9a-f]{8}\b", content):
             assert name.decode() + ".py" in built.files

@@ -243,7 +243,7 @@ class _Job:
         if self.replace or MAIN not in names or self._holds(names, MAIN, self.built.main):
             return
         theirs = self.board.read(MAIN)
-        if b"kr0" not in theirs and not self.built.main.startswith(theirs):
+        if b"krboot" not in theirs and not self.built.main.startswith(theirs):
             self.board.end()
             raise ForeignError(
                 "the board holds a `main.py` that is not KitRobot's",
