@@ -7,6 +7,9 @@ from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.package import FAMILIES, Package
 from kitrobot.deploy.program_file import UNUSED, Device, ProgramFile
 
+_PLAIN = {"pin-in", "pin-out"}
+"""Drivers of pins to which one may do both, by turns."""
+
 
 def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
     """Holds the devices against the drivers for a kind of board.
@@ -32,7 +35,7 @@ def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
                     f"`{part}` says the pin `{pin}` for two different things",
                     "give one of them another pin in the robot’s XML",
                 )
-            if pin in wired:
+            if pin in wired and {wired[pin].driver, device.driver} != _PLAIN:
                 raise PackageError(
                     f"`{wired[pin].part}` and `{part}` are both wired to the pin `{pin}`",
                     "give one of them another pin in the robot’s XML, or use only one of them in a program",
