@@ -133,6 +133,21 @@ def test_a_board_that_would_not_start_it_goes_on_with_what_it_had(board: Any, tm
     assert runs(board.address) == first.program
 
 
+def test_a_deploy_that_broke_off_needs_no_reset_to_start_what_was_there(board: Any, tmp_path: Path) -> None:
+    done = put(board.address, bench_program(tmp_path))
+    line = Line(board.address)
+    Receiver(RawRepl(line)).begin()
+    line.close()
+    assert runs(board.address) == done.program
+
+
+def test_at_the_prompt_it_is_started(board: Any, tmp_path: Path) -> None:
+    done = put(board.address, bench_program(tmp_path))
+    with connect(board.address, 10) as found:
+        found.quit()
+    assert runs(board.address) == done.program
+
+
 @pytest.mark.timeout(280)
 def test_a_deploy_that_is_cut_leaves_what_was_there_and_the_next_one_mends_it(board: Any, tmp_path: Path) -> None:
     def made(number: int) -> BoardProgram:

@@ -149,7 +149,12 @@ class Board:
             SilentError: nobody answers.
             BoardError: the board speaks another version of the protocol.
         """
-        _, payload = self._request("h", bytes((link.PROTOCOL,)), tries=tries)
+        kind, payload = self._request("h", bytes((link.PROTOCOL,)), tries=tries)
+        if kind != "H":
+            # A deploy broke off, and what takes files still listens: this ends it.
+            self.line.write(b"\r\x03\x03")
+            self.line.drain(0.2)
+            raise self._silent()
         if payload[:1] != bytes((link.PROTOCOL,)):
             raise _another_version(payload[0] if payload else 0)
         try:
@@ -257,7 +262,10 @@ class Board:
                         why = answer[1][0] if answer[1] else 0
                         raise BoardError(*_REFUSALS.get(why, _REFUSALS[3]))
                     return answer
-        raise SilentError(
+        raise self._silent()
+
+    def _silent(self) -> SilentError:
+        return SilentError(
             f"the board on `{self.line.address}` does not answer",
             "press its reset button; when it holds no KitRobot yet, send it a program with `kitrobot deploy`",
         )
