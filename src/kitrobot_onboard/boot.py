@@ -1,49 +1,32 @@
-# What becomes main.py on a board, and never changes: it starts what the newer whole line of `kr0` and `kr1` names, and
-# leaves the prompt free when that fails. An update writes the other line last, so a cut at any moment leaves one whole.
+# main.py on a board, which never changes: it starts what `krboot` found in `kr0` and `kr1`. An update writes one of
+# these lines last, so a cut at any moment leaves the other whole. When something fails, Python says so, and the prompt
+# is free.
+#
+# It is done here, and not in functions, because all of this stays in memory as long as the robot runs, and because the
+# smallest board's stack holds few calls in one another. What stays of the package shares one space: modules of their
+# own would take 200 bytes more each. What only starts has another, which is emptied before the next comes (emptied,
+# because Python may still hold it): "+" is before a file for that, and "-" runs its `ready` and empties it. The file of
+# these words has 18 characters for each: mark, name, size.
 
-import sys
-
+import krboot
 import micropython
 
 micropython.opt_level(3)  # numbers of lines take room
-
-
-def chosen():
-    """Generation, module and program of the line with the larger generation whose sum fits; None when there is none."""
-    best = None
-    for name in ("kr0", "kr1"):
-        try:
-            file = open(name, "rb")
-            line = file.read(64)
-            file.close()
-            words = line.split()
-            a = b = 0
-            for x in line[: line.rfind(b" ") + 1]:
-                a += x
-                b += a
-            if len(words) == 4 and int(str(words[3], "utf8"), 16) == b % 255 << 8 | a % 255:
-                found = int(words[0]), str(words[1], "utf8"), str(words[2], "utf8")
-                if best is None or found[0] > best[0]:
-                    best = found
-        except (OSError, ValueError):
-            pass
-    return best
-
-
-best = chosen()
-del chosen
-try:
-    if best:
-        # Few calls in one another, for the smallest board's stack; and what only starts is forgotten before it runs.
-        port = __import__(best[1])
-        start = port.start
-        ready = start.readied(port, best[1][2:], None if best[2] == "-" else best[2], best[0])
-        start.forget()
-        del start.readied, start.forget
-        start.run(port, *ready)
-except Exception as error:
-    if not hasattr(sys, "print_exception"):
-        raise
-    sys.print_exception(error)
-finally:
-    micropython.kbd_intr(3)
+if krboot.x[0]:
+    port = __import__(krboot.x[1])
+    a = {}
+    b = {}
+    line = []
+    names = open(port.FILES)
+    while True:
+        name = names.read(18)
+        if not name:
+            break
+        if name[0] == "-":
+            b["ready"](port, krboot.x, line)
+            b.clear()
+        else:
+            file = open(name[1:14])
+            exec(file.read(int(name[14:])), b if name[0] == "+" else a)
+        min(0, 0, 0, 0)  # takes the place of what Python last called, and thereby holds
+    a["run"](port, line)

@@ -1,46 +1,23 @@
-# From power-on to the loop. The order is what makes it fit a small board: the interpreter and the loop first, as long
-# as there is room to compile them; then the program's arrays. What only starts is forgotten before the loop begins.
+# From power-on to the loop, in steps that a small board forgets one after the other: this one makes a robot without a
+# program; `equip` gives it its devices; `load` its program, which then runs.
 
 import struct
 
-from kitrobot_onboard import arrays, equip
-from kitrobot_onboard import program as reading
-from kitrobot_onboard.robot import run  # noqa: F401  main.py takes it from here
-from kitrobot_onboard.state import BEGIN, FAULT, FORCED, HEARD, NAMES, NEWS, REST, SEEN, SENT, STATE, TOLD
+from kitrobot_onboard.state import DUE, FAULT, FORCED, HEARD, NAMES, NEWS, REST, SEEN, SENT, TOLD
 
-LENGTH = 37  # of the list that a robot is: see `state`
+LENGTH = 37  # of the list that a robot is
 
 
-def readied(port, package, program, generation):
-    """A robot, and number, instruction and text of what kept its program from being ready, or None.
+def ready(port, line, robot):
+    """Fills the list that a robot is (see `state`).
 
-    `package` and `program` are names; `program` is None when there is none.
+    `line`: generation, module, program ("-": none), as `kr0` or `kr1` has them.
     """
-    failed = None
-    robot = [b"", [], [], [], [], [], 0, 0, 0, [], [], "", b""]
-    try:
-        if program:
-            loaded = reading.load(program)
-            text = equip.equip(port, loaded)
-            if text:
-                failed = 5, 65535, text
-            else:
-                robot = loaded[0]
-    except MemoryError:
-        failed = 3, 65535, ""
-    except Exception as error:
-        failed = 4, 65535, repr(error)
+    robot += [b"", [], [], [], [], [], 0, 0, 0, [], [], "", b""]
     while len(robot) < LENGTH:
         robot.append(0)
-    robot[STATE] = robot[BEGIN] = 1 if robot[0] else 0
-    robot[FAULT] = 0, 65535, 0, b""
+    robot[FAULT] = 0, 65535, 0, ""
     robot[FORCED] = {}
     robot[REST] = robot[SENT] = robot[NEWS] = robot[SEEN] = b""
-    robot[HEARD] = robot[TOLD] = port.ticks()
-    robot[NAMES] = struct.pack("<H", generation) + bytes(package + " " + (program[2:] if program else "-"), "utf8")
-    return robot, failed
-
-
-def forget():
-    """Makes room: all this was needed once."""
-    del reading.load, reading.is_whole, arrays.arrays, equip.equip
+    robot[DUE] = robot[HEARD] = robot[TOLD] = port.ticks()
+    robot[NAMES] = struct.pack("<H", line[0]) + bytes(line[1][2:] + " " + (line[2][2:] or "-"), "utf8")

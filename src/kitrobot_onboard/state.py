@@ -1,4 +1,4 @@
-# What a robot knows, by its place in the list that the functions of `robot`, `requests` and `report` share. A list,
+# What a robot knows, by its place in the list that the functions of the other modules share. A list,
 # because an attribute costs a small board several times as much, in each place where it is used; and on their way to a
 # board these names become numbers, and this file is left at home.
 
@@ -21,30 +21,29 @@ KINDS = 12  # for each command, twice the number of its arguments, and 1 more wh
 STATE = 13  # 0 no program, 1 ready, 2 running, 3 ended, 4 fault
 COUNT = 14  # ticks
 LATE = 15
-FAULT = 16  # number, instruction, tick, text as bytes
+FAULT = 16  # number, instruction, tick, text
 FORCED = 17  # cell: value
 STEPS = 18  # step by step: no tick is due
 HELD = 19
 DUE = 20  # when the next tick is
 
-# What a request asked for and the next round does.
-HALT = 21
-BEGIN = 22
-WANT = 23  # the number of an `n` that waits for its answer
-GONE = 24  # leave to the prompt
+WANT = 21  # the number of an `n` that waits for its answer
+GONE = 22  # leave to the prompt
+FAILED = 23  # number, instruction and text of a fault that was not told yet, or None
 
 # The link.
-REST = 25  # what was heard and not read yet
-HEARD = 26  # when the last whole frame came
-LAST = 27  # kind and number of the last request
-REPLY = 28  # its answer
-SHOWN = 29  # it shows itself
-NAMES = 30  # the end of H
+REST = 24  # what was heard and not read yet
+HEARD = 25  # when the last whole frame came
+LAST = 26  # kind and number of the last request
+REPLY = 27  # its answer
+SHOWN = 28  # it shows itself
+NAMES = 29  # the end of H
 
 # Whoever watches.
-EVERY = 31  # ms between two T; 0: nobody watches
-TOLD = 32  # when the last was sent
-SENT = 33  # what was told: where each slot stands, each cell's value
-SPOT = 34  # which of those to look at next
-NEWS = 35  # records that wait
-SEEN = 36  # what ran
+EVERY = 30  # ms between two T; 0: nobody watches
+TOLD = 31  # when the last was sent
+SENT = 32  # what was told: where each slot stands, each cell's value
+SPOT = 33  # which of those to look at next
+NEWS = 34  # records that wait
+SEEN = 35  # what ran
+TELL = 36  # the function that tells news, for as long as somebody watches

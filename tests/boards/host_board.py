@@ -16,10 +16,11 @@ import socket
 import tempfile
 import time
 from pathlib import Path
-from types import SimpleNamespace
+from typing import Any
 
+from kitrobot.deploy.package import asked_file
 from kitrobot_onboard.robot import run
-from kitrobot_onboard.start import readied
+from kitrobot_onboard import equip, load, start, whole
 from tests.boards import drivers
 
 PACKAGE = "c0ffee00"
@@ -27,6 +28,8 @@ PACKAGE = "c0ffee00"
 
 class SocketPort:
     """The port of `kitrobot_onboard.robot` over a listening socket; a host that goes is like a cable that is pulled."""
+
+    ASKED = ""
 
     def __init__(self, port: int = 0) -> None:
         self.listener = socket.create_server(("127.0.0.1", port))
@@ -76,14 +79,19 @@ class SocketPort:
             self.peer.close()
             self.peer = None
 
-    def free(self) -> int:
-        return 1_000_000
-
     def identify(self, on: bool) -> None:
         self.shows = on
 
-    def driver(self, name: str) -> SimpleNamespace:
-        return drivers.driver(name)
+    def driver(self, name: str) -> Any:
+        return drivers.driver(name).make
+
+
+def started(port: Any, line: tuple[int, str, str]) -> list[Any]:
+    """A robot that was started in the steps of `kitrobot_onboard.boot`."""
+    robot: list[Any] = []
+    for step in (start, whole, equip, load):
+        step.ready(port, line, robot)
+    return robot
 
 
 def main() -> None:
@@ -95,14 +103,15 @@ def main() -> None:
     port = SocketPort(given.port)
     print(port.address, flush=True)
     with tempfile.TemporaryDirectory() as folder:
-        name = None
+        name = "-"
         if given.program is not None:
             data = given.program.read_bytes()
             name = "kp" + hashlib.sha256(data).hexdigest()[:8]
             (Path(folder) / name).write_bytes(data)
+        port.ASKED = str(Path(folder) / "asked")
+        Path(port.ASKED).write_bytes(asked_file())
         with contextlib.chdir(folder):
-            robot, failed = readied(port, PACKAGE, name, given.generation)
-            run(port, robot, failed)
+            run(port, started(port, (given.generation, "kr" + PACKAGE, name)))
 
 
 if __name__ == "__main__":

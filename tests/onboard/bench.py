@@ -6,12 +6,14 @@ import queue
 import struct
 import threading
 from pathlib import Path
-from types import SimpleNamespace, TracebackType
+from types import TracebackType
+from typing import Any
 
+from kitrobot.deploy.package import asked_file
 from kitrobot_onboard.link import unwrap, wrap
 from kitrobot_onboard.robot import run
-from kitrobot_onboard.start import readied
 from tests.boards import drivers
+from tests.boards.host_board import started
 
 PATIENCE_S = 5
 CHUNK = 60
@@ -21,6 +23,8 @@ class Wire:
     """The port: what it reads and when is up to the test."""
 
     BYTE_US = 87
+
+    ASKED = ""
 
     def __init__(self) -> None:
         self.now = 0
@@ -56,14 +60,11 @@ class Wire:
         self.now += len(data) * self.BYTE_US // 1000
         self.sent += data
 
-    def free(self) -> int:
-        return 4321
-
     def identify(self, on: bool) -> None:
         self.shows = on
 
-    def driver(self, name: str) -> SimpleNamespace:
-        return drivers.driver(name)
+    def driver(self, name: str) -> Any:
+        return drivers.driver(name).make
 
 
 class Bench:
@@ -71,15 +72,19 @@ class Bench:
 
     def __init__(self, folder: Path, program: bytes | None = None) -> None:
         self.wire = Wire()
-        name = None
+        self.wire.ASKED = str(folder / "asked")
+        Path(self.wire.ASKED).write_bytes(asked_file())
+        name = "-"
         if program is not None:
             name = str(folder / "kp12345678")
             Path(name).write_bytes(program)
-        self.robot, failed = readied(self.wire, "c0ffee00", name, 7)
+        self.robot = started(self.wire, (7, "krc0ffee00", name))
 
         def loop() -> None:
             try:
-                run(self.wire, self.robot, failed)
+                run(self.wire, self.robot)
+            except KeyboardInterrupt:
+                pass
             finally:
                 self.wire.idle.put(False)
 

@@ -33,6 +33,7 @@ def short_names(trees: Iterable[ast.Module], first: ast.Module) -> dict[str, str
     modules = list(trees)
     kept = set(DRIVER_FACE | _FOREIGN | set(keyword.kwlist))
     kept.update(node.attr for node in ast.walk(first) if isinstance(node, ast.Attribute))
+    kept.update(_others(first))
     defined: set[str] = set()
     for tree in modules:
         defined.update(_defined(tree))
@@ -70,6 +71,22 @@ def renamed(tree: ast.Module, names: Mapping[str, str]) -> ast.Module:
             case ast.Import() | ast.ImportFrom():
                 for alias in node.names:
                     _rename_import(alias, names, ours=False)
+    return tree
+
+
+def with_short_parameters(tree: ast.Module) -> ast.Module:
+    """The module with letters for the parameters of its functions: its calls name none of them."""
+    for function in tree.body:
+        if isinstance(function, ast.FunctionDef):
+            letters = {given.arg: _LETTERS[number] for number, given in enumerate(function.args.args)}
+            taken = {node.id for node in ast.walk(function) if isinstance(node, ast.Name)} - set(letters)
+            if taken & set(letters.values()):
+                continue
+            for node in ast.walk(function):
+                if isinstance(node, ast.Name):
+                    node.id = letters.get(node.id, node.id)
+                elif isinstance(node, ast.arg):
+                    node.arg = letters.get(node.arg, node.arg)
     return tree
 
 

@@ -21,8 +21,9 @@ import kitrobot_onboard
 from kitrobot.deploy.constants import Constants, constants_of, told_in_place
 from kitrobot.deploy.declarations import Declared, declared, without_declarations
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.naming import renamed, short_names
+from kitrobot.deploy.naming import renamed, short_names, with_short_parameters
 from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot_onboard.asked import ASKED
 
 ONBOARD = Path(kitrobot_onboard.__file__).parent
 _ROOT = "kitrobot_onboard"
@@ -33,7 +34,12 @@ _MOST_BYTES = 200_000
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
 """Kinds of boards, with the folders of shipped drivers that they look into; each has its module in `ports`."""
 
-_NOT_CARRIED = ("__init__.py", "boot.py", "image.py", "receiver.py")
+FIRST_TO_LAST = ("+start", "-", "+whole", "-", "+device", "+equip", "+perform", "-", "+arrays", "+load", "-")
+STAYING = ("robot", "hearing", "obeying", "sensing", "acting", "link", "reaction", "perform")
+"""Modules of the package in the order in which a board takes them, as `kitrobot_onboard.boot` says: the largest first,
+because there is less and less room to compile them."""
+
+_NOT_CARRIED = ("__init__.py", "boot.py", "krboot.py", "image.py", "receiver.py")
 """Modules of `kitrobot_onboard` that no other module on a board imports."""
 
 
@@ -92,14 +98,15 @@ class Package:
             PackageError: a driver is missing, or is no Python.
         """
         making = _Making()
-        first = making.add(ONBOARD / "ports" / f"{family}.py")
+        first = making.add_port(ONBOARD / "ports" / f"{family}.py")
         modules = {}
         for driver in dict.fromkeys(drivers):
             path = self.driver_file(driver, family)
             if path is None:
                 raise missing_driver(driver, self, family)
             modules[driver] = making.add(path)
-        main = shortened(parsed(_read(ONBOARD / "boot.py"), "boot.py")).encode()
+        main, choosing = (shortened(parsed(_read(ONBOARD / name), name)).encode() for name in ("boot.py", "krboot.py"))
+        making.files["krboot.py"] = choosing
         return Built(making.files, first, modules, main)
 
 
@@ -139,17 +146,76 @@ class _Making:
             tree = without_declarations(tree)
         tree = _Imports(self, path).visit(tree)
         self.open.pop()
-        content = _short(ast.unparse(ast.fix_missing_locations(tree))).encode()
-        name = self.names[path] = name_of(content)
+        return self._file(tree, path)
+
+    def add_port(self, path: Path) -> str:
+        """Adds the first module, which tells what else there is: what only starts, what stays, what is asked."""
+        tree = parsed(_read(path), str(path))
+        told = {
+            "FILES": self._stored("".join(map(self.add_part, (*FIRST_TO_LAST, *STAYING))).encode()) + ".py",
+            "ASKED": self._stored(asked_file()) + ".py",
+        }
+        tree.body = [statement for statement in tree.body if not _is_for_the_package(statement)]
+        interpreter = self.add(ONBOARD / "interpreter.py")  # the largest, while there is room
+        tree.body[:0] = [
+            ast.Import([ast.alias(interpreter)]),
+            *(ast.Assign([ast.Name(name)], ast.Constant(text)) for name, text in told.items()),
+        ]
+        return self._file(renamed(tree, _names()), path)
+
+    def add_part(self, part: str) -> str:
+        """Adds a file whose names share a space with those of others, so that it needs no imports of ours; its word."""
+        mark, name = (part[0], part[1:]) if part[0] in "+-" else ("=", part)
+        if not name:
+            return f"{mark:18}"
+        path = ONBOARD / f"{name}.py"
+        name = self.names[path] = self._stored(_part(path))
+        return f"{mark}{name}.py{len(_part(path)):04}"
+
+    def _file(self, tree: ast.Module, path: Path) -> str:
+        name = self.names[path] = self._stored(_short(ast.unparse(ast.fix_missing_locations(tree))).encode())
+        return name
+
+    def _stored(self, content: bytes) -> str:
+        name = name_of(content)
         self.files[name + ".py"] = content
         return name
+
+
+@cache
+def _part(path: Path) -> bytes:
+    tree = parsed(_read(path), str(path))
+    tree = renamed(told_in_place(tree, constants_of(tree), _constants()), _names())
+    for statement in tree.body[:]:
+        if isinstance(statement, ast.ImportFrom) and (statement.module or "").startswith(_ROOT):
+            if statement.module == f"{_ROOT}.interpreter":
+                statement.module = _Making().add(ONBOARD / "interpreter.py")
+            else:
+                tree.body.remove(statement)
+    return _short(ast.unparse(ast.fix_missing_locations(with_short_parameters(tree)))).encode()
+
+
+def asked_file() -> bytes:
+    """What a board reads when it is asked: each answer behind its letter and its size."""
+    parts = {kind: _part(ONBOARD / "asked" / f"{name}.py") for kind, name in ASKED.items()}
+    return b"".join(f"{kind} {len(part)}\n".encode() + part for kind, part in parts.items())
+
+
+def _is_for_the_package(statement: ast.stmt) -> bool:
+    match statement:
+        case ast.Assign(targets=[ast.Name(id="FILES"), *_]):
+            return True
+    return False
 
 
 @cache
 def _carried() -> frozenset[Path]:
     """The modules that call one another; drivers are called by fixed names only."""
     return frozenset(
-        path for folder in (ONBOARD, ONBOARD / "ports") for path in folder.glob("*.py") if path.name not in _NOT_CARRIED
+        path
+        for folder in (ONBOARD, ONBOARD / "ports", ONBOARD / "asked")
+        for path in folder.glob("*.py")
+        if path.name not in _NOT_CARRIED
     )
 
 

@@ -1,7 +1,6 @@
 # Boards with MicroPython 1.20 and later (ESP32, RP2040, STM32, …): their link is the line that the prompt uses, be it
 # USB or serial. What comes in is polled, so waiting for it lets the processor sleep.
 
-import gc
 import sys
 from select import POLLIN, poll
 from time import ticks_add as add  # noqa: F401
@@ -10,16 +9,14 @@ from time import ticks_ms as ticks  # noqa: F401
 
 import micropython
 
-from kitrobot_onboard import start  # noqa: F401  main.py takes it from here
-
 MOST = 64  # bytes that are taken at once, so that a flood does not make a tick late
-driver = __import__
+FILES = ASKED = ""  # filled in by the package: what to start with, in order; what is read when it is asked
 write = sys.stdout.buffer.write
 take = sys.stdin.buffer.read
 line = poll()
 line.register(sys.stdin, POLLIN)
 lamp = None
-micropython.kbd_intr(-1)  # from now on, 0x03 is a byte like any other; main.py undoes it
+micropython.kbd_intr(-1)  # from now on, 0x03 is a byte like any other; the prompt undoes it
 
 
 def read(ms):
@@ -28,11 +25,6 @@ def read(ms):
     while len(data) < MOST and line.poll(0 if data else ms):
         data += take(1) or b""
     return data
-
-
-def free():
-    gc.collect()
-    return gc.mem_free()
 
 
 def identify(on):
