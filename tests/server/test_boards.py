@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from pydantic import TypeAdapter
 
-from kitrobot.deploy import BOARDS_VARIABLE, ForeignError, FullError
+from kitrobot.deploy import BOARDS_VARIABLE, ForeignError, FullError, Hello, News
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.board_links import RealLinks
 from kitrobot.server.board_room import BoardRoom
@@ -344,3 +344,50 @@ def test_a_refused_sending_says_how_it_can_be_asked_for_again(visit, app, robot,
         page.give("send", robot.address, then="ready", **{way: True})
         page.until("board", lambda said: len(links.asked) == 2 and said["phase"] == "closed" and said["way"] == way)
     assert links.asked == [(False, False), (way == "replace", way == "fresh")]
+
+
+class Flickering:
+    """A robot that loses its power for a moment, soon after it was started, and then runs by itself."""
+
+    def __init__(self) -> None:
+        self.tick = 0
+        self.state = 1
+        self.stopped = 0
+
+    def greet(self) -> Hello:
+        return Hello(1, self.state, 0, 2000, self.tick, 0, 1, "c0ffee00", "-")
+
+    def start(self, held: bool = False) -> None:
+        self.tick, self.state = 100, 2
+
+    def stop(self) -> None:
+        self.state, self.stopped = 1, self.stopped + 1
+
+    def news(self, timeout: float) -> News:
+        time.sleep(0.01)
+        told = News(self.tick, {}, {})
+        # The light goes out and on once it has told something of its run.
+        self.tick = 1 if self.tick == 100 else self.tick + 1
+        return told
+
+    def last_fault(self) -> None:
+        return None
+
+    def close(self) -> None:
+        pass
+
+
+def test_a_held_robot_that_began_anew_by_itself_is_stopped(visit, app, monkeypatch) -> None:
+    monkeypatch.setattr("kitrobot.server.board_hand.LOOK_S", 0.0)
+    board = Flickering()
+
+    class Links(RealLinks):
+        def connect(self, address):
+            return board
+
+    app.state.studio.boards = BoardRoom(Links())
+    with visit() as page:
+        page.give("connect", "socket://127.0.0.1:1")
+        page.send("start", "socket://127.0.0.1:1", held=True)
+        said = page.until("board", lambda said: "began anew" in said["message"])
+        assert (said["state"], said["held"], board.stopped) == ("ready", False, 1)

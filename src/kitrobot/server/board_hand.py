@@ -354,11 +354,27 @@ class Hand:
         self._looked = self._clock()
         hello = board.greet()
         state, was = STATES[hello.state], self.standing
+        if state == was.state == RUNNING and hello.tick < was.tick:
+            self._began_anew(board)
+            return
         ended = was.state == RUNNING and state != RUNNING
         if ended or (state, hello.free) != (was.state, was.free):
             self._say(state=state, free=hello.free, tick=hello.tick, threads={} if ended else was.threads)
         if state == "fault" and was.fault is None:
             self._tell_fault(board.last_fault())
+
+    def _began_anew(self, board: Board) -> None:
+        """It was without power for a moment, and runs by itself as it does when that comes back."""
+        message = f"`{self.name}` began anew by itself"
+        if self.standing.held:
+            board.stop()
+            help = "it was stopped; it may have lost its power for a moment: look at its battery and cable"
+            self._say(state="ready", held=False, threads={}, forced={}, message=message, help=help)
+            return
+        if self.standing.known is not None:
+            board.watch(WATCH_MS)
+        help = "it may have lost its power for a moment: look at its battery and cable"
+        self._say(tick=0, threads={}, cells={}, forced={}, message=message, help=help)
 
     def _take_in(self, news: News) -> None:
         was = self.standing

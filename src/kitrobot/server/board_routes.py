@@ -52,7 +52,7 @@ async def boards(socket: WebSocket) -> None:
         message = BoardRefusedMessage(
             address="",
             message=spoken("the robots are plugged into another machine"),
-            help=spoken("they can be used there; or have the studio started with `--boards`"),
+            help=spoken("use them there"),
             problems=[],
         )
         await socket.send_text(message.model_dump_json())

@@ -4,6 +4,7 @@
  */
 import { create } from "zustand";
 
+import { useNarrow } from "../reach/Narrow";
 import { useRun } from "../run/run";
 import { complain } from "../shell/document";
 import { useLayout } from "../shell/layout";
@@ -23,6 +24,8 @@ export function showRobots(open = true): void {
   const { folded, toggle } = useLayout.getState();
   // It stands where the arena does; that may have been folded away.
   if (open && folded.arena) toggle("arena");
+  // On a phone one room is open at a time.
+  if (open) useNarrow.setState({ room: "arena" });
   useRobotsPanel.setState({ open });
 }
 
