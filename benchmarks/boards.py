@@ -10,7 +10,6 @@ takes as long each time (`-icount shift=6`); the other a current MicroPython as 
 from __future__ import annotations
 
 import argparse
-import ast
 import tempfile
 import time
 from contextlib import AbstractContextManager
@@ -18,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from kitrobot.deploy import Deployed, Line, RawRepl, connect, deploy
+from kitrobot.deploy import Deployed, Line, RawRepl, Receiver, connect, deploy
 from kitrobot.workspace import BoardProgram, load_board_program
 
 FORGETS = """
@@ -70,10 +69,8 @@ def program(folder: Path, tick_ms: int, keep: int, text: str = LOOP) -> BoardPro
     return load_board_program(path, robot=str(folder / "measured.robot.xml"))
 
 
-def measure(
-    address: str, family: str, *, tick_ms: int, ticks: int, watched_ms: int = 0, limit_s: float = 300
-) -> Measured:
-    """Runs the loop for so many ticks. `family`: of the board. `watched_ms`: somebody watches, with news that often.
+def measure(address: str, *, tick_ms: int, ticks: int, watched_ms: int = 0, limit_s: float = 300) -> Measured:
+    """Runs the loop for so many ticks. `watched_ms`: somebody watches, with news that often.
 
     Raises:
         TimeoutError: it takes longer than `limit_s`.
@@ -81,7 +78,6 @@ def measure(
     with tempfile.TemporaryDirectory() as folder:
         made = program(Path(folder), tick_ms, ticks)
         deployed = deploy(address, made.file.to_bytes(), made.package)
-        clock = made.package.built(family, made.file.drivers).drivers["clock"]
     until = time.monotonic() + limit_s
     last = deployed.hello.tick + ticks + 10
     with connect(address, 20) as board:
@@ -94,7 +90,7 @@ def measure(
                 _hurry(until)
                 time.sleep(0.5)  # nobody speaks to it meanwhile
         board.quit()
-    return Measured(_log(address, clock), deployed)
+    return Measured(_log(address), deployed)
 
 
 def _hurry(until: float) -> None:
@@ -102,18 +98,13 @@ def _hurry(until: float) -> None:
         raise TimeoutError("the board does not get on with its ticks")
 
 
-def _log(address: str, module: str) -> list[int]:
-    """What the clock kept, asked at the prompt that the robot left to: its memory is as it was."""
+def _log(address: str) -> list[int]:
+    """What the clock wrote down."""
     line = Line(address)
     try:
-        line.write(b"\r\x03\x03\r\x01")
-        line.read_until(b"exit\r\n>", 20)
-        repl = RawRepl(line)
-        count = int(repl.run(f"from {module} import log;print(len(log))", 20))
-        found: list[int] = []
-        for at in range(0, count, 20):
-            found += ast.literal_eval(repl.run(f"print(list(log[{at}:{at + 20}]))", 20))
-        return found
+        receiver = Receiver(RawRepl(line))
+        receiver.begin()
+        return [int(word) for word in receiver.read("intervals").split()]
     finally:
         line.close()
 
@@ -158,12 +149,11 @@ def main() -> None:
     parser.add_argument("--board", choices=("modern", "microbit"), default="modern")
     parser.add_argument("--ticks", type=int, help="how many (modern 500, micro:bit 60, as far as its memory goes)")
     given = parser.parse_args()
-    family = "machine" if given.board == "modern" else "microbit"
     ticks = given.ticks or (500 if given.board == "modern" else 60)
 
     def once(tick_ms: int, watched_ms: int) -> Measured:
         with _board(given.board) as board:
-            return measure(board.address, family, tick_ms=tick_ms, ticks=ticks, watched_ms=watched_ms)
+            return measure(board.address, tick_ms=tick_ms, ticks=ticks, watched_ms=watched_ms)
 
     print(f"board: {given.board}; {ticks} ticks; ms off the tick: median · 95 % · worst")
     print(f"a tick of 20 ms, nobody watches: {shown(once(20, 0), 20)}")

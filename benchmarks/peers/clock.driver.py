@@ -20,6 +20,11 @@ class Clock:
         now = ticks_us()
         if 0 <= self.next < len(log):
             log[self.next] = ticks_diff(now, self.last)
+        elif self.next == len(log):
+            file = open("intervals", "w")
+            for interval in log:
+                file.write("%d " % interval)
+            file.close()
         self.next += 1
         self.last = now
         return 0

@@ -20,6 +20,7 @@ from kitrobot.deploy import Board, Line, RawRepl, connect
 from kitrobot.image import Layout, Machine
 from kitrobot.lll import print_program
 from kitrobot.primitives import load_catalogue
+from kitrobot_onboard.link import wrap
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.strategies import Shape, TickInputs, random_program, random_script
 
@@ -172,6 +173,8 @@ def test_the_link_survives_noise_and_floods_while_it_runs(kit: ModernBoard) -> N
         for _ in range(20):
             # Two 0x03 in a row would rightly lead to the prompt.
             line.write(bytes(byte for byte in rng.randbytes(500) if byte != 3))
+        line.write(b"~" + wrap("p", 99, b""))
+        assert line.read_until(wrap("K", 99, b""), 30).endswith(wrap("K", 99, b"")), "all of it was read"
     finally:
         line.close()
     with connect(kit.address, 20) as board:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import kitrobot_onboard
-from kitrobot.deploy import FAMILIES, Package, PackageError, make_program_file, refuse_what_fits_no_board
+from kitrobot.deploy import FAMILIES, Package, PackageError
 from kitrobot.deploy.declarations import Setting, declared
 from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.program_file import Device, ProgramFile
@@ -113,10 +113,11 @@ def test_two_parts_on_one_pin_are_refused() -> None:
         "a led - - pin=LED active=low",
         "s line 1 0 1 pin=26 threshold=30000",
         "s random 1 0 1",
+        "s pin-in 1 0 1 pin=2\na pin-out - Write/1 pin=2",
     ],
 )
 def test_what_a_driver_understands_is_taken(line: str) -> None:
-    refuse_misfits(file_of(line), Package(), "machine")
+    refuse_misfits(file_of(*line.split("\n")), Package(), "machine")
 
 
 def test_a_driver_that_says_nothing_is_told_anything(tmp_path: Path) -> None:
@@ -140,7 +141,7 @@ def test_declarations_do_not_land_on_a_board() -> None:
 
 @pytest.mark.parametrize(
     "path",
-    sorted([*DRIVERS.glob("machine/*.py"), *DRIVERS.glob("any/*.py")]),
+    sorted(DRIVERS.glob("*/*.py")),
     ids=lambda path: f"{path.parent.name}/{path.stem}",
 )
 def test_every_shipped_driver_declares_its_settings(path: Path) -> None:
@@ -155,21 +156,14 @@ def test_every_shipped_driver_declares_its_settings(path: Path) -> None:
         assert says.procedures
 
 
-@pytest.mark.parametrize("robot", ["kit-robot"])
+@pytest.mark.parametrize("robot", ["kit-robot", "microbit"])
 def test_shipped_robots_fit_their_boards(robot: str) -> None:
     found = load_catalogue().robots[robot]
-    devices = make_program_file_of(found)
     package = Package()
-    families = [family for family in FAMILIES if not package.missing(devices.drivers, family)]
-    assert families
-    refuse_what_fits_no_board(devices, package)
-
-
-def make_program_file_of(robot: object) -> ProgramFile:
-    from kitrobot.compiler import compile_text
-    from kitrobot.primitives import Robot
-
-    assert isinstance(robot, Robot)
-    image = compile_text("WAIT(1);", robot).image
-    assert image is not None
-    return make_program_file(image, robot, all_devices=True)
+    for part in (*found.actuators, *found.sensors):
+        driver = part.board.driver or part.device
+        family = next(family for family in FAMILIES if package.driver_file(driver, family))
+        settings = [f"{name}={value}" for name, value in part.board.settings.items()]
+        calls = ",".join(f"{method.name}/{len(method.parameters)}" for method in part.methods)
+        words = ["a", driver, "-", calls] if part in found.actuators else ["s", driver, "1", "0", "1"]
+        refuse_misfits(file_of(" ".join([*words, *settings])), package, family)
