@@ -7,14 +7,15 @@
 #   d  the payload is written to the file that `o` opened; answered by K
 #   q  the end; answered by K
 #
-# A small board's stack is small too: what a value calls must not call much further. What goes wrong is answered by E and the exception. 0x03 twice in a row, which never stands in a frame, ends it too.
+# A small board's stack is small too: what a value calls must not call much further. What goes wrong is answered by E
+# and the exception. 0x03 twice in a row, which never stands in a frame, ends it too.
 
 import builtins
 import os
 
 import micropython
 
-from kitrobot_onboard.link import checksum, unwrap, wrap
+from kitrobot_onboard.link import unwrap, wrap
 
 try:
     import sys

@@ -209,7 +209,10 @@ class _Job:
         self._said = ""
         while True:
             self.board.repl.leave()
-            self._said = _last_line(self.line.drain(0.2, 2)) or self._said
+            printed = self.line.drain(0.2, 2)
+            self._said = _last_line(printed) or self._said
+            if self._said and printed.endswith(b">>> "):
+                raise SilentError("the board starts something else")  # Python has said why, and gave up
             for _ in range(3):
                 try:
                     board = Board(self.line, 3)
