@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -27,11 +26,8 @@ def microbit() -> Iterator[Emulated]:
         yield board
 
 
-@pytest.fixture(params=[pytest.param("microbit", marks=pytest.mark.boards), "modern"])
-def board(request: pytest.FixtureRequest) -> Iterator[Any]:
-    """Each of the boards: `address`, `cut_power()`."""
-    if request.param == "microbit":
-        yield request.getfixturevalue("microbit")
-    else:
-        with ModernBoard() as made:
-            yield made
+@pytest.fixture
+def board() -> Iterator[ModernBoard]:
+    """A board with a current MicroPython: `address`, `cut_power()`."""
+    with ModernBoard() as made:
+        yield made

@@ -70,7 +70,20 @@ class Broken(Stores):
         return 0
 
 
-ACTUATORS = ("stores", "unused", "display", "music", "pin-out", "led", "servo", "pwm-motor", "drive", "door", "lamp", "arm")
+ACTUATORS = (
+    "stores",
+    "unused",
+    "display",
+    "music",
+    "pin-out",
+    "led",
+    "servo",
+    "pwm-motor",
+    "drive",
+    "door",
+    "lamp",
+    "arm",
+)
 SENSORS = ("zero", "key", "accelerometer", "pin-in", "random", "ultrasonic", "line", "range", "ground")
 _KINDS: dict[str, type] = {
     **dict.fromkeys(ACTUATORS, Stores),

@@ -19,8 +19,8 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.deploy.package import asked_file
-from kitrobot_onboard.robot import run
 from kitrobot_onboard import equip, load, start, whole
+from kitrobot_onboard.robot import run
 from tests.boards import drivers
 
 PACKAGE = "c0ffee00"

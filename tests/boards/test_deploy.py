@@ -13,7 +13,6 @@ from kitrobot.deploy import BoardError, Deployed, Line, LineError, RawRepl, Rece
 from kitrobot.workspace import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.proxy import Proxy, noise
-from tests.boards.qemu import Emulated
 
 THOROUGH = bool(os.environ.get("KITROBOT_THOROUGH"))
 """Every single message is cut, and many seeds are tried; else every tenth, and few."""
@@ -99,7 +98,7 @@ def test_what_nobody_names_any_more_is_removed_by_the_next_installation(board: A
     assert len(programs) == 2
     package = bench_program(tmp_path, OTHER, "d")
     modules = {name for name in names if name.endswith(".py")} - {"main.py"}
-    kind = "microbit" if isinstance(board, Emulated) else "machine"
+    kind = "machine"
     assert len(modules) == len(package.package.built(kind, package.file.drivers).files) + 1  # the driver before
 
 
@@ -195,7 +194,7 @@ def test_bytes_that_are_lost_changed_and_added_are_mended(board: Any, tmp_path: 
     assert program.is_called(done.program)
     assert runs(board.address) == done.program
     files = files_of(board.address)
-    kind = "microbit" if isinstance(board, Emulated) else "machine"
+    kind = "machine"
     built = program.package.built(kind, program.file.drivers)
     for name, content in built.files.items():
         assert files[name] == content
