@@ -15,7 +15,9 @@ MELODIES = (
 
 class Music:
     def __init__(self, settings):
-        self.pin = getattr(microbit, "pin" + settings.get("pin", "0"))
+        # Pin 0 goes without saying: the firmware of 2016, told of it, does not come back from a tone.
+        pin = settings.get("pin", "0")
+        self.pins = () if pin == "0" else (getattr(microbit, "pin" + pin),)
         self.until = 0
 
     def do(self, procedure, arguments):
@@ -24,7 +26,7 @@ class Music:
         if procedure == "Tone":
             length = arguments[1] if len(arguments) > 1 else -1
             if arguments[0] > 0 and length:
-                music.pitch(arguments[0], length, self.pin, False)
+                music.pitch(arguments[0], length, *self.pins, wait=False)
         elif procedure == "Play":
             at = 0
             for _ in range(min(arguments[0], 11)):
@@ -32,14 +34,14 @@ class Music:
             word = MELODIES[at : MELODIES.find(",", at)]
             name = word.rstrip("0123456789")
             length = 125 * int(word[len(name) :])
-            music.play(getattr(music, name), self.pin, False)
+            music.play(getattr(music, name), *self.pins, wait=False)
         self.until = microbit.running_time() + length
 
     def done(self):
         return microbit.running_time() >= self.until
 
     def stop(self):
-        music.stop(self.pin)
+        music.stop(*self.pins)
 
 
 def make(settings):
