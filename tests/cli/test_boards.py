@@ -211,7 +211,13 @@ def test_the_table_stays_in_its_place_until_ctrl_c(robot, pulse):
     command = [sys.executable, "-m", "kitrobot", "watch", "--to", robot.address, "--mission", str(pulse)]
     with open(ours, "rb", buffering=0) as terminal:
         process = subprocess.Popen(
-            command, stdout=theirs, stderr=theirs, cwd=ROOT, env={**os.environ, "COLUMNS": "100"}
+            command,
+            stdout=theirs,
+            stderr=theirs,
+            cwd=ROOT,
+            env={**os.environ, "COLUMNS": "100"},
+            # Who runs the tests in the background has it ignored, and children inherit that.
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
         )
         os.close(theirs)
         drawn = b""

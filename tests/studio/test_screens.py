@@ -24,6 +24,19 @@ def needs_axe() -> None:
         pytest.fail("the page's tools are not installed; run `make install`")
 
 
+def select(studio: Studio, testid: str) -> None:
+    """Clicks a vertex until it is selected: a theme or a language that comes in just then takes a click away."""
+    at = studio.at(testid)
+    for _ in range(6):
+        at.click()
+        try:
+            expect(at).to_have_class(re.compile("is-selected"), timeout=5000)
+        except AssertionError:
+            continue
+        return
+    raise AssertionError(f"{testid} was not selected")
+
+
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_the_tools_of_the_canvas(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)
@@ -72,7 +85,7 @@ def test_axe_finds_nothing_on_problems_and_on_text_with_a_mistake(
     studio = open_studio(TRANSPORT)
     choose(studio, *look)
     keys = studio.page.keyboard
-    studio.page.locator(".vertex").first.click()
+    select(studio, "vertex-start")
     keys.press("/")
     expect(studio.at("add-find")).to_be_focused()
     keys.type("while")

@@ -290,7 +290,9 @@ def test_skip_back_leave_and_come_back(open_studio: OpenStudio) -> None:
     studio.at("tutorial-step-3").click()
     # Loaded again in the middle: everything is as it was.
     expect(studio.at("saved-state")).to_have_text("not saved")
-    with studio.page.expect_response(lambda answer: "journal" in answer.url and answer.ok):
+    with studio.page.expect_response(
+        lambda answer: "journal" in answer.url and answer.ok and "Add Wait" in (answer.request.post_data or "")
+    ):
         studio.drop("Wait", "arc-v1.next")
     at_step(studio, 4)
     studio.page.reload()
