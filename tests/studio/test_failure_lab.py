@@ -197,6 +197,8 @@ def test_the_list_of_what_happened_says_who_brought_it_about_and_leads_there(ope
     studio.full_speed()
     studio.at("run-button").click()
     expect(studio.at("event-list").locator('tr[data-kind="load"]').first).to_be_visible()
+    # Until the run has ended, rows that come move the others away under the pointer.
+    expect(studio.at("pause-button")).to_be_disabled()
     studio.at("event-list").locator('tr[data-kind="failure"] button').click()
     expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", at)
     expect(studio.at("status")).to_have_attribute("data-status", "paused")
