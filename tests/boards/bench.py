@@ -57,6 +57,12 @@ OTHER = """*[Run.IsTrue()](
   [Captor.GreaterThan(90)](Wheel.Stop(); )!();
 );
 """
+TURNS = """//(
+  *[Run.IsTrue()]([Captor.GreaterThan(50)](Wheel.Advance(80); )!(Motor.Turn(90); ); WAIT(1); ),
+  *[Run.IsTrue()](Count.Add(7); [Captor.LessThan(20)](Wheel.Stop(); )!(); WAIT(3); )
+);
+"""
+PROGRAMS = (ONE, OTHER, TURNS, "Wheel.Advance(30); WAIT(4); Motor.Turn(10); Wheel.Stop();")
 
 
 def bench_program(folder: Path, text: str = ONE, mark: str = "one") -> BoardProgram:

@@ -98,8 +98,7 @@ def test_what_nobody_names_any_more_is_removed_by_the_next_installation(board: A
     assert len(programs) == 2
     package = bench_program(tmp_path, OTHER, "d")
     modules = {name for name in names if name.endswith(".py")} - {"main.py"}
-    kind = "machine"
-    assert len(modules) == len(package.package.built(kind, package.file.drivers).files) + 1  # the driver before
+    assert len(modules) == len(package.package.built("machine", package.file.drivers).files) + 1  # the driver before
 
 
 def test_a_main_of_somebody_else_is_only_overwritten_when_asked(board: Any, tmp_path: Path) -> None:
@@ -194,7 +193,6 @@ def test_bytes_that_are_lost_changed_and_added_are_mended(board: Any, tmp_path: 
     assert program.is_called(done.program)
     assert runs(board.address) == done.program
     files = files_of(board.address)
-    kind = "machine"
-    built = program.package.built(kind, program.file.drivers)
+    built = program.package.built("machine", program.file.drivers)
     for name, content in built.files.items():
         assert files[name] == content

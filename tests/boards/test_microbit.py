@@ -24,18 +24,13 @@ from kitrobot.deploy.shortening import parsed, shortened
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Image, Machine
 from kitrobot.workspace import find_robot
-from tests.boards.bench import ONE, OTHER, bench_program
+from tests.boards.bench import PROGRAMS, bench_program
 from tests.boards.proxy import Proxy, noise
 from tests.boards.qemu import Emulated
 
 pytestmark = pytest.mark.boards
 
 TICKS = 400 if os.environ.get("KITROBOT_THOROUGH") else 60
-TURNS = """//(
-  *[Run.IsTrue()]([Captor.GreaterThan(50)](Wheel.Advance(80); )!(Motor.Turn(90); ); WAIT(1); ),
-  *[Run.IsTrue()](Count.Add(7); [Captor.LessThan(20)](Wheel.Stop(); )!(); WAIT(3); )
-);
-"""
 MAIN = "from kri import tick\nexec(open('run').read())\n"
 """First the tick, while there is room to compile it."""
 
@@ -58,22 +53,21 @@ print('done')
 """
 
 
-@pytest.fixture
-def receiver(microbit: Emulated) -> Iterator[Receiver]:
-    line = Line(microbit.address)
-    made = Receiver(RawRepl(line))
-    yield made
-    line.close()
-
-
-def put(address: str, content: bytes) -> None:
+@contextlib.contextmanager
+def receiving(address: str) -> Iterator[Receiver]:
+    """The receiver on a board, for as long as the line is open."""
     line = Line(address)
     try:
         receiver = Receiver(RawRepl(line))
         receiver.begin()
-        receiver.write("data", content)
+        yield receiver
     finally:
         line.close()
+
+
+def put(address: str, content: bytes) -> None:
+    with receiving(address) as receiver:
+        receiver.write("data", content)
 
 
 def restarted(line: Line) -> str:
@@ -84,32 +78,32 @@ def restarted(line: Line) -> str:
     return line.read_until(b">>> ", 120).decode(errors="replace").replace("\r\n", "\n")
 
 
-def test_the_same_tick_gives_the_same_in_every_tick(receiver: Receiver, tmp_path: Path) -> None:
+def test_the_same_tick_gives_the_same_in_every_tick(microbit: Emulated, tmp_path: Path) -> None:
     interpreter = files("kitrobot_onboard").joinpath("interpreter.py").read_text(encoding="utf-8")
-    receiver.begin()
-    receiver.write("kri.py", shortened(parsed(interpreter, "interpreter.py")).encode())
-    receiver.write("main.py", MAIN.encode())
-    for number, text in enumerate((ONE, OTHER, TURNS, "Wheel.Advance(30); WAIT(4); Motor.Turn(10); Wheel.Stop();")):
-        image = Image.from_bytes(bench_program(tmp_path, text).file.image)
-        machine = Machine(image, find_robot(str(tmp_path / "bench.robot.xml")))
-        run = RUN.format(
-            cells=machine.cells, threads=machine.threads, pars=machine.pars, out=machine.out, width=image.inputs
-        )
-        chance = random.Random(number)
-        inputs, expected = b"", []
-        for _ in range(TICKS):
-            values = [chance.randrange(101) if chance.random() < 0.5 else 1 for _ in range(image.inputs)]
-            inputs += bytes(values)
-            machine.cells[1 : 1 + image.inputs] = values
-            machine.tick()
-            expected.append(f"{list(machine.out)} {list(machine.threads)} {machine.cells[0]}")
-        if number:
-            receiver.begin()
-        for name, content in (("run", run.encode()), ("code", bytes(machine.code)), ("inputs", inputs)):
-            receiver.write(name, content)
-        receiver.end()
-        printed = restarted(receiver.line)
-        assert re.findall(r"^\[.*$", printed, re.M) == expected, printed[-500:]
+    with receiving(microbit.address) as receiver:
+        receiver.write("kri.py", shortened(parsed(interpreter, "interpreter.py")).encode())
+        receiver.write("main.py", MAIN.encode())
+        for number, text in enumerate(PROGRAMS):
+            image = Image.from_bytes(bench_program(tmp_path, text).file.image)
+            machine = Machine(image, find_robot(str(tmp_path / "bench.robot.xml")))
+            run = RUN.format(
+                cells=machine.cells, threads=machine.threads, pars=machine.pars, out=machine.out, width=image.inputs
+            )
+            chance = random.Random(number)
+            inputs, expected = b"", []
+            for _ in range(TICKS):
+                values = [chance.randrange(101) if chance.random() < 0.5 else 1 for _ in range(image.inputs)]
+                inputs += bytes(values)
+                machine.cells[1 : 1 + image.inputs] = values
+                machine.tick()
+                expected.append(f"{list(machine.out)} {list(machine.threads)} {machine.cells[0]}")
+            if number:
+                receiver.begin()
+            for name, content in (("run", run.encode()), ("code", bytes(machine.code)), ("inputs", inputs)):
+                receiver.write(name, content)
+            receiver.end()
+            printed = restarted(receiver.line)
+            assert re.findall(r"^\[.*$", printed, re.M) == expected, printed[-500:]
 
 
 def test_files_arrive_whole_over_a_line_that_loses_changes_and_adds_bytes(microbit: Emulated) -> None:
@@ -118,13 +112,8 @@ def test_files_arrive_whole_over_a_line_that_loses_changes_and_adds_bytes(microb
         with Proxy(microbit.port, disturb=noise(seed, 0.001)) as proxy, contextlib.suppress(SilentError):
             put(proxy.address, content)
             break
-    line = Line(microbit.address)
-    try:
-        receiver = Receiver(RawRepl(line))
-        receiver.begin()
+    with receiving(microbit.address) as receiver:
         assert receiver.read("data") == content
-    finally:
-        line.close()
 
 
 def test_a_line_that_is_cut_at_any_tenth_message_needs_only_another_try(microbit: Emulated) -> None:
@@ -137,13 +126,8 @@ def test_a_line_that_is_cut_at_any_tenth_message_needs_only_another_try(microbit
             put(proxy.address, content)
             messages = proxy.messages
         cut += 10
-    line = Line(microbit.address)
-    try:
-        receiver = Receiver(RawRepl(line))
-        receiver.begin()
+    with receiving(microbit.address) as receiver:
         assert receiver.read("data") == content
-    finally:
-        line.close()
 
 
 def test_who_sends_it_a_program_is_told_that_it_has_too_little_memory(microbit: Emulated, tmp_path: Path) -> None:
@@ -152,10 +136,5 @@ def test_who_sends_it_a_program_is_told_that_it_has_too_little_memory(microbit: 
     said = subprocess.run([*command, "--to", microbit.address], capture_output=True, text=True, timeout=120)
     assert said.returncode == 1
     assert "bytes of memory free, and the loop of a robot needs" in " ".join((said.stdout + said.stderr).split())
-    line = Line(microbit.address)
-    try:
-        receiver = Receiver(RawRepl(line))
-        receiver.begin()
+    with receiving(microbit.address) as receiver:
         assert receiver.names() == []
-    finally:
-        line.close()

@@ -12,14 +12,9 @@ import pytest
 from kitrobot.deploy import connect, deploy
 from kitrobot.image import Image, Machine
 from kitrobot.workspace import BoardProgram, find_robot
-from tests.boards.bench import ONE, OTHER, bench_program
+from tests.boards.bench import PROGRAMS, bench_program
 
 TICKS = 2000 if os.environ.get("KITROBOT_THOROUGH") else 150
-TURNS = """//(
-  *[Run.IsTrue()]([Captor.GreaterThan(50)](Wheel.Advance(80); )!(Motor.Turn(90); ); WAIT(1); ),
-  *[Run.IsTrue()](Count.Add(7); [Captor.LessThan(20)](Wheel.Stop(); )!(); WAIT(3); )
-);
-"""
 
 
 def compared(address: str, program: BoardProgram, folder: Path, seed: int) -> None:
@@ -45,7 +40,7 @@ def compared(address: str, program: BoardProgram, folder: Path, seed: int) -> No
                 break
 
 
-@pytest.mark.parametrize("text", [ONE, OTHER, TURNS, "Wheel.Advance(30); WAIT(4); Motor.Turn(10); Wheel.Stop();"])
+@pytest.mark.parametrize("text", PROGRAMS)
 def test_the_same_commands_in_every_tick(board: Any, tmp_path: Path, text: str) -> None:
     program = bench_program(tmp_path, text)
     deploy(board.address, program.file.to_bytes(), program.package)

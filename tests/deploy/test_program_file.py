@@ -62,5 +62,5 @@ def test_a_program_that_is_too_large_for_a_board_is_refused(tmp_path: Path) -> N
     image = program.file.image
     assert image_bytes(image) > 8000
     with pytest.raises(BoardError, match=rf"needs {image_bytes(image)} bytes"):
-        refuse_what_does_not_fit(image, built, 18_000, "microbit")
-    refuse_what_does_not_fit(image, built, 200_000, "machine")
+        refuse_what_does_not_fit(image, built, 18_000)
+    refuse_what_does_not_fit(image, built, 200_000)

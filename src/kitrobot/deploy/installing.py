@@ -137,7 +137,7 @@ class _Job:
         refuse_misfits(self.program, self.package, family)
         content = self.program.to_bytes(self.built.drivers)
         self.name = program_name(content)
-        refuse_what_does_not_fit(self.program.image, self.built, board.free, family)
+        refuse_what_does_not_fit(self.program.image, self.built, board.free)
         self.wanted = {**self.built.files, self.name: content}
         names = board.names()
         lines = self._lines(names)

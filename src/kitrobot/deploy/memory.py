@@ -11,9 +11,6 @@ from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.package import Built
 from kitrobot_onboard.image import header
 
-WORD = {"microbit": 4}
-"""Bytes of a word on boards of a family; 4 on all that are known."""
-
 _WORKING = 600
 """Bytes without which no tick and no answer is possible."""
 
@@ -35,7 +32,7 @@ def image_bytes(image: bytes) -> int:
     return int(4 * instructions + 4 * numbers)
 
 
-def refuse_what_does_not_fit(image: bytes, built: Built, free: int, family: str) -> None:
+def refuse_what_does_not_fit(image: bytes, built: Built, free: int) -> None:
     """Raises a BoardError when the program is sure to be too large for a board with so much memory free."""
     if free < SMALLEST:
         raise BoardError(
