@@ -33,7 +33,7 @@ ELSEWHERE = (
     "server/start.py",
     "sim/recording.py",
     "translation/",
-    "workspace/board_watching.py",
+    "workspace/board_carried.py",
     "workspace/board_watching.py",
     "workspace/checking.py",
     "workspace/conversion.py",

@@ -284,3 +284,94 @@ def test_the_command_line_starts_without_what_talks_to_boards():
     code = "import sys, kitrobot.cli; print('kitrobot.deploy' in sys.modules, 'python_minifier' in sys.modules)"
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, check=True)
     assert ended.stdout.strip() == b"False False"
+
+
+# ---- recorded
+
+
+def test_watching_records_what_the_studio_plays(kitrobot, robot, pulse, here):
+    said = kitrobot(
+        "watch", "--to", robot.address, "--mission", pulse, "--seconds", "3", "--trace", here / "r.krtrace", "--json"
+    )
+    assert said.status == 0
+    assert "recorded in" in said.err
+    assert {line["board"] for line in said.lines} == {robot.address}
+    played = kitrobot("replay", here / "r.krtrace", "--json").json
+    assert played["real"]
+    assert not played["cut"]
+    assert played["agents"] == [
+        {"name": robot.address.removeprefix("socket://"), "program": "pulse", "robot": "pulser"}
+    ]
+    last = kitrobot("replay", here / "r.krtrace", "--at", "99", "--json").json
+    agent = next(iter(last["agents"].values()))
+    assert agent["state"] == "running"
+    # The very last values that were told stand at the end.
+    counts = [line["variables"]["Count"] for line in said.lines if "Count" in line.get("variables", {})]
+    assert agent["values"]["Count"] == counts[-1]
+    assert agent["vertices"]
+    assert agent["x_mm"] is None
+    assert "nobody knows where it was" in kitrobot("replay", here / "r.krtrace", "--at", "99").out
+
+
+def test_a_fault_stands_in_the_recording_with_its_vertex_and_line(kitrobot, broken, here):
+    kitrobot("watch", "--to", broken.address, "--mission", "pulse.krt", "--seconds", "2", "--trace", here / "r.krtrace")
+    played = kitrobot("replay", here / "r.krtrace", "--json").json
+    failures = [event for event in played["events"] if event["kind"] == "failure"]
+    assert len(failures) == 1
+    assert re.search(r"fault 1: a driver failed \(Display: .*\); at the vertex v3, line 2", failures[0]["text"])
+    assert (failures[0]["cause"], played["outcome"]) == ("world", "failed")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C reaches no single process there")
+def test_several_robots_are_recorded_together_and_ctrl_c_or_a_lost_link_leaves_a_whole_file(
+    kitrobot, robot, pulse, here, tmp_path
+):
+    folder = tmp_path / "second"
+    folder.mkdir()
+    with host_board(pulse, "pulse", folder) as second:
+        addresses = [robot.address, second.address]
+        command = [sys.executable, "-m", "kitrobot", "watch", "--mission", str(pulse), "--trace", "r.krtrace", "--json"]
+        for address in addresses:
+            command += ["--to", address]
+        process = subprocess.Popen(command, cwd=here, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        assert process.stdout is not None
+        heard = set()
+        while heard != set(addresses):
+            heard.add(json.loads(process.stdout.readline())["board"])
+        second.pull()
+        assert process.stderr is not None
+        assert "broke" in process.stderr.readline()
+        while json.loads(process.stdout.readline())["board"] != robot.address:
+            continue
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=60)
+    assert process.returncode == 1
+    assert "recorded in r.krtrace" in err
+    played = kitrobot("replay", here / "r.krtrace", "--json").json
+    names = [address.removeprefix("socket://") for address in addresses]
+    assert [agent["name"] for agent in played["agents"]] == names
+    assert not played["cut"]
+    lost = [event for event in played["events"] if event["kind"] == "failure"]
+    assert [(event["agent"], event["text"], event["cause"]) for event in lost] == [
+        (names[1], "the link is lost", "world")
+    ]
+    last = kitrobot("replay", here / "r.krtrace", "--at", "9999", "--json").json["agents"]
+    assert [last[name]["state"] for name in names] == ["running", "stalled"]
+    assert last[names[0]]["vertices"]
+    assert not last[names[1]]["vertices"]
+
+
+def test_what_cannot_be_recorded_is_refused_in_a_sentence(kitrobot, robot, pulse, here):
+    before = pulse.read_bytes()
+    unknown = kitrobot("watch", "--to", robot.address, "--trace", here / "r.krtrace", "--seconds", "1")
+    assert unknown.status == 1
+    assert "a recording brings its mission along" in unknown.err
+    assert "--mission" in unknown.err
+    over = kitrobot("watch", "--to", robot.address, "--mission", pulse, "--trace", pulse, "--seconds", "1")
+    assert over.status == 1
+    assert "written over" in over.err
+    assert pulse.read_bytes() == before
+    nowhere = kitrobot("watch", "--to", robot.address, "--mission", pulse, "--trace", here / "no" / "r.krtrace")
+    assert nowhere.status == 1
+    assert "cannot be written" in nowhere.err
+    assert not (here / "r.krtrace").exists()

@@ -45,7 +45,9 @@ def _time(seconds: float) -> str:
 def _story(found: dict[str, Any]) -> Iterator[str]:
     many = len(found["agents"])
     yield (
-        f"{_time(found['seconds'])} of {many} robot{'' if many == 1 else 's'} in {clean(found['world'])},"
+        f"{_time(found['seconds'])} of {many} real robot{'' if many == 1 else 's'}"
+        if found["real"]
+        else f"{_time(found['seconds'])} of {many} robot{'' if many == 1 else 's'} in {clean(found['world'])},"
         f" seed {found['seed']}"
     )
     yield ""
@@ -70,8 +72,7 @@ def _moment(found: dict[str, Any]) -> Iterator[str]:
     for name, agent in found["agents"].items():
         stands = ", ".join(clean(f"{one['element']} ({one['vertex']})") for one in agent["vertices"]) or "nowhere"
         yield ""
-        place = f"{agent['x_mm']:.1f}, {agent['y_mm']:.1f} mm, heading {math.degrees(agent['heading_rad']):.1f}°"
-        yield f"  {clean(name)}: {agent['state']}, at {place}"
+        yield f"  {clean(name)}: {agent['state']}, {_place(agent)}"
         yield f"    stands at {stands}"
         for word, values in (("variables", agent["values"]), ("inputs", agent["inputs"])):
             if values:
@@ -80,6 +81,15 @@ def _moment(found: dict[str, Any]) -> Iterator[str]:
                     for one, value in values.items()
                 )
                 yield f"    {word}: " + ", ".join(shown)
+    if found["real"]:
+        return
     counts = [f"{clean(house)} holds {count:g}" for house, count in found["stock"].items()]
     yield ""
     yield "  " + ", ".join([*counts, f"collisions: {found['collisions']:g}"])
+
+
+def _place(agent: dict[str, Any]) -> str:
+    x, y, heading = agent["x_mm"], agent["y_mm"], agent["heading_rad"]
+    if x is None or y is None or heading is None:
+        return "a real robot: nobody knows where it was"
+    return f"at {x:.1f}, {y:.1f} mm, heading {math.degrees(heading):.1f}°"

@@ -1,4 +1,4 @@
-"""`kitrobot watch`: what a real robot does right now."""
+"""`kitrobot watch`: what real robots do right now, and a recording of it."""
 
 from __future__ import annotations
 
@@ -6,23 +6,30 @@ import json
 import math
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import clean, give, tell
+from kitrobot.cli.speaking import clean, complain, give, tell
 
 if TYPE_CHECKING:
     from rich.console import Group
 
     from kitrobot.deploy import Fault, News, Text
-    from kitrobot.workspace.board_watching import View
+    from kitrobot.workspace.board_watching import View, Watched
 
-_PATIENCE_S = 0.5
-
+Boards = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--to",
+        metavar="PORT|URL",
+        help="A robot: a serial port or a URL such as `socket://HOST:PORT`. Several times for several robots.",
+        show_default="the only one that is there",
+    ),
+]
 Board = Annotated[
     str | None,
     typer.Option(
@@ -48,82 +55,114 @@ Program = Annotated[
 
 
 def watch_board(
-    to: Board = None,
+    to: Boards = None,
     mission: Mission = None,
     program: Program = None,
     period: Annotated[int, typer.Option(min=20, max=60000, metavar="MS", help="At most one message in so long.")] = 100,
     seconds: Annotated[
         float | None, typer.Option(metavar="S", help="Ends by itself then.", show_default="until Ctrl-C")
     ] = None,
+    trace: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE.krtrace", help="Record it: all robots in one recording, which the studio plays."),
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Give one JSON object a line and message.")] = False,
 ) -> None:
-    """Show what a robot does: where its program is, its variables and its inputs, until Ctrl-C.
+    """Show what robots do: where their programs are, their variables and their inputs, until Ctrl-C.
 
-    The robot goes on when you stop watching, and is not slowed down by it.
+    A robot goes on when you stop watching, and is not slowed down by it. One whose link is lost is told, and the others
+    are watched on.
     """
     if seconds is not None and not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("watching takes more than 0 seconds", param_hint="'--seconds'")
-    from kitrobot.deploy import connect
     from kitrobot.workspace import chosen_boards
-    from kitrobot.workspace.board_watching import View, names_for
+    from kitrobot.workspace.board_watching import connected, recorder_of
 
-    address = chosen_boards([to] if to is not None else [])[0]
-    with connect(address) as board:
-        names = names_for(board.hello, mission, program)
-        if names is None:
-            tell(f"{address}: the program {board.hello.program} was not sent from here; only its numbers are known")
-            tell("  help: name the mission with --mission")
-        view = View(board.hello, names)
-        until = math.inf if seconds is None else time.monotonic() + seconds
-        board.watch(period)
-        try:
-            with _shown(view, as_json) as show:
-                while (left := until - time.monotonic()) > 0:
-                    news = board.news(min(left, _PATIENCE_S))
-                    if news is None:
-                        view.renew(board.greet())
+    until = math.inf if seconds is None else time.monotonic() + seconds
+    with ExitStack() as stack:
+        watched = [stack.enter_context(connected(address, mission, program)) for address in chosen_boards(to or [])]
+        for one in watched:
+            if one.view.names is None:
+                called = one.board.hello.program
+                tell(f"{one.address}: the program {called} was not sent from here; only its numbers are known")
+                tell("  help: name the mission with --mission")
+        recorder = None
+        if trace is not None:
+            recorder = recorder_of(trace, watched, mission)
+            stack.callback(recorder.close)
+        failed = _watch(watched, period, until, as_json)
+        if recorder is not None:
+            recorder.close()
+            if recorder.error is not None:
+                complain(recorder.error)
+            tell(f"recorded in {recorder.path}; `kitrobot {recorder.path}` plays it")
+            failed |= recorder.error is not None
+    if failed:
+        raise typer.Exit(1)
+
+
+def _watch(watched: Sequence[Watched], period: int, until: float, as_json: bool) -> bool:
+    """Watches until that moment, Ctrl-C, or no robot answers any more; whether a link was lost."""
+    there = list(watched)
+    try:
+        for one in watched:
+            one.begin(period)
+        with _shown(watched, as_json) as show:
+            while there and (left := until - time.monotonic()) > 0:
+                for one in tuple(there):
+                    error = one.listen(min(left, 0.5 / len(there)))
+                    if error is not None:
+                        there.remove(one)
+                        complain(error)
                     else:
-                        view.take(news)
-                    show(news)
-        except KeyboardInterrupt:
-            pass
-        finally:
-            board.watch(0)
+                        show(one)
+    except KeyboardInterrupt:
+        pass
+    finally:
+        for one in there:
+            one.end()
+    return len(there) < len(watched)
 
 
 @contextmanager
-def _shown(view: View, as_json: bool) -> Iterator[Any]:
-    """What shows the view after some news: a table that stays in its place, or lines."""
+def _shown(watched: Sequence[Watched], as_json: bool) -> Iterator[Any]:
+    """What shows a robot after some news: a table that stays in its place, or lines."""
+    several = len(watched) > 1
     if as_json:
-        yield lambda news: give(_json(view, news)) if news is not None else None
+        yield lambda one: give(_json(one.view, one.news, one.address)) if one.news is not None else None
         return
     if not sys.stdout.isatty():
-        yield lambda news: give(_lines(view, news)) if news is not None else None
+        yield lambda one: give(_lines(one.view, one.news, one.address if several else "")) if one.news else None
         return
-    from rich.console import Console
+    from rich.console import Console, Group
     from rich.live import Live
 
-    with Live(_table(view), console=Console(), refresh_per_second=10, transient=False) as live:
-        yield lambda news: live.update(_table(view))
+    def tables() -> Group:
+        return Group(*(_table(one.view, one.address if several else "") for one in watched))
+
+    with Live(tables(), console=Console(), refresh_per_second=10, transient=False) as live:
+        yield lambda one: live.update(tables())
 
 
-def _json(view: View, news: News | Fault | Text) -> str:
-    found = json.dumps(view.to_json(news), ensure_ascii=False)
+def _json(view: View, news: News | Fault | Text, board: str) -> str:
+    found = json.dumps({"board": board, **view.to_json(news)}, ensure_ascii=False)
     sys.stdout.flush()
     return found + "\n"
 
 
-def _lines(view: View, news: News | Fault | Text) -> str:
-    return "".join(f"{clean(line)}\n" for line in view.told(news))
+def _lines(view: View, news: News | Fault | Text, board: str) -> str:
+    before = f"{board}: " if board else ""
+    return "".join(f"{clean(before + line)}\n" for line in view.told(news))
 
 
-def _table(view: View) -> Group:
+def _table(view: View, board: str) -> Group:
     from rich import box
     from rich.console import Group
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(box=box.SIMPLE, title=Text(clean(view.title())), title_justify="left")
+    title = f"{board}: {view.title()}" if board else view.title()
+    table = Table(box=box.SIMPLE, title=Text(clean(title)), title_justify="left")
     table.add_column("runs")
     table.add_column("variables")
     table.add_column("inputs")

@@ -16,7 +16,7 @@ from typing import Any
 
 from kitrobot.server.shapes import EVENT_CAUSES, EVENT_KINDS, StartedAgentShape, StartedMessage, world_shape
 from kitrobot.sim import DOING
-from kitrobot.trace import PROGRAM, TEAM, Threads, TickRecord, TraceError, TraceEvent, TraceHeader
+from kitrobot.trace import POSE_WORDS, PROGRAM, TEAM, Threads, TickRecord, TraceError, TraceEvent, TraceHeader
 from kitrobot.world import World
 
 MOST_EVENTS_TOLD = 5000
@@ -26,7 +26,9 @@ MOST_REPORTED = 100
 LONGEST_TEXT = 500
 _MOST = 2**53
 """Numbers beyond it are no whole numbers of JavaScript."""
-_POSE = ("x_mm", "y_mm", "heading_rad", "load", "flags")
+_POSE = POSE_WORDS
+_NO_PLACE = ((None, 0.0),) * len(_POSE)
+"""Of an agent that nobody knows the place of: its robot was a real one."""
 
 
 def _bounded(number: int) -> int:
@@ -38,7 +40,7 @@ class _Told:
     """Where an agent's numbers stand in a record. `values`, `inputs` and `shown` are names with their places."""
 
     name: str
-    pose: tuple[tuple[int, float], ...]
+    pose: tuple[tuple[int | None, float], ...]
     doing: int
     forced: int
     fault: int
@@ -85,7 +87,8 @@ class Teller:
     def _plan(self, name: str, program: str, mine: Sequence[tuple[str, int]]) -> _Told:
         at = dict(mine)
         scales = self._header.columns
-        pose = tuple((at[word], scales[at[word]].scale) for word in _POSE)
+        placed = any(word in at for word in _POSE)
+        pose = tuple((at[word], scales[at[word]].scale) for word in _POSE) if placed else _NO_PLACE
         inputs, values = _named("input ", mine), _named("variable ", mine)
         shown = _faces(mine)
         watched = (at["doing"], at["forced"], at["fault"], *(place for _, place in (*inputs, *values)))
@@ -119,8 +122,15 @@ class Teller:
             seed=header.seed,
             world=world_shape(world),
             agents=[
-                StartedAgentShape(name=one.name, program=one.program, robot=one.robot, number=one.number, kind=one.kind)
-                for one in header.agents
+                StartedAgentShape(
+                    name=one.name,
+                    program=one.program,
+                    robot=one.robot,
+                    number=one.number,
+                    kind=one.kind,
+                    placed=told.pose is not _NO_PLACE,
+                )
+                for one, told in zip(header.agents, self._agents, strict=True)
             ],
             stock=self.stock(first),
             total=header.total,
@@ -137,7 +147,7 @@ class Teller:
         row = record.numbers
         if row and not (min(row) >= -_MOST and max(row) <= _MOST):
             row = [_bounded(number) for number in row]
-        numbers = [row[at] * scale for at, scale in self._poses]
+        numbers = [0.0 if at is None else row[at] * scale for at, scale in self._poses]
         return struct.pack(f"<{2 + len(numbers)}f", record.tick, len(self._agents), *numbers)
 
     def standing(self, record: TickRecord, agent: str) -> list[tuple[str, tuple[str | None, ...]]]:

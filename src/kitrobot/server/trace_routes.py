@@ -93,5 +93,6 @@ def _opened(studio: Studio, file: Path) -> RecordingShape:
             seed=reader.header.seed,
             fail_rate=reader.header.fail_rate,
             cut=reader.cut,
+            real=reader.header.real,
             file=mission_file(studio, studio.read(data, path, path), path, revision_of(data)),
         )

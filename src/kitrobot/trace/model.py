@@ -12,11 +12,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from kitrobot.diagnostics import KitRobotError
 
 TEAM = ""
 """The owner of a column that belongs to no single agent."""
+
+POSE_WORDS = ("x_mm", "y_mm", "heading_rad", "load", "flags")
+"""The numbers of where an agent is. A real robot has none of them: nobody knows that of it."""
 
 PROGRAM, WORLD, PERSON, MISSION, CHANCE = "program", "world", "person", "mission", "chance"
 """What brings an event about: a program's command, a thing that stood in the way, somebody's hand during the run, the
@@ -82,6 +86,17 @@ class TraceHeader:
     parts: tuple[TracePart, ...] = ()
     total: int = 0
     fail_rate: float = 0.0
+
+    @cached_property
+    def unplaced(self) -> frozenset[str]:
+        """The agents that nobody knows the place of: real robots."""
+        placed = {column.owner for column in self.columns if column.name in POSE_WORDS}
+        return frozenset(agent.name for agent in self.agents if agent.name not in placed)
+
+    @property
+    def real(self) -> bool:
+        """Whether it is of real robots."""
+        return 0 < len(self.agents) == len(self.unplaced)
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zlib
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO
@@ -16,6 +17,8 @@ from kitrobot.trace.model import TickRecord, TraceError, TraceHeader
 class TraceWriter:
     """Writes a trace as the run goes; a context manager. Each full chunk is written before the next begins.
 
+    Where it cannot be written any further, the file ends behind what was written whole: it opens as one that was cut.
+
     Raises:
         TraceError: the file cannot be made or written.
     """
@@ -24,14 +27,20 @@ class TraceWriter:
         self.path = path
         self._encoder = Encoder(len(header.columns), len(header.agents))
         self._outcome: dict[str, Any] = {}
+        self._bytes = 0
+        self._broken = False
         text = layout.as_json(header_to_json(header))
         packed = zlib.compress(text, 6)
         head = layout.VERSION_HEAD.pack(layout.VERSION) + layout.HEAD.pack(len(text), len(packed), zlib.crc32(packed))
         try:
-            self._file: BinaryIO = path.open("wb")
+            self._file: BinaryIO = path.open("wb", buffering=0)
         except OSError as error:
             raise TraceError(f"the trace {path.name} cannot be written: {error.strerror}") from error
-        self._write(layout.MAGIC + head + packed)
+        try:
+            self._write(layout.MAGIC + head + packed)
+        except TraceError:
+            self._file.close()
+            raise
 
     def record(self, record: TickRecord) -> None:
         """Takes one record; ticks must grow."""
@@ -48,12 +57,24 @@ class TraceWriter:
         packed = zlib.compress(raw[0], 6), zlib.compress(raw[1], 6)
         self._write(layout.chunk_head(ticks, records, raw, packed) + packed[0] + packed[1])
 
+    def settle(self) -> None:
+        """Writes what it has taken so far, though the chunk is not full: after that it is safe whatever happens."""
+        self._write_chunk()
+
     def _write(self, data: bytes) -> None:
+        """Adds something whole to the file, or nothing of it."""
+        if self._broken:
+            raise TraceError(f"the trace {self.path.name} is not written any more")
+        left = memoryview(data)
         try:
-            self._file.write(data)
-            self._file.flush()
+            while left:
+                left = left[self._file.write(left) :]
         except OSError as error:
+            self._broken = True
+            with suppress(OSError):
+                self._file.truncate(self._bytes)
             raise TraceError(f"the trace {self.path.name} cannot be written: {error.strerror}") from error
+        self._bytes += len(data)
 
     def finish(self, outcome: dict[str, Any]) -> None:
         """Says how the run ended; `close` writes it last."""
@@ -64,11 +85,18 @@ class TraceWriter:
         if self._file.closed:
             return
         try:
+            if self._broken:
+                return
             self._write_chunk()
-            text = layout.as_json(self._outcome)
-            self._write(layout.END.pack(layout.END_MARK, len(text), zlib.crc32(text)) + text)
+            self._write(_end(self._outcome))
         finally:
             self._file.close()
+
+    @staticmethod
+    def end(path: Path, outcome: dict[str, Any]) -> None:
+        """Ends a copy of the file of a trace that is still written: it is whole then. May raise OSError."""
+        with path.open("ab") as file:
+            file.write(_end(outcome))
 
     def __enter__(self) -> TraceWriter:
         return self
@@ -77,3 +105,8 @@ class TraceWriter:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+
+def _end(outcome: dict[str, Any]) -> bytes:
+    text = layout.as_json(outcome)
+    return layout.END.pack(layout.END_MARK, len(text), zlib.crc32(text)) + text

@@ -22,7 +22,8 @@ _KEPT = 200
 """Programs whose names are kept; the oldest go."""
 
 _DEVICE = re.compile(r"([as])(\d{1,3}) ?(.*)", re.DOTALL)
-_NAME = re.compile(r"[0-9a-f]{8}")
+NAME_ON_ROBOT = re.compile(r"[0-9a-f]{8}")
+"""What a robot calls a program."""
 
 
 class NoNameError(KitRobotError):
@@ -131,7 +132,7 @@ def keep_names(names: BoardNames, called: Iterable[str]) -> None:
 
 def kept_names(called: str) -> BoardNames | None:
     """The names of a program by what a robot calls it; None when it was not sent from here."""
-    if not _NAME.fullmatch(called):
+    if not NAME_ON_ROBOT.fullmatch(called):
         return None
     try:
         found = json.loads((state_folder() / "boards" / f"{called}.json").read_text(encoding="utf-8"))

@@ -1,14 +1,24 @@
-"""What is seen of a real robot: where its program stands, its values, its faults, in names as far as they are known."""
+"""What is seen of a real robot: where its program stands, its values, its faults, in names as far as they are known;
+and watching one, or several into one recording.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from kitrobot.deploy import Fault, Hello, News, Text
+from kitrobot.deploy import Board, Fault, Hello, LineError, News, SilentError, Text, connect
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.workspace.board_carried import Carried, kept_carried
 from kitrobot.workspace.board_names import BoardNames, kept_names
-from kitrobot.workspace.boards import NoBoardError, load_board_program
+from kitrobot.workspace.board_recording import BoardRecorder
+from kitrobot.workspace.board_traced import NoRecordingError, RecordedBoard
+from kitrobot.workspace.boards import BoardProgram, NoBoardError, load_board_program
+from kitrobot.workspace.files import same_file
+from kitrobot.workspace.running import TracePlaceError
 
 _MOST_PRINTED = 200
 
@@ -22,13 +32,17 @@ def names_for(hello: Hello, mission: Path | None = None, program: str | None = N
     """
     if mission is None:
         return kept_names(hello.program)
+    return _program_of(hello, mission, program).names
+
+
+def _program_of(hello: Hello, mission: Path, program: str | None) -> BoardProgram:
     ready = load_board_program(mission, program=program)
     if not ready.is_called(hello.program):
         raise NoBoardError(
             f"the robot runs another program than `{ready.names.program}` of `{mission}` as it is now",
             "send it with `kitrobot deploy`, or name the mission as it was sent",
         )
-    return ready.names
+    return ready
 
 
 def place_of(instruction: int | None, names: BoardNames | None) -> str:
@@ -157,3 +171,109 @@ class View:
 
     def _print(self, text: str) -> None:
         self.printed = [*self.printed, *text.split("\n")][-_MOST_PRINTED:]
+
+
+LOOK_S = 0.5
+"""How often a robot is asked how it stands: that a program has ended is no news of its own."""
+
+
+class Watched:
+    """A robot that is watched, and recorded when `recorder` is set; `news` is what it told last."""
+
+    def __init__(self, address: str, board: Board, names: BoardNames | None, carried: Carried | None) -> None:
+        self.address = address
+        self.board = board
+        self.view = View(board.hello, names)
+        self.carried = carried
+        self.news: News | Fault | Text | None = None
+        self.recorder: BoardRecorder | None = None
+        self.number = 0
+        self._faulty = False
+        self._looked = time.monotonic()
+
+    def begin(self, period_ms: int) -> None:
+        """Has it tell what changes, at most so often."""
+        self._stands(self.board.hello)
+        self.board.watch(period_ms)
+
+    def listen(self, timeout_s: float) -> KitRobotError | None:
+        """Waits for news at most so long, and takes them; the error when its link is lost.
+
+        Raises:
+            KitRobotError: the robot said no.
+        """
+        try:
+            self.news = self.board.news(timeout_s)
+            if self.news is not None:
+                self.view.take(self.news)
+                if self.recorder is not None:
+                    self.recorder.told(self.number, self.news)
+            elif self.recorder is not None:
+                self.recorder.pass_time()
+            if time.monotonic() - self._looked >= LOOK_S:
+                self._looked = time.monotonic()
+                self._stands(self.board.greet())
+        except (LineError, SilentError) as error:
+            if self.recorder is not None:
+                self.recorder.lost(self.number, "the link is lost")
+            return error
+        return None
+
+    def end(self) -> None:
+        """Watches no more."""
+        with suppress(KitRobotError):
+            self.board.watch(0)
+
+    def _stands(self, hello: Hello) -> None:
+        was, recorder = self.view.hello, self.recorder
+        self.view.renew(hello)
+        if recorder is None:
+            return
+        if hello.state == was.state and hello.tick < was.tick:
+            recorder.began_anew(self.number)
+        recorder.stands(self.number, hello.state_name, hello.tick)
+        if hello.fault and not self._faulty:
+            fault = self.board.last_fault()
+            if fault is not None:
+                recorder.told(self.number, fault)
+        self._faulty = bool(hello.fault)
+
+
+@contextmanager
+def connected(address: str, mission: Path | None = None, program: str | None = None) -> Iterator[Watched]:
+    """A robot to be watched, with names as `names_for` finds them.
+
+    Raises:
+        KitRobotError: it does not answer, or runs something else than that mission holds now.
+    """
+    with connect(address) as board:
+        if mission is None:
+            called = board.hello.program
+            yield Watched(address, board, kept_names(called), kept_carried(called))
+        else:
+            ready = _program_of(board.hello, mission, program)
+            yield Watched(address, board, ready.names, ready.carried)
+
+
+def recorder_of(path: Path, watched: Sequence[Watched], mission: Path | None = None) -> BoardRecorder:
+    """Records these robots into a file from now on; whoever asked closes it.
+
+    Raises:
+        NoRecordingError: of a robot it is not known which mission it runs, or they are of different ones.
+        TracePlaceError: the recording would be written over the mission.
+        TraceError: the file cannot be made.
+    """
+    if mission is not None and same_file(path, mission):
+        raise TracePlaceError(f"the trace would be written over `{path}`", "give it a name of its own")
+    boards = []
+    for one in watched:
+        if one.view.names is None or one.carried is None:
+            raise NoRecordingError(
+                f"a recording brings its mission along, and of what `{one.address}` runs none is known here",
+                "name the mission with --mission; a program that is no mission yet, `kitrobot convert` makes one",
+            )
+        boards.append(RecordedBoard(one.address.rpartition("://")[2], one.view.names, one.carried))
+    recorder = BoardRecorder(path, boards)
+    for number, one in enumerate(watched):
+        one.recorder, one.number = recorder, number
+    return recorder

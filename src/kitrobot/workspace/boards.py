@@ -5,9 +5,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TypeVar
@@ -33,6 +33,7 @@ from kitrobot.deploy import (
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Source
 from kitrobot.image import verify
 from kitrobot.primitives import Robot, config_folder
+from kitrobot.workspace.board_carried import Carried, carried_by, keep_carried
 from kitrobot.workspace.board_names import BoardNames, keep_names, kept_names, names_of
 from kitrobot.workspace.carried import is_picture
 from kitrobot.workspace.executables import NoRobotError
@@ -58,13 +59,16 @@ class NoBoardError(KitRobotError):
 
 @dataclass(frozen=True)
 class BoardProgram:
-    """A program that can be sent, with its names; `package` knows where its drivers are looked for."""
+    """A program that can be sent, with its names; `package` knows where its drivers are looked for, `carried` is what
+    recordings of it bring along (None: it is of no mission).
+    """
 
     names: BoardNames
     file: ProgramFile
     package: Package
     diagnostics: tuple[Diagnostic, ...] = ()
     sources: tuple[Source, ...] = ()
+    carried: Carried | None = None
 
     @cached_property
     def called(self) -> frozenset[str]:
@@ -137,7 +141,8 @@ def board_program(opened: OpenMission, program: str | None = None, folder: Path 
     found = tuple(opened.placed([*opened.diagnostics, *compiled.diagnostics]))
     robot = opened.catalogue.robot(meant.robot)
     beside = folder or (opened.path.parent if opened.path is not None else None)
-    return _ready(meant.name, robot, compiled, found, opened.sources, beside)
+    ready = _ready(meant.name, robot, compiled, found, opened.sources, beside)
+    return replace(ready, carried=carried_by(opened, robot, compiled))
 
 
 def _ready(
@@ -212,8 +217,15 @@ def send_program(
     sent = _at_once(send, addresses)
     called = {one.deployed.program for one in sent if one.deployed is not None}
     if called:
-        keep_names(program.names, called)
+        keep_program(program, called)
     return sent
+
+
+def keep_program(program: BoardProgram, called: Iterable[str]) -> None:
+    """Keeps what a program's numbers are called and what recordings of it need, for later; `called`: by robots."""
+    names = tuple(called)
+    keep_names(program.names, names)
+    keep_carried(program.carried, names)
 
 
 def look_at_boards(addresses: Sequence[str] = ()) -> list[Seen]:

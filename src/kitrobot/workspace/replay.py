@@ -10,6 +10,7 @@ from kitrobot.trace import TEAM, TickRecord, TraceEvent
 from kitrobot.workspace.traces import OpenTrace
 
 _DECIMALS = {"x_mm": 1, "y_mm": 1, "heading_rad": 3}
+"""Places, with how much of them is told; null for a real robot, which nobody knows that of."""
 
 
 def summary_of(trace: OpenTrace) -> dict[str, Any]:
@@ -29,6 +30,7 @@ def summary_of(trace: OpenTrace) -> dict[str, Any]:
         "sentence": sentence if isinstance(sentence, str) else "",
         "cut": reader.cut,
         "agents": [{"name": one.name, "program": one.program, "robot": one.robot} for one in header.agents],
+        "real": header.real,
         "events": [_event(trace, event) for _, event in reader.events],
     }
 
@@ -67,6 +69,7 @@ def state_at(trace: OpenTrace, seconds: float) -> dict[str, Any]:
         "delivered": _named(team, "delivered "),
         "collisions": team.get("collisions", 0),
         "events": [_event(trace, event) for event in record.events],
+        "real": reader.header.real,
     }
 
 
@@ -79,8 +82,8 @@ def _agent(trace: OpenTrace, record: TickRecord, index: int, values: dict[str, f
     inputs = _named(values, "input ")
     doing, forced = int(values.get("doing", 0)), int(values.get("forced", 0))
     return {
-        **{name: round(values.get(name, 0.0), digits) for name, digits in _DECIMALS.items()},
-        "load": values.get("load", 0),
+        **{name: round(values[name], digits) if name in values else None for name, digits in _DECIMALS.items()},
+        "load": values.get("load"),
         "state": DOING[doing] if 0 <= doing < len(DOING) else DOING[0],
         "vertices": [{"vertex": one, "element": elements.get(one, "")} for one in stands if one is not None],
         "values": _named(values, "variable "),

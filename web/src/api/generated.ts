@@ -222,7 +222,7 @@ export interface Catalogue {
 
 /** A request to look a mission through; `path` is the file it was opened from, "" for a new one. */
 export interface Check {
-  mission: Mission;
+  mission: SentMission;
   path: string;
 }
 
@@ -306,6 +306,12 @@ export interface Dock {
   heading_rad: number;
 }
 
+/** What became of the program of a text: rows of the lists of the program that was sent with it. */
+export interface DrawnProgram {
+  vertices: (Vertex | [number, number])[];
+  arcs: (Arc | [number, number])[];
+}
+
 /** A request that could not be followed; `ended` when there is no run any more because of it. */
 export interface ErrorMessage {
   type: "error";
@@ -339,7 +345,7 @@ export interface Floor {
  * have their places in the text that was sent. `report` is the mission looked through with that program.
  */
 export interface Followed {
-  program: Program | null;
+  program: DrawnProgram | null;
   spans: SpanEntry[];
   problems: Problem[];
   report: Report | null;
@@ -830,24 +836,30 @@ export interface Program {
   arcs: Arc[];
 }
 
-/** What a program becomes: LLL with the place of each vertex, and three-address code. */
+/**
+ * What a program becomes: LLL with the place of each vertex, and three-address code. `known`: the name by which the
+ * next edit may send only what it changed in the program; "" when it must send all.
+ */
 export interface ProgramReport {
   name: string;
   lll: string;
   spans: SpanEntry[];
   listing: string;
   instructions: number;
+  known: string;
 }
 
 /**
  * A recording that was opened: its name, by which it is played, and the mission that it brought along. `cut`: its file
- * ends before its run did. `fail_rate` is the probability that an agent failed by chance within a minute.
+ * ends before its run did. `fail_rate` is the probability that an agent failed by chance within a minute. `real`: it is
+ * of real robots.
  */
 export interface Recording {
   recording: string;
   seed: number;
   fail_rate: number;
   cut: boolean;
+  real: boolean;
   file: MissionFile;
 }
 
@@ -961,6 +973,32 @@ export interface Selected {
   vertices: string[];
 }
 
+/** A mission, of whose programs only what changed is sent. */
+export interface SentMission {
+  version: 1;
+  programs: SentProgram[];
+  agents: Agent[];
+  goals: Goal[];
+  world: string;
+  unknown?: string[];
+  label?: Record<string, string>;
+  help?: Record<string, string>;
+  constructors?: Constructor[];
+  variables?: OwnVariable[];
+  breakpoints?: Breakpoint[];
+  failures?: ScheduledFailure[];
+  own_world?: OwnWorld | null;
+}
+
+/** A program as what became of the one that the studio knows as `of`; "" for one that is sent whole. */
+export interface SentProgram {
+  name: string;
+  robot: string;
+  of?: string;
+  vertices: (Vertex | [number, number])[];
+  arcs: (Arc | [number, number])[];
+}
+
 /** What the page starts with: the mission to open, and the name of the folder that missions are in. */
 export interface Session {
   version: string;
@@ -1025,13 +1063,17 @@ export interface StartRequest {
   fail_rate?: number;
 }
 
-/** A robot of the run; the binary frames follow the order of this list. */
+/**
+ * A robot of the run; the binary frames follow the order of this list. `placed`: whether it is known where it is; that
+ * of a real robot is not, and its pose in the frames means nothing.
+ */
 export interface StartedAgent {
   name: string;
   program: string;
   robot: string;
   number: number;
   kind: string;
+  placed: boolean;
 }
 
 /**
@@ -1094,7 +1136,7 @@ export interface Text {
 
 /** The LLL of one program as a person has typed it; `mission` holds the program that it was before. */
 export interface TextEdit {
-  mission: Mission;
+  mission: SentMission;
   path: string;
   program: string;
   text: string;

@@ -11,6 +11,8 @@ export interface Recording {
   fail_rate: number;
   /** Whether its file ends before its run did. */
   cut: boolean;
+  /** Whether it is of real robots. */
+  real: boolean;
   file: MissionFile;
 }
 

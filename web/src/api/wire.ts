@@ -19,6 +19,8 @@ export interface StartedAgent {
   robot: string;
   number: number;
   kind: string;
+  /** Whether it is known where it is; of a real robot nobody knows. */
+  placed: boolean;
 }
 
 export interface AgentReport {

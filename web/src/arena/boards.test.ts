@@ -99,7 +99,7 @@ describe("a button of a board", () => {
 describe("a hand on a key", () => {
   const force = vi.fn();
   const feels = (inputs: Record<string, number>): { agents: RunAgent[] } => {
-    const started = { name: "b", program: "p", robot: "board", number: 1, kind: "robot" };
+    const started = { name: "b", program: "p", robot: "board", number: 1, kind: "robot", placed: true };
     return {
       agents: [{ ...started, active: [], state: "waiting", values: {}, inputs, shown: {}, fault: 0, forced: [] }],
     };

@@ -45,6 +45,7 @@ function agentOf(board: Board, name: string, number: number): RunAgent {
     robot: board.robot,
     number,
     kind: "",
+    placed: false,
     active: lost ? [] : board.active,
     state: lost ? "stalled" : ACTIVITY[board.state],
     values: board.values,

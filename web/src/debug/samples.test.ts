@@ -5,7 +5,7 @@ import { samplesNow, seriesOf, stepsPath, takeSamples } from "./samples";
 
 const agent = (values: Record<string, number>) => ({
   ...{ name: "a", program: "p", robot: "r", number: 1, kind: "robot", active: [], state: "running" as const },
-  ...{ inputs: {}, values, fault: 0, forced: [], shown: {} },
+  ...{ inputs: {}, values, fault: 0, forced: [], shown: {}, placed: true },
 });
 
 function at(tick: number, count: number, latest = tick) {

@@ -15,7 +15,14 @@ const report = (active: [number, string][], inputs: Record<string, number> = {})
   shown: {},
 });
 
-const agent = (name: string, program: string, number: number) => ({ name, program, robot: "r", number, kind: "r" });
+const agent = (name: string, program: string, number: number) => ({
+  name,
+  program,
+  robot: "r",
+  number,
+  kind: "r",
+  placed: true,
+});
 
 const STARTED: RunMessage = {
   type: "started",

@@ -19,11 +19,12 @@ class RecordingShape(BaseModel):
     """A recording that was opened: its name, by which it is played, and the mission that it brought along.
 
     `cut`: its file ends before its run did. `fail_rate` is the probability that an agent failed by chance within a
-    minute.
+    minute. `real`: it is of real robots.
     """
 
     recording: str
     seed: int
     fail_rate: float
     cut: bool
+    real: bool
     file: MissionFileShape

@@ -152,13 +152,16 @@ REQUEST: TypeAdapter[StartRequest | ReplayRequest | WatchRequest | Steering] = T
 
 
 class StartedAgentShape(BaseModel):
-    """A robot of the run; the binary frames follow the order of this list."""
+    """A robot of the run; the binary frames follow the order of this list. `placed`: whether it is known where it is;
+    that of a real robot is not, and its pose in the frames means nothing.
+    """
 
     name: str
     program: str
     robot: str
     number: int
     kind: str
+    placed: bool
 
 
 class _Message(BaseModel):
