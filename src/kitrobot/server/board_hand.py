@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any, get_args
 from kitrobot.deploy import Fault, ForeignError, FullError, LineError, News, SilentError
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.board_links import Board, Links
+from kitrobot.server.board_tape import Tape
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     BoardFaultShape,
@@ -89,6 +90,7 @@ class Standing:
     message: str = ""
     help: str = ""
     way: BoardWay = ""
+    recorded: bool = False
 
 
 class Hand:
@@ -113,6 +115,7 @@ class Hand:
         self._stopping = self._closing = self._cancelled = False
         self._looked = 0.0
         self.standing = Standing()
+        self.tape = Tape(name)
         self._thread = threading.Thread(target=self._serve, name=f"board-{address}", daemon=True)
         self._thread.start()
 
@@ -195,6 +198,7 @@ class Hand:
         for sensor in self.standing.forced:
             self._attempt(lambda name=sensor: self._force(name, None))  # type: ignore[misc]
         self._hang_up()
+        self.tape.close()
         self._say(phase="closed", held=False)
 
     def _next(self) -> Order | None:
@@ -229,6 +233,7 @@ class Hand:
             message = f"the link to `{self.name}` is lost; it runs on by itself"
         else:
             message = f"the link to `{self.name}` is lost"
+        self.tape.lost(message)
         self._say(
             phase="lost", threads={}, progress=None, message=message, help="look at its cable, then press Reconnect"
         )
@@ -263,7 +268,9 @@ class Hand:
         self._board = board = self._links.connect(self.address)
         hello = board.greet()
         self._looked = self._clock()
-        known = program.names if program is not None and program.is_called(hello.program) else None
+        named = program if program is not None and program.is_called(hello.program) else None
+        known = named.names if named is not None else None
+        self.tape.greeted(named, hello.program, STATES[hello.state], hello.tick)
         self._say(
             phase="open",
             state=STATES[hello.state],
@@ -286,6 +293,7 @@ class Hand:
 
     def _send(self, program: BoardProgram, then: str, replace: bool, fresh: bool) -> None:
         self._hang_up()
+        self.tape.stopped()
         self._say(phase="sending", known=None, threads={}, message="", help="", way="", fault=None)
         try:
             self._links.deploy(self.address, program, self._progress, replace, fresh)
@@ -314,22 +322,28 @@ class Hand:
     def _start(self, held: bool) -> None:
         board = self._open()
         board.start(held=held)
+        was = self.standing
+        sensors = was.known.sensors.values() if was.known is not None else ()
+        self.tape.started({cell: was.cells[cell] for cell in sensors if cell in was.cells}, was.forced)
         self._say(state=RUNNING, held=held, tick=0, threads={}, fault=None, message="", help="")
 
     def _stop(self) -> None:
         if self._board is None:
             return
         self._open().stop()
+        self.tape.stopped()
         self._say(state="ready", held=False, threads={})
 
     def _force(self, sensor: str, value: int | None) -> None:
         known = self._known()
         self._open().force(known.input(sensor), value)
+        self.tape.forced(sensor, value)
         forced = {name: held for name, held in self.standing.forced.items() if name != sensor}
         self._say(forced=forced if value is None else {**forced, sensor: value})
 
     def _set(self, variable: str, value: int) -> None:
         self._open().set(self._known().variable(variable), value)
+        self.tape.variable_set(variable, value)
 
     def _known(self) -> BoardNames:
         if self.standing.known is None:
@@ -346,14 +360,21 @@ class Hand:
         news = board.news(LISTEN_S)
         if isinstance(news, Fault):
             self._tell_fault(news)
-        elif isinstance(news, News):
+            return
+        self.tape.told(news)
+        if isinstance(news, News):
             self._take_in(news)
+        error = self.tape.error()
+        if error is not None:
+            self._say(message=error.message, help="what was recorded before can be saved")
 
     def _look(self, board: Board) -> None:
         """How it stands."""
         self._looked = self._clock()
         hello = board.greet()
         state, was = STATES[hello.state], self.standing
+        if state != was.state:
+            self.tape.stands(state, hello.tick)
         if state == was.state == RUNNING and hello.tick < was.tick:
             self._began_anew(board)
             return
@@ -366,8 +387,10 @@ class Hand:
     def _began_anew(self, board: Board) -> None:
         """It was without power for a moment, and runs by itself as it does when that comes back."""
         message = f"`{self.name}` began anew by itself"
+        self.tape.began_anew()
         if self.standing.held:
             board.stop()
+            self.tape.stopped()
             help = "it was stopped; it may have lost its power for a moment: look at its battery and cable"
             self._say(state="ready", held=False, threads={}, forced={}, message=message, help=help)
             return
@@ -395,12 +418,13 @@ class Hand:
             line=known.line(at) if known is not None else 0,
             tick=fault.tick,
         )
+        self.tape.failed(fault)
         self._say(state="fault", held=False, threads={}, tick=fault.tick, fault=found)
 
     # -- telling
 
     def _say(self, **changes: Any) -> None:
-        now = replace(self.standing, **changes)
+        now = replace(self.standing, recorded=self.tape.is_there, **changes)
         if now == self.standing:
             return
         self.standing = replace(now, version=self.standing.version + 1)
@@ -436,6 +460,7 @@ class Hand:
             message=spoken(now.message),
             help=spoken(now.help),
             way=now.way,
+            recorded=now.recorded,
         )
 
 

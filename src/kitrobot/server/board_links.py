@@ -92,8 +92,11 @@ class RealLinks:
     def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
         """As `deploy.deploy`."""
         from kitrobot.deploy import deploy
+        from kitrobot.workspace.boards import keep_program
 
-        deploy(address, program.file.to_bytes(), program.package, progress, replace=replace, fresh=fresh)
+        done = deploy(address, program.file.to_bytes(), program.package, progress, replace=replace, fresh=fresh)
+        # Then `kitrobot watch` and `kitrobot log` know it too.
+        keep_program(program, [done.program])
 
     def way(self, error: KitRobotError) -> BoardWay:
         """Whether it was refused for somebody else's program, or for want of room."""

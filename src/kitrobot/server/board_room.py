@@ -32,6 +32,7 @@ from kitrobot.translation import said_in
 if TYPE_CHECKING:
     from kitrobot.deploy import Port
     from kitrobot.server.board_hand import Hand
+    from kitrobot.server.board_tape import Tape
 
 MOST_BOARDS = 32
 LOOK_S = 1.0
@@ -252,6 +253,17 @@ class BoardRoom:
         if found is None:
             raise AddressError("nobody talks with this robot", "connect it first")
         return self._mine(seat, found)
+
+    def tape(self, address: str) -> Tape:
+        """The recording of a robot that some page talks with.
+
+        Raises:
+            KitRobotError: there is none.
+        """
+        found = self._hands.get(address)
+        if found is None:
+            raise AddressError("nobody talks with this robot", "connect it first")
+        return found.tape
 
     def stop(self, address: str) -> None:
         """Stops a robot, or all of them with ""; whoever holds it."""

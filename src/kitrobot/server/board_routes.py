@@ -1,4 +1,4 @@
-"""`WS /api/boards`: the page's Robots panel.
+"""`WS /api/boards`: the page's Robots panel; `GET /api/board/trace`: the recording of a robot.
 
 The socket is open as long as the page has to do with real robots. When it closes, for whatever reason, the robots that
 the page holds are let go, and those that run held stop. Ports belong to who sits at this machine: a visitor from
@@ -11,12 +11,17 @@ import asyncio
 import ipaddress
 import logging
 import os
+import shutil
+from typing import Annotated
 
-from fastapi import APIRouter, WebSocket
+from fastapi import APIRouter, Query, Request, WebSocket
+from fastapi.responses import FileResponse
 from pydantic import ValidationError
+from starlette.background import BackgroundTask
+from starlette.requests import HTTPConnection
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.board_room import BoardRoom, Seat
+from kitrobot.server.board_room import AddressError, BoardRoom, Seat
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     BOARD_REQUEST,
@@ -36,6 +41,7 @@ from kitrobot.server.shapes import (
     problem_shapes,
 )
 from kitrobot.server.studio import Studio
+from kitrobot.trace import ENDING
 from kitrobot.workspace import BoardProgram
 
 board_routes = APIRouter()
@@ -61,9 +67,27 @@ async def boards(socket: WebSocket) -> None:
     await BoardSession(socket, studio, studio.boards).serve()
 
 
-def _is_here(socket: WebSocket) -> bool:
+@board_routes.get("/api/board/trace", response_class=FileResponse)
+async def board_trace(request: Request, address: Annotated[str, Query(max_length=200)]) -> FileResponse:
+    """What a robot did in its last run, or does in the one that is on, as a recording."""
+    studio = request.app.state.studio
+    assert isinstance(studio, Studio)
+    if not (studio.boards_for_visitors or _is_here(request)):
+        raise AddressError("the robots are plugged into another machine", "use them there")
+    tape = studio.boards.tape(address)
+    path = await asyncio.to_thread(studio.recordings.new_file, f"robot{ENDING}")
+    try:
+        await asyncio.to_thread(tape.save, path)
+    except BaseException:
+        shutil.rmtree(path.parent, ignore_errors=True)
+        raise
+    gone = BackgroundTask(shutil.rmtree, path.parent, ignore_errors=True)
+    return FileResponse(path, media_type="application/octet-stream", background=gone)
+
+
+def _is_here(connection: HTTPConnection) -> bool:
     """Whether the page is on this machine."""
-    host = socket.client.host if socket.client is not None else ""
+    host = connection.client.host if connection.client is not None else ""
     try:
         return ipaddress.ip_address(host).is_loopback
     except ValueError:

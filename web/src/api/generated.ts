@@ -120,6 +120,7 @@ export interface BoardMessage {
   message: string;
   help: string;
   way: "" | "replace" | "fresh";
+  recorded: boolean;
 }
 
 /** A port of this machine where a robot may be. */

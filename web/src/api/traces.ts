@@ -29,4 +29,6 @@ export const traceApi = {
     ask<Recording>(`trace?name=${encodeURIComponent(name)}`, { method: "POST", bytes }),
   /** The whole past of a run, as the bytes of a `.krtrace`. */
   ofRun: (run: string) => askBytes(`run/trace?run=${encodeURIComponent(run)}`),
+  /** What a real robot did in its last run, or does in the one that is on. */
+  ofRobot: (address: string) => askBytes(`board/trace?address=${encodeURIComponent(address)}`),
 };

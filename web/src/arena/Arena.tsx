@@ -6,7 +6,7 @@ import { useStudio } from "../model/studio";
 import { GRID_MM } from "../model/world/thing";
 import { ARENA_KEYS, keyIn } from "../reach/key-table";
 import { posesAt, watchFrames } from "../run/poses";
-import { isLive, useRun } from "../run/run";
+import { areReal, isLive, useRun } from "../run/run";
 import { Seed } from "../run/Seed";
 import { Icon, useTheme } from "../theme";
 import { decimal } from "../words/numbers";
@@ -18,7 +18,7 @@ import { Painter } from "./painter";
 import { Crowd } from "./Crowd";
 import { RobotMenu } from "./RobotMenu";
 import { choose, follow, openRobotMenu, useRobots } from "./robots";
-import { actorsOf, hasOtherPlaces, lookAt, type Scene, sceneBefore, sceneOf } from "./scene";
+import { actorsOf, hasOtherPlaces, lookAt, type Scene, sceneBefore, sceneOf, sceneOfReal } from "./scene";
 import { StatesSaid } from "./StatesSaid";
 import { complain } from "../shell/document";
 import { later } from "../shell/later";
@@ -51,10 +51,16 @@ function useScene(): Scene | null {
     () => (world === null ? [] : actorsOf(agents, mission, catalogue, world)),
     [world, agents, mission, catalogue],
   );
-  return useMemo(
+  // Robots that stand still give way to the mission again; a recording stays.
+  const shown = run.real ? isLive(run.status) : !edited;
+  const real = shown && areReal(agents);
+  const place = real ? (world ?? ownWorld) : null;
+  const unplaced = useMemo(() => (place === null ? null : sceneOfReal(place)), [place]);
+  const seen = useMemo(
     () => (world !== null && actors.length > 0 && !edited ? sceneOf(run, actors, world) : before),
     [run, world, actors, before, edited],
   );
+  return unplaced ?? seen;
 }
 
 /** Who wears the ring: the agent watched in the program that is open. */

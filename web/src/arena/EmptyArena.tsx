@@ -5,6 +5,13 @@ import type { Scene } from "./scene";
 
 export function EmptyArena({ scene }: { scene: Scene | null }) {
   const opened = useStudio((studio) => studio.mission.programs.length > 0);
+  if (scene?.real === true) {
+    return (
+      <p className="arena-empty" data-testid="arena-real">
+        {t("arena.real")}
+      </p>
+    );
+  }
   if (!opened || (scene !== null && scene.actors.length > 0)) return null;
   return (
     <p className="arena-empty" data-testid="arena-empty">

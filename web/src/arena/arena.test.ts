@@ -5,7 +5,7 @@ import { isCrowd } from "./crowd-size";
 import { newStates } from "./StatesSaid";
 import { fit, toScreen, toWorld, zoomAt } from "./camera";
 import { nearestOn, placeAlong, roadLength, signAt } from "./geometry";
-import { hasOtherPlaces, lookAt, roleAt, sceneBefore, totalOf } from "./scene";
+import { hasOtherPlaces, lookAt, roleAt, sceneBefore, sceneOfReal, totalOf } from "./scene";
 import { summary } from "./summary";
 import { placeTag } from "./tag-place";
 
@@ -230,4 +230,15 @@ describe("what befalls robots", () => {
     expect(isCrowd(2000, 1)).toBe(false);
     expect(isCrowd(20, 0.03)).toBe(false);
   });
+});
+
+it("shows the world of real robots without them: nobody knows where they are", () => {
+  const scene = sceneOfReal(WORLD);
+  expect([scene.real, scene.actors, scene.stock, sceneBefore(MISSION, WORLD).real]).toEqual([
+    true,
+    [],
+    { A: 12, B: 2 },
+    false,
+  ]);
+  expect(lookAt(scene, [{ x_mm: 0, y_mm: 0, heading_rad: 0, load: 0, flags: 0 }])).toEqual([]);
 });

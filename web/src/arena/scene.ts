@@ -37,6 +37,8 @@ export interface Scene {
   total: number;
   collisions: number;
   running: boolean;
+  /** Whether real robots run, or ran in a recording: nobody knows where they are, so none is drawn. */
+  real: boolean;
 }
 
 const ARM_REACH_MM = 90;
@@ -135,7 +137,14 @@ export function sceneBefore(mission: Mission, world: World, catalogue: Catalogue
     total: totalOf(world, mission.goals),
     collisions: 0,
     running: false,
+    real: false,
   };
+}
+
+/** The world without the robots that nobody knows the place of. */
+export function sceneOfReal(world: World): Scene {
+  const stock = Object.fromEntries(world.storehouses.map((house) => [house.name, house.stock]));
+  return { world, actors: [], stock, delivered: 0, total: 0, collisions: 0, running: true, real: true };
 }
 
 type Standing = Pick<RunState, "stock" | "delivered" | "total" | "collisions">;
@@ -172,6 +181,7 @@ export function sceneOf(run: Standing, actors: Actor[], world: World): Scene {
     total: run.total,
     collisions: run.collisions,
     running: true,
+    real: false,
   };
 }
 

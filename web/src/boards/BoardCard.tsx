@@ -23,6 +23,7 @@ import {
   stopBoard,
 } from "./acts";
 import { isMine, type Place, programFor, useBoards } from "./boards";
+import { playRecording, saveRecording } from "./recording";
 import type { Board } from "./wire";
 
 interface ActProps {
@@ -267,6 +268,29 @@ function Acts({ place: { address, board } }: { place: Place }) {
   );
 }
 
+/** What its last run left behind, or the one that is on so far. */
+function Recorded({ board }: { board: Board | null }) {
+  if (board?.recorded !== true || board.phase === "sending") return null;
+  return (
+    <div className="robot-acts robot-recorded" data-testid="robot-recorded">
+      <Act
+        icon="clapperboard"
+        label={t("boards.play-recording")}
+        testId="robot-play-recording"
+        title={t("boards.play-recording-help")}
+        onPress={() => void playRecording(board)}
+      />
+      <Act
+        icon="file"
+        label={t("boards.save-recording")}
+        testId="robot-save-recording"
+        title={t("boards.save-recording-help")}
+        onPress={() => void saveRecording(board)}
+      />
+    </div>
+  );
+}
+
 export function BoardCard({ place }: { place: Place }) {
   const { address, name, description, board } = place;
   const mine = useBoards((state) => isMine(state, board));
@@ -318,6 +342,7 @@ export function BoardCard({ place }: { place: Place }) {
         <>
           <Program address={address} disabled={board?.phase === "sending"} />
           <Acts place={place} />
+          <Recorded board={board} />
         </>
       ) : (
         <div className="robot-acts">

@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 
 import { applyMessage, type BoardsState, networkAddress, placesOf, programFor, readKept } from "./boards";
 import { systemOf } from "./EmptyRobots";
+import { recordingName } from "./recording";
 import { namesOf, runOf, shownBoards } from "./shown";
 import type { Board } from "./wire";
 
@@ -30,6 +31,7 @@ const BOARD: Board = {
   message: "",
   help: "",
   way: "",
+  recorded: false,
 };
 
 const STATE: BoardsState = {
@@ -183,6 +185,14 @@ describe("robots as a run", () => {
     expect(runOf([board({ state: "ended" })], []).status).toBe("done");
     expect(runOf([board({ state: "ready" })], []).status).toBe("stopped");
   });
+});
+
+it.each([
+  [{ program: "heart", name: "micro:bit" }, "heart-micro-bit.krtrace"],
+  [{ program: "دل", name: "127.0.0.1:4000" }, "دل-127.0.0.1-4000.krtrace"],
+  [{ program: "", name: "../../x" }, "..-..-x.krtrace"],
+])("names the file of a recording after %o", (board, name) => {
+  expect(recordingName(board)).toBe(name);
 });
 
 it("knows the kind of computer that the page is on", () => {

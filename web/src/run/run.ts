@@ -141,6 +141,11 @@ function eventsAfter(before: RunEvent[], { again, events }: { again: boolean; ev
   return events.length === 0 ? before : [...before, ...events].slice(-MOST_EVENTS);
 }
 
+/** Whether these are real robots: nobody knows where they are, and no seed began their run. */
+export function areReal(agents: readonly StartedAgent[]): boolean {
+  return agents.length > 0 && agents.every(({ placed }) => !placed);
+}
+
 /** What a message of the server changes. */
 export function applyMessage(state: RunState, message: RunMessage): Partial<RunState> {
   switch (message.type) {
@@ -155,7 +160,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
         failRate: message.fail_rate,
         status: "running",
         tickMs: message.tick_ms,
-        seed: message.seed,
+        seed: areReal(message.agents) ? state.seed : message.seed,
         world: message.world,
         stock: message.stock,
         total: message.total,

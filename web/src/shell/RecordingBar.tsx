@@ -14,12 +14,13 @@ export function RecordingBar() {
   const stops = useStudio(({ mission }) => mission.breakpoints?.some((one) => one.enabled !== false) === true);
   if (open === null) return null;
   const name = shownName(open.path);
+  const what = playing ? (open.real ? "recording.real" : "recording.playing") : "recording.live";
   return (
     <div className="banner banner-note" role="status" data-testid="recording-bar" data-playing={playing}>
       <Icon name="clapperboard" size={18} />
       <p>
         <strong>
-          <Said text={t(playing ? "recording.playing" : "recording.live", { name, seed: open.seed })} />
+          <Said text={t(what, { name, seed: open.seed })} />
         </strong>{" "}
         {playing ? <Said text={t(open.cut ? "recording.cut" : "recording.nothing")} /> : null}{" "}
         {playing && stops ? t("recording.breakpoints") : null}

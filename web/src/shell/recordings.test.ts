@@ -46,6 +46,15 @@ describe("a recording", () => {
     expect([useRun.getState().recording, useRun.getState().name]).toEqual([false, ""]);
   });
 
+  it("of real robots leaves the seed of the next run as it was", () => {
+    useRun.setState({ seed: 5 });
+    const robot = { name: "micro:bit", program: "p", robot: "microbit", number: 1, kind: "robot", placed: false };
+    hear({ ...STARTED, seed: 0, agents: [robot] });
+    expect(useRun.getState().seed).toBe(5);
+    hear({ ...STARTED, seed: 4, agents: [{ ...robot, placed: true }] });
+    expect(useRun.getState().seed).toBe(4);
+  });
+
   it("that ends while its run was on can be gone back in", () => {
     hear(STARTED);
     hear({ type: "state", status: "end", tick: 9, seconds: 0.18, sentence: "It ends here.", hits: [] });

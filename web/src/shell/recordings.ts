@@ -17,6 +17,8 @@ export interface OpenRecording {
   seed: number;
   failRate: number;
   cut: boolean;
+  /** Whether it is of real robots: their runs began with no seed. */
+  real: boolean;
   /** Its mission as it was recorded, and where that is. */
   mission: Mission;
   path: string;
@@ -47,9 +49,11 @@ export function useOpenRecording(): OpenRecording | null {
 }
 
 /** Plays a recording whose mission has just been opened. */
-export function begin({ recording, seed, fail_rate, cut, file }: Recording): void {
+export function begin({ recording, seed, fail_rate, cut, real, file }: Recording): void {
   const { mission, path } = file;
-  useRecording.setState({ open: { recording, seed, failRate: fail_rate, cut, mission, path } });
+  useRecording.setState({
+    open: { recording, seed: real ? 1 : seed, failRate: fail_rate, cut, real, mission, path },
+  });
   playAgain();
 }
 

@@ -1,6 +1,7 @@
 /** Recordings: played, saved, run again. */
 export const RECORDING_EN = {
   "recording.playing": "You are watching a recording: {name}, seed {seed}.",
+  "recording.real": "You are watching a recording of a real robot: {name}.",
   "recording.live": "Now the mission of the recording {name} runs anew, with seed {seed}.",
   "recording.nothing": "Go back and on in it as you like; nothing in it can be changed.",
   "recording.breakpoints":

@@ -16,6 +16,11 @@ export const BOARDS_FR = {
   "boards.run-all": "Lancer sur tous",
   "boards.let-go": "Le laisser tourner seul",
   "boards.let-go-help": "Tourne sans cette page : le câble peut être retiré. Arrêtez-le ici, ou éteignez-le.",
+  "boards.play-recording": "Lire l'enregistrement",
+  "boards.play-recording-help": "Montre ce que le robot a fait depuis son lancement, sur le graphe et sur la frise.",
+  "boards.save-recording": "Enregistrer dans un fichier",
+  "boards.save-recording-help":
+    "Garde ce que le robot a fait dans un fichier qui s'ouvre sur toute machine avec KitRobot.",
   "boards.cancel": "Annuler",
   "boards.connect": "Connecter",
   "boards.reconnect": "Reconnecter",

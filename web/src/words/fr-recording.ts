@@ -3,6 +3,7 @@ import type { Table } from "./words";
 
 export const RECORDING_FR = {
   "recording.playing": "Vous regardez un enregistrement : {name}, graine {seed}.",
+  "recording.real": "Vous regardez l'enregistrement d'un vrai robot : {name}.",
   "recording.live": "La mission de l'enregistrement {name} tourne maintenant à nouveau, avec la graine {seed}.",
   "recording.nothing": "Avancez et reculez comme vous voulez ; on ne peut rien y changer.",
   "recording.breakpoints":

@@ -217,6 +217,7 @@ export const FR = {
   "arena.label": "Arène : le monde avec ses robots",
   "arena.empty": "vide",
   "arena.no-world": "Il n'y a pas de monde à montrer. La liste des problèmes dit pourquoi.",
+  "arena.real": "Les vrais robots ne disent pas où ils sont : le monde est montré sans eux.",
   "arena.no-robot": "Aucun robot n'est encore là. L'onglet Équipe en ajoute un.",
   "arena.size": "{width} × {height} m",
   "arena.zoom-in": "Agrandir",

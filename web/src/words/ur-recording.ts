@@ -3,6 +3,7 @@ import type { Table } from "./words";
 
 export const RECORDING_UR = {
   "recording.playing": "آپ ایک ریکارڈنگ دیکھ رہے ہیں: {name}، بیج {seed}۔",
+  "recording.real": "آپ ایک اصلی روبوٹ کی ریکارڈنگ دیکھ رہے ہیں: {name}۔",
   "recording.live": "اب ریکارڈنگ {name} کا مشن نئے سرے سے چل رہا ہے، بیج {seed} کے ساتھ۔",
   "recording.nothing": "اس میں جیسے چاہیں آگے پیچھے جائیں؛ اس میں کچھ بدلا نہیں جا سکتا۔",
   "recording.breakpoints":

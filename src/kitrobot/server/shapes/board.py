@@ -225,6 +225,8 @@ class BoardMessage(_Message):
     """What went wrong last, "" when nothing did."""
     help: Sentence
     way: BoardWay
+    recorded: bool
+    """Whether there is a recording of its last run, or of the one that is on."""
 
 
 class BoardGoneMessage(_Message):
