@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import warnings
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,7 +17,7 @@ with warnings.catch_warnings():
 from kitrobot.server import create_app
 from kitrobot.workspace import examples_folder
 
-__all__ = ["HOST", "SHORT", "SOCKET", "TOKEN", "TestClient"]
+__all__ = ["HOST", "SHORT", "SOCKET", "TOKEN", "TestClient", "whole"]
 
 TOKEN = "the-right-token"
 HOST = "http://127.0.0.1:8765"
@@ -36,6 +37,15 @@ SHORT = """<kitrobot version="1">
   </team>
 </kitrobot>
 """
+
+
+def whole(before: dict[str, Any], rows: dict[str, Any]) -> dict[str, Any]:
+    """The program that rows say, as the page puts it together."""
+    made = {
+        part: [one for row in rows[part] for one in (before[part][slice(*row)] if isinstance(row, list) else [row])]
+        for part in ("vertices", "arcs")
+    }
+    return before | made
 
 
 @pytest.fixture

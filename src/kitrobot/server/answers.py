@@ -15,8 +15,9 @@ from fastapi import Response
 
 from kitrobot.compiler import Followed, VertexPlace
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.graph import Program
+from kitrobot.graph import Arc, Program, Vertex
 from kitrobot.server.shapes import problem_shapes
+from kitrobot.server.stretches import stretched
 from kitrobot.workspace import Report, Span
 
 
@@ -25,11 +26,11 @@ def report_answer(report: Report) -> Response:
     return _answer(_report(report))
 
 
-def followed_answer(followed: Followed, report: Report | None, most_problems: int) -> Response:
-    """A typed text as `FollowedShape`, with the report of its mission, if there is one."""
+def followed_answer(before: Program, followed: Followed, report: Report | None, most_problems: int) -> Response:
+    """A text typed over a program as `FollowedShape`, with the report of its mission, if there is one."""
     return _answer(
         {
-            "program": _program(followed.program) if followed.program is not None else None,
+            "program": _drawn(before, followed.program) if followed.program is not None else None,
             "spans": _spans(followed.spans),
             "problems": _problems(followed.diagnostics[:most_problems]),
             "report": _report(report) if report is not None else None,
@@ -45,20 +46,27 @@ def _report(report: Report) -> dict[str, Any]:
             "spans": _spans(one.spans),
             "listing": one.listing,
             "instructions": one.instructions,
+            "known": one.known,
         }
         for one in report.programs
     ]
     return {"programs": programs, "problems": _problems(report.problems)}
 
 
+def _drawn(before: Program, after: Program) -> dict[str, Any]:
+    return {
+        "vertices": stretched(before.vertices, after.vertices, lambda one: one.id, _vertex),
+        "arcs": stretched(before.arcs, after.arcs, lambda one: (one.source, one.out, one.target, one.at), _arc),
+    }
+
+
 # By hand: orjson takes twice as long over a dataclass with slots.
-def _program(program: Program) -> dict[str, Any]:
-    vertices = [
-        {"id": one.id, "element": one.element, "settings": one.settings, "notes": one.notes, "unknown": one.unknown}
-        for one in program.vertices
-    ]
-    arcs = [{"source": one.source, "target": one.target, "out": one.out, "at": one.at} for one in program.arcs]
-    return {"name": program.name, "robot": program.robot, "vertices": vertices, "arcs": arcs}
+def _vertex(one: Vertex) -> dict[str, Any]:
+    return {"id": one.id, "element": one.element, "settings": one.settings, "notes": one.notes, "unknown": one.unknown}
+
+
+def _arc(one: Arc) -> dict[str, Any]:
+    return {"source": one.source, "target": one.target, "out": one.out, "at": one.at}
 
 
 def _spans(spans: Iterable[Span | VertexPlace]) -> list[dict[str, Any]]:

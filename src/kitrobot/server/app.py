@@ -34,6 +34,7 @@ from kitrobot.server.shapes import (
     FailureShape,
     problem_shapes,
 )
+from kitrobot.server.shapes.sent import ForgottenError
 from kitrobot.server.studio import Studio
 from kitrobot.server.texts import text_routes
 from kitrobot.server.trace_routes import trace_routes
@@ -125,6 +126,8 @@ def _failed(request: Request, error: Exception) -> Response:
         status = 403
     elif isinstance(error, FileError) and not error.path.exists():
         status = 404
+    elif isinstance(error, ForgottenError):
+        status = 410
     failure = FailureShape(message=message, help=help, problems=problem_shapes(error.diagnostics))
     return JSONResponse(failure.model_dump(), status_code=status)
 

@@ -28,6 +28,7 @@ from kitrobot.server.shapes import (
     problem_shapes,
     world_shape,
 )
+from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
 from kitrobot.workspace import OpenMission, carried_mission, is_picture, new_mission, revision_of
@@ -124,7 +125,7 @@ def mission_text(wanted: MissionTextShape) -> TextShape:
 def check(studio: StudioOf, wanted: CheckShape) -> Response:
     """Looks a mission through: LLL and three-address code of each program, and every problem."""
     with collection_paused():
-        opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
+        opened = studio.open(sent_mission(wanted.mission, studio.programs.named), wanted.path)
         answer = report_answer(opened.check())
     expect_run(len(opened.mission.team.agents))
     return answer

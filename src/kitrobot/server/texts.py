@@ -10,7 +10,7 @@ from kitrobot.compiler import follow_text
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.lll import collection_paused
 from kitrobot.server.answers import followed_answer
-from kitrobot.server.shapes import mission_from_shape
+from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.shapes.text import FollowedShape, TextEditShape
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import NoProgramError
@@ -43,7 +43,7 @@ def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditSha
             f"this text has {len(wanted.text)} characters, and a program has at most {LONGEST_TEXT}",
             "take it apart into programs of several robots",
         )
-    mission = mission_from_shape(wanted.mission)
+    mission = sent_mission(wanted.mission, studio.programs.named)
     program = next((one for one in mission.programs if one.name == wanted.program), None)
     if program is None:
         raise NoProgramError(f"the mission holds no program `{wanted.program}`", "load the page again")
@@ -56,4 +56,4 @@ def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditSha
             mission.programs = [drawn if one is program else one for one in mission.programs]
             studio.programs.of(drawn, parts, followed.translation, sound=followed.sound)
             report = studio.open(mission, wanted.path).check()
-        return followed_answer(followed, report, MOST_PROBLEMS)
+        return followed_answer(program, followed, report, MOST_PROBLEMS)

@@ -3,15 +3,18 @@
 Between two edits most of a mission stays as it was, and a typed text is compared with the very graph whose report was
 asked for a moment ago. A program is found again only when it is the same to the letter and everything it is compiled
 with is the same object: robots and constructors that were read anew are other ones. So nothing kept is ever out of
-date; it may only be gone, and is then made again. Safe to use from many threads; nothing that was kept may be changed.
+date; it may only be gone, and is then made again. Each has a name, which no other store gives, so that who asks about
+an edit need not say the whole program again. Safe to use from many threads; nothing that was kept may be changed.
 """
 
 from __future__ import annotations
 
+import itertools
+import secrets
 import threading
 from collections import OrderedDict
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll
@@ -23,6 +26,8 @@ MOST_VERTICES = 20_000
 """Of all programs that are kept together: some 50 MB."""
 MOST_STATES = 2
 """Of one program: as it is, and as it was before the last edit. More would only be further away in memory."""
+MOST_NAMED = 10
+"""Times `MOST_VERTICES`, of all programs that have a name: states of a program share what did not change in them."""
 MOST_CATALOGUES = 16
 
 _Key = tuple[object, int]
@@ -37,6 +42,8 @@ class KeptProgram:
     ) -> None:
         self.program = program
         self.catalogue = catalogue
+        self.name = ""
+        """By which the program is found again for some time."""
         self._given = translation
         self._sound = sound
 
@@ -76,6 +83,10 @@ class KeptPrograms:
         self._programs: OrderedDict[_Key, KeptProgram] = OrderedDict()
         self._keys: dict[tuple[int, int], _Key] = {}
         """Of the very objects that are kept, by their ids: these cannot come again before the objects are gone."""
+        self._named: OrderedDict[str, Program] = OrderedDict()
+        """They outlive what became of them, so that several windows may edit programs of one name."""
+        self._named_vertices = 0
+        self._names = (f"{secrets.token_hex(4)}-{number}" for number in itertools.count())
         self._vertices = 0
         self._catalogues: list[_Extended] = []
 
@@ -111,6 +122,7 @@ class KeptPrograms:
                 return kept
             kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound)
             self._keys[same] = key
+            self._give_name(kept)
             self._vertices += len(program.vertices)
             states = [one for one, other in self._programs.items() if other.program.name == program.name]
             for old in states[:-MOST_STATES]:
@@ -118,6 +130,34 @@ class KeptPrograms:
             while self._vertices > self._most_vertices:
                 self._forget(next(iter(self._programs)))
         return kept
+
+    def named(self, name: str) -> Program | None:
+        """The program of that name; None when it is not kept any more."""
+        with self._lock:
+            found = self._named.get(name)
+            if found is not None:
+                self._named.move_to_end(name)
+        return found
+
+    def reports(self, programs: Sequence[Program], catalogue: Catalogue) -> list[ProgramReport]:
+        """What is shown of each program, with the names of those that can be found again."""
+        kept = [self.of(one, catalogue) if one.robot in catalogue.robots else None for one in programs]
+        made = [
+            program_report(one.name, None) if found is None else found.report
+            for one, found in zip(programs, kept, strict=True)
+        ]
+        with self._lock:
+            return [
+                one if found is None or found.name not in self._named else replace(one, known=found.name)
+                for one, found in zip(made, kept, strict=True)
+            ]
+
+    def _give_name(self, kept: KeptProgram) -> None:
+        kept.name = next(self._names)
+        self._named[kept.name] = kept.program
+        self._named_vertices += len(kept.program.vertices)
+        while self._named_vertices > MOST_NAMED * self._most_vertices:
+            self._named_vertices -= len(self._named.popitem(last=False)[1].vertices)
 
     def _forget(self, key: _Key) -> None:
         gone = self._programs.pop(key)

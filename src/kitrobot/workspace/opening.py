@@ -154,12 +154,9 @@ class OpenMission:
         return ()
 
     def _program_reports(self) -> Iterable[ProgramReport]:
-        for program in self.mission.programs:
-            compiled = self.compiled.get(program.name)
-            if self.kept is None or compiled is None:
-                yield program_report(program.name, compiled)
-            else:
-                yield self.kept.of(program, self.catalogue).report
+        if self.kept is None:
+            return [program_report(one.name, self.compiled.get(one.name)) for one in self.mission.programs]
+        return self.kept.reports(self.mission.programs, self.catalogue)
 
     def simulation(self, seed: int = 1, fail_rate: float = 0.0) -> Simulation:
         """The mission in its world, before its first tick; `fail_rate` is the probability (0…1) that an agent fails for

@@ -22,13 +22,17 @@ class Span:
 
 @dataclass(frozen=True)
 class ProgramReport:
-    """What a program becomes; `listing` is empty and `instructions` 0 when it has errors."""
+    """What a program becomes; `listing` is empty and `instructions` 0 when it has errors.
+
+    `known` is the name by which `KeptPrograms` finds the program again, "" when it is not kept.
+    """
 
     name: str
     lll: str
     spans: tuple[Span, ...]
     listing: str
     instructions: int
+    known: str = ""
 
 
 def program_report(name: str, compiled: Compiled | None) -> ProgramReport:

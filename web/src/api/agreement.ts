@@ -4,6 +4,7 @@
  * What the server sends must fit the page's types, what the page sends must fit the server's. Nothing here is ever run.
  */
 import type * as server from "./generated";
+import type { DrawnProgram, SentMission } from "./known";
 import type { Made, MissionEntry, Saved, Session } from "./client";
 import type { Recording, RecordingEntry } from "./traces";
 import type { Tutorial, TutorialFit } from "./tutorials";
@@ -18,6 +19,7 @@ export type Received = [
   Fits<MissionFile, server.MissionFile>,
   Fits<Report, server.Report>,
   Fits<Fragment, server.Fragment>,
+  Fits<DrawnProgram, server.DrawnProgram>,
   Fits<Saved, server.Saved>,
   Fits<Made, server.Image>,
   Fits<RunMessage, server.RunMessage>,
@@ -27,4 +29,8 @@ export type Received = [
   Fits<TutorialFit, server.TutorialFit>,
 ];
 
-export type Sent = [Fits<server.Mission, Mission>, Fits<server.RunRequest, RunRequest>];
+export type Sent = [
+  Fits<server.Mission, Mission>,
+  Fits<server.SentMission, SentMission>,
+  Fits<server.RunRequest, RunRequest>,
+];

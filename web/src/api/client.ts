@@ -5,6 +5,7 @@
  * to do; 409 keeps the revision that is on disk. Addresses are relative, so the page works under any path.
  */
 import { languageInUse, t } from "../words/words";
+import { type DrawnProgram, drawn, forget, learn, sent } from "./known";
 import { token } from "./token";
 import type { Fragment, Mission, MissionFile, Problem, Program, Report, Texts, World, SpanEntry } from "./types";
 
@@ -124,6 +125,37 @@ async function answer(address: string, { method = "GET", json, bytes, signal }: 
   return response;
 }
 
+const FORGOTTEN = 410;
+
+/** A question about a mission of which the server may know most. */
+async function askAbout<T>(address: string, mission: Mission, rest: object, signal?: AbortSignal): Promise<T> {
+  const asked = (): Asked => ({ method: "POST", json: { mission: sent(mission), ...rest }, ...(signal && { signal }) });
+  try {
+    return await ask<T>(address, asked());
+  } catch (cause) {
+    if (!(cause instanceof ApiError) || cause.status !== FORGOTTEN) throw cause;
+    forget();
+    return ask<T>(address, asked());
+  }
+}
+
+async function check(mission: Mission, path: string, signal?: AbortSignal): Promise<Report> {
+  const report = await askAbout<Report>("check", mission, { path }, signal);
+  learn(mission, report);
+  return report;
+}
+
+async function follow(mission: Mission, path: string, program: string, text: string): Promise<Followed> {
+  type Answer = Omit<Followed, "program"> & { program: DrawnProgram | null };
+  const answer = await askAbout<Answer>("text", mission, { path, program, text });
+  const before = mission.programs.find((one) => one.name === program);
+  if (answer.program === null || before === undefined) return { ...answer, program: null };
+  const after = drawn(before, answer.program);
+  const programs = mission.programs.map((one) => (one === before ? after : one));
+  if (answer.report !== null) learn({ ...mission, programs }, answer.report);
+  return { ...answer, program: after };
+}
+
 export const api = {
   session: () => ask<Session>("session"),
   missions: () => ask<MissionEntry[]>("missions"),
@@ -142,8 +174,6 @@ export const api = {
       method: "POST",
       json: { text, robot, path, constructors: own.constructors ?? [], variables: own.variables ?? [] },
     }),
-  follow: (mission: Mission, path: string, program: string, text: string) =>
-    ask<Followed>("text", { method: "POST", json: { mission, path, program, text } }),
-  check: (mission: Mission, path: string, signal?: AbortSignal) =>
-    ask<Report>("check", { method: "POST", json: { mission, path }, ...(signal === undefined ? {} : { signal }) }),
+  follow,
+  check,
 };

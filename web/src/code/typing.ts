@@ -2,8 +2,8 @@
  * What a person types into the code panel, and the graph that follows it.
  *
  * A draft is a program's text while it is not (or not laid out as) what the server prints. Each change asks the server for
- * the graph of it and the report of the mission with it, one question at a time and newest-wins; a text without mistakes becomes one command, and commands of one burst
- * join. A text with mistakes leaves the graph alone. A draft goes with the program object it was typed over: when that is
+ * the graph of it and the report of the mission with it, one question at a time and newest-wins; a text without mistakes
+ * becomes one command, and commands of one burst join. A text with mistakes leaves the graph alone. A draft goes with the program object it was typed over: when that is
  * replaced by another edit the draft ends, and when undo brings a program back whose text was typed, so does its text.
  */
 import { create } from "zustand";
@@ -12,9 +12,8 @@ import { ApiError, type Followed } from "../api/client";
 import { replaceProgram } from "../model/command";
 import { useStudio } from "../model/studio";
 import type { Mission, Problem, Program, SpanEntry } from "../model/types";
-import { acceptReport } from "../shell/checked";
+import { changeChecked } from "../shell/checked";
 import { t } from "../words/words";
-import { sharing } from "./program-change";
 
 export interface Draft {
   text: string;
@@ -41,7 +40,6 @@ export type Ask = (mission: Mission, path: string, program: string, text: string
 const typed = new WeakMap<Program, { text: string; spans: SpanEntry[] }>();
 /** Programs whose text the server has not seen yet. */
 const wanted = new Set<string>();
-let timer: ReturnType<typeof setTimeout> | undefined;
 let asking = false;
 let focused = false;
 let ask: Ask = () => Promise.reject(new Error("not connected"));
@@ -66,12 +64,11 @@ export function typeText(name: string, text: string, before: { text: string; spa
   const old = draft ?? { right: true, problems: [] };
   put(name, { ...old, text, program, waiting: true, spans: [], failure: "" });
   wanted.add(name);
-  // After the letter is on the screen.
-  timer ??= setTimeout(() => void next(), 0);
+  // Before the letter is on the screen: the server works while the page draws it.
+  void next();
 }
 
 async function next(): Promise<void> {
-  timer = undefined;
   while (!asking) {
     const [name] = wanted;
     if (name === undefined) return;
@@ -99,17 +96,18 @@ function take(name: string, asked: Draft, followed: Followed, mission: Mission):
   const now = useTyping.getState().drafts[name];
   if (now === undefined || now.text !== asked.text || now.program !== asked.program) return;
   const answered = { ...now, waiting: false, spans: followed.spans, problems: followed.problems, failure: "" };
-  if (followed.program === null) {
+  const { program } = followed;
+  if (program === null) {
     put(name, { ...answered, right: false });
     return;
   }
-  const program = sharing(asked.program, followed.program);
   typed.set(program, { text: asked.text, spans: followed.spans });
   put(name, { ...answered, program, right: true });
   if (program === asked.program) return;
   const { mission: before, execute } = useStudio.getState();
-  execute({ ...replaceProgram(t("code.edit-text"), asked.program, program), joins: `text ${name}` });
-  if (before === mission && followed.report !== null) acceptReport(followed.report, useStudio.getState().mission);
+  const command = { ...replaceProgram(t("code.edit-text"), asked.program, program), joins: `text ${name}` };
+  if (before !== mission || followed.report === null) execute(command);
+  else changeChecked(followed.report, () => execute(command));
 }
 
 /** The editor was entered or left. Left with a text that is right, it shows the one true layout again. */
@@ -148,8 +146,6 @@ export function connectTyping(asking: Ask): () => void {
   return () => {
     off();
     offTyping();
-    clearTimeout(timer);
-    timer = undefined;
     wanted.clear();
     useTyping.setState({ drafts: {} });
   };

@@ -270,6 +270,8 @@ export interface ProgramReport {
   spans: SpanEntry[];
   listing: string;
   instructions: number;
+  /** The server's name of the program (api/known.ts). */
+  known?: string;
 }
 
 /** What a pasted text became; null when it is no LLL. */

@@ -11,20 +11,24 @@ import { isOwn } from "../own/state";
 import { partsOf } from "../model/parts";
 import { programInView, useStudio } from "../model/studio";
 import { variableHandlers } from "../parts/variable-row";
-import { VariableForm } from "../parts/VariableForm";
 import { VariableMenu } from "../parts/VariableMenu";
 import { VariableName } from "../parts/VariableName";
 import { newVariable, useVariables, variableKey } from "../parts/variables";
 import { text } from "../model/texts";
 import type { RobotObject } from "../model/types";
 import { useRun, watchedAgent } from "../run/run";
+import { complain } from "../shell/document";
+import { later } from "../shell/later";
 import { Icon, Tile } from "../theme";
 import { mirrored } from "../words/language";
 import { t } from "../words/words";
 import { useReveal } from "./reveal";
 import { type Folded, type Row, rowsOf, unfoldedFor } from "./tree";
 
+const VariableForm = later(() => import("../parts/VariableForm").then((chunk) => chunk.VariableForm), complain);
+
 export function Palette() {
+  const form = useVariables((state) => state.form);
   const robot = useStudio((state) => programInView(state)?.robot ?? "");
   const catalogue = useStudio((state) => state.catalogue);
   const [query, setQuery] = useState("");
@@ -174,7 +178,7 @@ export function Palette() {
           ),
         )}
       </div>
-      <VariableForm />
+      {form === null ? null : <VariableForm key={`${form.robot} ${form.was}`} {...form} />}
       <VariableMenu />
     </div>
   );

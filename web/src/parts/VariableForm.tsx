@@ -8,7 +8,6 @@ import { Icon } from "../theme";
 import { Said } from "../words/Said";
 import { t } from "../words/words";
 import { keepVariable, ownVariable, useVariables } from "./variables";
-import "./variables.css";
 
 const USUAL = { type: "integer", min: "0", max: "100", initial: "0", shared: false } as const;
 
@@ -21,11 +20,6 @@ interface Typed {
   shared: boolean;
 }
 
-export function VariableForm() {
-  const form = useVariables((state) => state.form);
-  return form === null ? null : <Form key={`${form.robot} ${form.was}`} {...form} />;
-}
-
 function begin(robot: string, was: string, name: string): Typed {
   const own = was === "" ? undefined : ownVariable({ robot, name: was });
   if (own === undefined) return { ...USUAL, name };
@@ -35,7 +29,7 @@ function begin(robot: string, was: string, name: string): Typed {
     : { name, type, min: String(min), max: String(max), initial: String(initial), shared };
 }
 
-function Form({ robot, was, name }: { robot: string; was: string; name: string }) {
+export function VariableForm({ robot, was, name }: { robot: string; was: string; name: string }) {
   const [typed, setTyped] = useState(() => begin(robot, was, name));
   const [why, setWhy] = useState("");
   const [back] = useState(() => document.activeElement);

@@ -5,6 +5,7 @@ import { ApiError } from "../api/client";
 import { Said } from "../words/Said";
 import { t } from "../words/words";
 import { keepVariable, type Named, ownVariable, useVariables, wantedLike } from "./variables";
+import "./variables.css";
 
 export function VariableName({ of, done }: { of: Named; done: (name: string) => void }) {
   const [text, setText] = useState(of.name);

@@ -12,14 +12,27 @@ export function acceptReport(report: Report, mission: Mission): void {
   useStudio.getState().setReport(report);
 }
 
+let coming = false;
+
+/** Makes a change of the mission whose report came along with it. */
+export function changeChecked(report: Report, change: () => void): void {
+  coming = true;
+  try {
+    change();
+  } finally {
+    coming = false;
+  }
+  acceptReport(report, useStudio.getState().mission);
+}
+
 /** The report may be wrong about its mission, since something around it changed. */
 export function forgetReport(): void {
   useChecked.setState({ mission: null });
 }
 
-/** Whether the report is about that very mission. */
+/** Whether the report is about that very mission, or is about to be. */
 export function isChecked(mission: Mission): boolean {
-  return useStudio.getState().report !== null && useChecked.getState().mission === mission;
+  return coming || (useStudio.getState().report !== null && useChecked.getState().mission === mission);
 }
 
 /** Whether the report lags behind what the person has done. */

@@ -1,5 +1,5 @@
 /**
- * Keeps the report fresh: every change of the mission is checked by the server at once.
+ * Keeps the report fresh: every change of the mission is checked by the server at once, while the page draws it.
  *
  * One question is asked at a time; while it is under way the newest change waits. Of answers only the newest counts: one that
  * was overtaken is dropped. A change whose report came with it (a typed text) is not asked about again. While the server
@@ -34,11 +34,9 @@ export function makeChecker<Answer = Report>({
   known,
 }: Checker<Answer>): (mission: Mission, path: string) => void {
   let wanted: { mission: Mission; path: string } | null = null;
-  let timer: ReturnType<typeof setTimeout> | undefined;
   let under: { controller: AbortController; begun_ms: number } | null = null;
 
   const next = () => {
-    timer = undefined;
     if (under !== null && performance.now() - under.begun_ms > PATIENCE_MS) under.controller.abort();
     if (under !== null || wanted === null) return;
     const { mission, path } = wanted;
@@ -58,8 +56,7 @@ export function makeChecker<Answer = Report>({
   };
   return (mission, path) => {
     wanted = { mission, path };
-    // Edits of one moment are one question, and the picture of the edit is not kept waiting by it.
-    timer ??= setTimeout(next, 0);
+    next();
   };
 }
 
@@ -79,9 +76,16 @@ export function keepChecking(): () => void {
       complain(cause, () => request(useStudio.getState().mission, useStudio.getState().file.path));
     },
   });
-  const again = () => {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const now = () => {
+    timer = undefined;
     const { mission, file } = useStudio.getState();
     if (useDocument.getState().ready && mission.programs.length > 0) request(mission, file.path);
+  };
+  const again = () => {
+    // Of a mission that was just opened its picture is waited for, not what the server says of it.
+    if (useStudio.getState().report === null) timer ??= setTimeout(now, 0);
+    else now();
   };
   if (said !== languageInUse()) {
     said = languageInUse();
@@ -99,6 +103,7 @@ export function keepChecking(): () => void {
     if (state.ready && !before.ready) again();
   });
   return () => {
+    clearTimeout(timer);
     offMission();
     offReady();
   };

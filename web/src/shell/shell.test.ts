@@ -34,15 +34,15 @@ describe("the checker", () => {
     problems: [],
   });
 
-  it("asks once for edits that follow each other closely", async () => {
+  it("asks at once, and once more for all edits that follow meanwhile", async () => {
     const check = vi.fn().mockResolvedValue(report("a"));
     const accept = vi.fn();
     const ask = makeChecker({ check, accept, fail: vi.fn() });
     ask(MISSION, "1");
-    ask(MISSION, "2");
-    await vi.advanceTimersByTimeAsync(100);
     expect(check).toHaveBeenCalledTimes(1);
-    expect(check.mock.calls[0]?.[1]).toBe("2");
+    for (const path of ["2", "3"]) ask(MISSION, path);
+    await vi.advanceTimersByTimeAsync(100);
+    expect(check.mock.calls.map((given: unknown[]) => given[1])).toEqual(["1", "3"]);
     expect(accept).toHaveBeenCalledTimes(1);
   });
 

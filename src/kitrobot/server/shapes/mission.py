@@ -153,8 +153,8 @@ def mission_shape(mission: Mission) -> MissionShape:
     )
 
 
-def mission_from_shape(shape: MissionShape) -> Mission:
-    """The mission that travelled.
+def mission_from_shape(shape: MissionShape, programs: list[Program] | None = None) -> Mission:
+    """The mission that travelled; `programs` count in the place of those in the shape.
 
     Raises:
         OwnPartError: a constructor or a variable that it brings along makes no sense.
@@ -163,7 +163,8 @@ def mission_from_shape(shape: MissionShape) -> Mission:
         agents=[Agent(name=agent.name, program=agent.program, start=agent.start) for agent in shape.agents],
         goals=[Goal(storehouse=goal.storehouse, stock=goal.stock) for goal in shape.goals],
     )
-    programs = [_program(program) for program in shape.programs]
+    if programs is None:
+        programs = [_program(program) for program in shape.programs]
     constructors = [own_constructor(constructor) for constructor in shape.constructors]
     variables = [own_variable(variable) for variable in shape.variables]
     breakpoints = [breakpoint_from_shape(one) for one in shape.breakpoints]
@@ -209,14 +210,16 @@ def _program_shape(program: Program) -> ProgramShape:
 
 
 def _program(shape: ProgramShape) -> Program:
-    vertices = [
-        Vertex(
-            id=vertex.id,
-            element=vertex.element,
-            settings=vertex.settings,
-            notes=[Note(note.text, note.at) for note in vertex.notes],
-            unknown=vertex.unknown,
-        )
-        for vertex in shape.vertices
-    ]
-    return Program(shape.name, shape.robot, vertices, [Arc(a.source, a.target, a.out, a.at) for a in shape.arcs])
+    vertices = [vertex_from_shape(vertex) for vertex in shape.vertices]
+    return Program(shape.name, shape.robot, vertices, [arc_from_shape(arc) for arc in shape.arcs])
+
+
+def vertex_from_shape(shape: VertexShape) -> Vertex:
+    """The vertex that travelled."""
+    notes = [Note(note.text, note.at) for note in shape.notes]
+    return Vertex(shape.id, shape.element, shape.settings, notes, shape.unknown)
+
+
+def arc_from_shape(shape: ArcShape) -> Arc:
+    """The arc that travelled."""
+    return Arc(shape.source, shape.target, shape.out, shape.at)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
+from kitrobot.server.shapes.sent import SentMissionShape
 
 
 class SpanEntryShape(BaseModel):
@@ -18,13 +18,17 @@ class SpanEntryShape(BaseModel):
 
 
 class ProgramReportShape(BaseModel):
-    """What a program becomes: LLL with the place of each vertex, and three-address code."""
+    """What a program becomes: LLL with the place of each vertex, and three-address code.
+
+    `known`: the name by which the next edit may send only what it changed in the program; "" when it must send all.
+    """
 
     name: str
     lll: str
     spans: list[SpanEntryShape]
     listing: str
     instructions: int
+    known: str
 
 
 class ReportShape(BaseModel):
@@ -37,5 +41,5 @@ class ReportShape(BaseModel):
 class CheckShape(BaseModel):
     """A request to look a mission through; `path` is the file it was opened from, "" for a new one."""
 
-    mission: MissionShape
+    mission: SentMissionShape
     path: str

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.server.shapes.mission import MissionShape, ProgramShape, Words
+from kitrobot.server.shapes.mission import Words
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.report import ReportShape, SpanEntryShape
+from kitrobot.server.shapes.sent import DrawnProgramShape, SentMissionShape
 
 
 class TextEditShape(BaseModel):
     """The LLL of one program as a person has typed it; `mission` holds the program that it was before."""
 
-    mission: MissionShape
+    mission: SentMissionShape
     path: str
     program: str
     text: Words
@@ -24,7 +25,7 @@ class FollowedShape(BaseModel):
     `problems` have their places in the text that was sent. `report` is the mission looked through with that program.
     """
 
-    program: ProgramShape | None
+    program: DrawnProgramShape | None
     spans: list[SpanEntryShape]
     problems: list[ProblemShape]
     report: ReportShape | None

@@ -1,0 +1,127 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+
+import { CARRIER, missionOf } from "../model/testing/missions";
+import type { Arc, Program, Report, Vertex } from "../model/types";
+import { api } from "./client";
+import { drawn, forget, rowsOf, type SentMission, type SentProgram } from "./known";
+
+const MISSION = missionOf(CARRIER);
+const { vertices, arcs } = CARRIER;
+const extra: Vertex = { id: "extra", element: "Wait", settings: { duration: "3" }, notes: [] };
+
+/** The report of a mission whose program the server knows by that name. */
+function named(known: string): Report {
+  return { programs: [{ name: CARRIER.name, lll: "", spans: [], listing: "", instructions: 0, known }], problems: [] };
+}
+
+const gone = { message: "Not known.", help: "", problems: [] };
+let answers: [status: number, body: unknown][] = [];
+let bodies: { mission: SentMission }[] = [];
+
+function answering(...given: typeof answers): void {
+  answers = given;
+}
+
+function sentProgram(at = -1): SentProgram {
+  const found = bodies.at(at)?.mission.programs[0];
+  if (found === undefined) throw new Error("nothing was sent");
+  return found;
+}
+
+function edited(one: Vertex = extra): Program {
+  return { ...CARRIER, vertices: [...vertices.slice(0, 2), one, ...vertices.slice(2)] };
+}
+
+beforeEach(() => {
+  forget();
+  bodies = [];
+  vi.stubGlobal(
+    "fetch",
+    vi.fn((_: string, { body }: { body: string }) => {
+      bodies.push(JSON.parse(body) as { mission: SentMission });
+      const [status, answer] = answers.shift() ?? [500, {}];
+      return Promise.resolve(new Response(JSON.stringify(answer), { status }));
+    }),
+  );
+});
+afterEach(() => vi.unstubAllGlobals());
+
+describe("a list as rows of another", () => {
+  const [a, b, c, d] = [{ n: 1 }, { n: 2 }, { n: 3 }, { n: 4 }];
+  it.each([
+    ["the same", [a, b, c], [[0, 3]]],
+    ["nothing", [], []],
+    ["something put in", [a, d, b, c], [[0, 1], d, [1, 3]]],
+    ["something taken out", [a, c], [[0, 1], [2, 3]]], // prettier-ignore
+    ["something in the place of another", [a, d, c], [[0, 1], d, [2, 3]]],
+    ["another order", [c, a, b], [[2, 3], [0, 2]]], // prettier-ignore
+    ["all new", [d], [d]],
+  ])("%s", (_, after, rows) => {
+    expect(rowsOf([a, b, c], after)).toEqual(rows);
+    const program = { ...CARRIER, vertices: [a, b, c] as unknown as Vertex[], arcs: [] as Arc[] };
+    const back = drawn(program, { vertices: rows as never, arcs: [] });
+    expect(back.vertices).toEqual(after);
+    back.vertices.forEach((one, at) => expect(one).toBe(after[at]));
+  });
+});
+
+describe("a mission", () => {
+  it("is sent whole at first, then only what changed since the answer", async () => {
+    answering([200, named("s-1")], [200, named("s-2")]);
+    await api.check(MISSION, "a.krt");
+    expect(bodies[0]?.mission).toEqual(JSON.parse(JSON.stringify(MISSION)));
+    await api.check(missionOf(edited()), "a.krt");
+    expect(sentProgram()).toMatchObject({ of: "s-1", vertices: [[0, 2], extra, [2, vertices.length]] });
+    expect(sentProgram().arcs).toEqual([[0, arcs.length]]);
+    answering([200, named("s-3")]);
+    await api.check(MISSION, "a.krt");
+    expect(sentProgram().of).toBe("s-2");
+    expect(sentProgram().vertices).toEqual([[0, 2], [3, vertices.length + 1]]); // prettier-ignore
+  });
+
+  it("is sent whole to a server that has forgotten, and to one that gave no name", async () => {
+    answering([200, named("s-1")], [410, gone], [200, named("")], [200, named("")]);
+    await api.check(MISSION, "");
+    await api.check(missionOf(edited()), "");
+    expect([sentProgram(1).of, sentProgram(2).of]).toEqual(["s-1", undefined]);
+    expect(sentProgram(2).vertices).toHaveLength(vertices.length + 1);
+    await api.check(MISSION, "");
+    expect(sentProgram().of).toBeUndefined();
+  });
+
+  it("that is refused for another reason is not sent twice", async () => {
+    answering([422, gone]);
+    await expect(api.check(MISSION, "")).rejects.toThrow("Not known.");
+    expect(bodies).toHaveLength(1);
+  });
+
+  it("whose answer never came is sent as what changed since the one before", async () => {
+    answering([200, named("s-1")], [500, {}], [200, named("s-2")]);
+    await api.check(MISSION, "");
+    await expect(api.check(missionOf(edited()), "")).rejects.toThrow();
+    await api.check(missionOf(edited({ ...extra, id: "other" })), "");
+    expect(sentProgram()).toMatchObject({ of: "s-1", vertices: [[0, 2], { id: "other" }, [2, vertices.length]] });
+  });
+});
+
+describe("a typed text", () => {
+  const rows = { vertices: [[0, 2], extra, [2, vertices.length]], arcs: [[0, arcs.length]] };
+  const followed = { program: rows, spans: [], problems: [], report: named("s-7") };
+
+  it("gives a program that keeps what did not change, and from which the next edit starts", async () => {
+    answering([200, followed], [200, named("s-8")]);
+    const { program } = await api.follow(MISSION, "a.krt", CARRIER.name, "text");
+    expect(program?.vertices[1]).toBe(vertices[1]);
+    expect(program?.vertices[2]).toEqual(extra);
+    expect(program?.arcs).toBe(arcs);
+    await api.check(missionOf(program ?? CARRIER), "a.krt");
+    expect(sentProgram()).toMatchObject({ of: "s-7", vertices: [[0, vertices.length + 1]] });
+  });
+
+  it("that says the same gives the very program, and one with mistakes gives none", async () => {
+    const same = { vertices: [[0, vertices.length]], arcs: [[0, arcs.length]] };
+    answering([200, { ...followed, program: same }], [200, { ...followed, program: null, report: null }]);
+    expect((await api.follow(MISSION, "", CARRIER.name, "text")).program).toBe(CARRIER);
+    expect((await api.follow(MISSION, "", CARRIER.name, "text(")).program).toBeNull();
+  });
+});
