@@ -319,7 +319,7 @@ def test_a_fault_stands_in_the_recording_with_its_vertex_and_line(kitrobot, brok
     failures = [event for event in played["events"] if event["kind"] == "failure"]
     assert len(failures) == 1
     assert re.search(r"fault 1: a driver failed \(Display: .*\); at the vertex v3, line 2", failures[0]["text"])
-    assert (failures[0]["cause"], played["outcome"]) == ("world", "failed")
+    assert (failures[0]["cause"], played["outcome"]) == ("robot", "failed")
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C reaches no single process there")
@@ -353,7 +353,7 @@ def test_several_robots_are_recorded_together_and_ctrl_c_or_a_lost_link_leaves_a
     assert not played["cut"]
     lost = [event for event in played["events"] if event["kind"] == "failure"]
     assert [(event["agent"], event["text"], event["cause"]) for event in lost] == [
-        (names[1], "the link is lost", "world")
+        (names[1], "the link is lost", "link")
     ]
     last = kitrobot("replay", here / "r.krtrace", "--at", "9999", "--json").json["agents"]
     assert [last[name]["state"] for name in names] == ["running", "stalled"]

@@ -83,7 +83,7 @@ def test_a_fault_ends_the_recording_where_it_happened(visit, folder, tmp_path, s
         page.until("board", lambda said: said["fault"] is not None and said["state"] == "fault")
         with saved(board.address) as reader:
             *_, (kind, text, cause) = events_of(reader)
-            assert (kind, cause) == ("failure", "world")
+            assert (kind, cause) == ("failure", "robot")
             assert text.startswith("fault 1: a driver failed (Display")
             assert "at the vertex v3, line 2" in text
             (threads,) = reader.seek(reader.last_tick).active
@@ -102,7 +102,7 @@ def test_a_lost_link_stands_in_the_recording(visit, robot, saved) -> None:  # no
         with saved(robot.address) as reader:
             assert not reader.cut
             *_, (kind, text, cause) = events_of(reader)
-            assert (kind, cause) == ("failure", "world")
+            assert (kind, cause) == ("failure", "link")
             assert "is lost: its motors stop within one second" in text
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.deploy import Fault, News, Text
-from kitrobot.trace import PERSON, PROGRAM, WORLD, TraceError, TraceReader
+from kitrobot.trace import PERSON, PROGRAM, ROBOT, TraceError, TraceReader
 from kitrobot.workspace import load_board_program, open_trace, state_at, summary_of
 from kitrobot.workspace.board_carried import keep_carried, kept_carried
 from kitrobot.workspace.board_names import keep_names
@@ -98,11 +98,11 @@ def test_what_people_did_and_what_went_wrong_are_events_with_cause_vertex_and_li
                 300,
                 "failure",
                 f"fault 1: a driver failed (Display: OSError); at the vertex v3, line {line} of the code",
-                WORLD,
+                ROBOT,
             ),
         ]
         assert reader.outcome["outcome"] == "failed"
-        assert reader.outcome["sentence"].startswith("a: fault 1: a driver failed")
+        assert reader.outcome["sentence"].startswith("fault 1: a driver failed")
     trace = open_trace(tmp_path / "r.krtrace")
     with trace.reader:
         assert summary_of(trace)["real"]

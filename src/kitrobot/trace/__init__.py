@@ -3,10 +3,12 @@
 from kitrobot.trace.layout import ENDING
 from kitrobot.trace.model import (
     CHANCE,
+    LINK,
     MISSION,
     PERSON,
     POSE_WORDS,
     PROGRAM,
+    ROBOT,
     TEAM,
     WORLD,
     Column,
@@ -25,10 +27,12 @@ from kitrobot.trace.writing import TraceWriter
 __all__ = [
     "CHANCE",
     "ENDING",
+    "LINK",
     "MISSION",
     "PERSON",
     "POSE_WORDS",
     "PROGRAM",
+    "ROBOT",
     "TEAM",
     "WORLD",
     "Column",

@@ -23,8 +23,9 @@ POSE_WORDS = ("x_mm", "y_mm", "heading_rad", "load", "flags")
 """The numbers of where an agent is. A real robot has none of them: nobody knows that of it."""
 
 PROGRAM, WORLD, PERSON, MISSION, CHANCE = "program", "world", "person", "mission", "chance"
+ROBOT, LINK = "robot", "link"
 """What brings an event about: a program's command, a thing that stood in the way, somebody's hand during the run, the
-mission's schedule, or chance."""
+mission's schedule, or chance; of a real robot also the robot itself (a part, its power) and the link to it."""
 
 
 class TraceError(KitRobotError):
@@ -114,7 +115,7 @@ class TraceEvent:
     """What happened: load, unload, message, collision, end, outside, …; `agent` is -1 for the whole team.
 
     `tick` is the step in which it happened, or before which somebody did it from outside. `cause` is one of PROGRAM,
-    WORLD, PERSON, MISSION and CHANCE.
+    WORLD, PERSON, MISSION, CHANCE, ROBOT and LINK.
     """
 
     tick: int

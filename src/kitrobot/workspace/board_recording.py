@@ -21,9 +21,10 @@ from typing import Any
 
 from kitrobot.deploy import Fault, News, Text
 from kitrobot.trace import (
+    LINK,
     PERSON,
     PROGRAM,
-    WORLD,
+    ROBOT,
     Threads,
     TickRecord,
     TraceCommand,
@@ -40,8 +41,8 @@ MOST_FILLED = 30_000
 LONGEST_TEXT = 500
 IDLE, RUNNING, FAILED, SILENT = 0, 2, 3, 4
 """What a robot does, by the numbers of simulated ones."""
-_OF_THE_PROGRAM = (3, 4)
-"""Faults that its program brings about: too large, or damaged."""
+_CAUSES = {3: PROGRAM, 4: PROGRAM, 6: LINK}
+"""What brings a fault about: a program that is too large or damaged, a link that was lost; else the robot itself."""
 
 
 class BoardRecorder:
@@ -124,13 +125,13 @@ class BoardRecorder:
                 self._numbers[self._starts[board]] = SILENT
                 self._active[board] = ()
                 self._sentences[board] = message
-                self._happens(board, "failure", message, WORLD)
+                self._happens(board, "failure", message, LINK)
 
     # -- what people do
 
     def found(self, board: int) -> None:
         """It is heard again."""
-        self._by_hand(board, "revival", "the link is back", WORLD)
+        self._by_hand(board, "revival", "the link is back", LINK)
         self._sentences.pop(board, None)
 
     def started(self, board: int) -> None:
@@ -145,7 +146,7 @@ class BoardRecorder:
 
     def began_anew(self, board: int) -> None:
         """Its count of ticks began anew, and nobody asked for that."""
-        self._by_hand(board, "message", "it began anew by itself", WORLD)
+        self._by_hand(board, "message", "it began anew by itself", ROBOT)
 
     def forced(self, board: int, sensor: str, value: int | None) -> None:
         """Somebody put a value in the place of what a sensor measures; None: gave the sensor back."""
@@ -208,7 +209,9 @@ class BoardRecorder:
         outcome, sentence = "stopped", ""
         if self._sentences:
             board, sentence = next(iter(self._sentences.items()))
-            outcome, sentence = "failed", f"{self._boards[board].name}: {sentence}"
+            outcome = "failed"
+            if len(self._boards) > 1:
+                sentence = f"{self._boards[board].name}: {sentence}"
         elif len(self._ended) == len(self._boards):
             outcome, sentence = "done", "the program of each robot has ended"
         return {"outcome": outcome, "sentence": sentence, "ticks": self._tick - 1, "delivered": 0, "collisions": 0}
@@ -285,4 +288,4 @@ class BoardRecorder:
         self._active[board] = ((0, fault.instruction),) if fault.instruction is not None else ()
         sentence = fault_said(fault, names)
         self._sentences[board] = sentence
-        self._happens(board, "failure", sentence, PROGRAM if fault.number in _OF_THE_PROGRAM else WORLD)
+        self._happens(board, "failure", sentence, _CAUSES.get(fault.number, ROBOT))

@@ -930,7 +930,7 @@ export interface RunEvent {
   kind: "load" | "unload" | "message" | "collision" | "failure" | "revival" | "end" | "outside";
   agent: string;
   text: string;
-  cause: "program" | "world" | "person" | "mission" | "chance";
+  cause: "program" | "world" | "person" | "mission" | "chance" | "robot" | "link";
 }
 
 /** A mission to be written; `revision` is the one that the page last read or wrote, "" for a new file. */

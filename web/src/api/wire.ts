@@ -46,7 +46,7 @@ export interface Hit {
 export type RunEventKind = "load" | "unload" | "message" | "collision" | "failure" | "revival" | "end" | "outside";
 
 /** What brings an event about: `mission` is its schedule, `person` somebody's hand during the run. */
-export type RunEventCause = "program" | "world" | "person" | "mission" | "chance";
+export type RunEventCause = "program" | "world" | "person" | "mission" | "chance" | "robot" | "link";
 
 export interface RunEvent {
   tick: number;

@@ -24,7 +24,8 @@ export function lastOf(events: readonly RunEvent[], tick: number, most: number):
 
 /** What happened without its cause in brackets, which stands beside it. */
 export function withoutCause({ text, cause }: RunEvent): string {
-  return cause === "program" || cause === "world" ? text : text.replace(/\s*\([^()]*\)$/, "");
+  const said = cause === "person" || cause === "mission" || cause === "chance";
+  return said ? text.replace(/\s*\([^()]*\)$/, "") : text;
 }
 
 export function EventList() {

@@ -22,6 +22,7 @@ describe("what happened", () => {
 
   it("says its cause once", () => {
     expect(withoutCause(event(1, "fails (by chance)", "chance"))).toBe("fails");
+    expect(withoutCause(event(1, "fault 1: a driver failed (Display)", "robot"))).toContain("(Display)");
     expect(withoutCause(event(1, "tombe en panne (à la main)", "person"))).toBe("tombe en panne");
     expect(withoutCause(event(1, "Dock = 3 (odd)", "program"))).toBe("Dock = 3 (odd)");
     expect(withoutCause(event(1, "Dock was set to 3 by hand", "person"))).toBe("Dock was set to 3 by hand");

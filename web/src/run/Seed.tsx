@@ -10,7 +10,7 @@ import { useState } from "react";
 import { Icon } from "../theme";
 import { decimal } from "../words/numbers";
 import { t } from "../words/words";
-import { isLive, useRun } from "./run";
+import { areReal, isLive, useRun } from "./run";
 
 const LARGEST = 999_999;
 
@@ -18,6 +18,8 @@ export function Seed() {
   const seed = useRun((run) => run.seed);
   const failRate = useRun((run) => run.failRate);
   const live = useRun((run) => isLive(run.status));
+  // Chance has no seed where real robots ran.
+  const real = useRun((run) => run.recording && areReal(run.agents));
   const [typed, setTyped] = useState<string | null>(null);
   const put = (wanted: number) => {
     if (Number.isInteger(wanted) && wanted >= 0 && wanted <= LARGEST) useRun.setState({ seed: wanted });
@@ -26,6 +28,7 @@ export function Seed() {
     if (typed !== null && typed.trim() !== "") put(Number(typed));
     setTyped(null);
   };
+  if (real) return null;
   return (
     <span className="seed">
       <label title={t("run.seed-help")}>

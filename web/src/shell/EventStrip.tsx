@@ -35,11 +35,11 @@ const GRAVITY: Record<RunEventKind, number> = {
   end: 0,
   failure: 1,
   revival: 1,
-  collision: 2,
-  load: 3,
-  unload: 3,
-  message: 4,
-  outside: 1,
+  outside: 2,
+  collision: 3,
+  load: 4,
+  unload: 4,
+  message: 5,
 };
 
 /** Those that can be told apart at `gap` px: where they crowd, the weightier stay. In the order of time. */

@@ -21,6 +21,8 @@ export const DEBUG_EN = {
   "debug.cause-person": "by hand",
   "debug.cause-mission": "on schedule",
   "debug.cause-chance": "by chance",
+  "debug.cause-robot": "the robot",
+  "debug.cause-link": "the link",
   "debug.watch": "Watch",
   "debug.watch-close": "Close the watch",
   "debug.watch-nothing": "Press Run: here you see what the robot's variables and sensors say, and can change it.",

@@ -216,7 +216,7 @@ export const EN = {
   "arena.label": "Arena: the world with its robots",
   "arena.empty": "empty",
   "arena.no-world": "There is no world to show. The list of problems says why.",
-  "arena.real": "Real robots do not tell where they are: the world stands here without them.",
+  "arena.real": "Real robots do not tell where they are. This is the world without them.",
   "arena.no-robot": "No robot is here yet. The tab Team adds one.",
   "arena.size": "{width} × {height} m",
   "arena.zoom-in": "Zoom in",

@@ -23,6 +23,8 @@ export const DEBUG_FR = {
   "debug.cause-person": "à la main",
   "debug.cause-mission": "selon l’horaire",
   "debug.cause-chance": "par hasard",
+  "debug.cause-robot": "le robot",
+  "debug.cause-link": "la liaison",
   "debug.watch": "Observer",
   "debug.watch-close": "Fermer l'observation",
   "debug.watch-nothing":

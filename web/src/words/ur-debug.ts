@@ -23,6 +23,8 @@ export const DEBUG_UR = {
   "debug.cause-person": "ہاتھ سے",
   "debug.cause-mission": "طے شدہ وقت پر",
   "debug.cause-chance": "اتفاق سے",
+  "debug.cause-robot": "خود روبوٹ",
+  "debug.cause-link": "رابطہ",
   "debug.watch": "نگرانی",
   "debug.watch-close": "نگرانی بند کریں",
   "debug.watch-nothing": "چلائیں دبائیں: یہاں روبوٹ کے متغیرات اور سینسر دکھائی دیں گے، اور آپ انھیں بدل سکیں گے۔",

@@ -222,9 +222,10 @@ class AgentReportShape(BaseModel):
 EventKind = Literal["load", "unload", "message", "collision", "failure", "revival", "end", "outside"]
 EVENT_KINDS: tuple[str, ...] = get_args(EventKind)
 """outside: what somebody did to the run."""
-EventCause = Literal["program", "world", "person", "mission", "chance"]
+EventCause = Literal["program", "world", "person", "mission", "chance", "robot", "link"]
 EVENT_CAUSES: tuple[str, ...] = get_args(EventCause)
-"""What brings an event about: mission is its schedule, person a hand during the run."""
+"""What brings an event about: mission is its schedule, person a hand during the run; of a real
+robot, robot is that itself and link the way to it."""
 
 
 class RunEventShape(BaseModel):
