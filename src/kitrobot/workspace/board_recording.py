@@ -35,7 +35,7 @@ from kitrobot.trace import (
 from kitrobot.workspace.board_traced import BEFORE, RecordedBoard, fault_said, header_of
 
 SETTLE_S = 5.0
-"""How much a computer that loses its power takes along of a recording."""
+"""How much of a recording is lost at most when the program is killed."""
 MOST_FILLED = 30_000
 """Ticks without news that are written one by one; of a longer silence only the last ones."""
 LONGEST_TEXT = 500
