@@ -8,6 +8,7 @@ import pytest
 
 from kitrobot.server.board_tape import Tape
 from kitrobot.trace import TraceError, TraceReader
+from kitrobot.workspace import load_board_program
 from tests.boards.host import host_board, write_pulse
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 from tests.server.test_boards import robot, visit  # noqa: F401  (fixtures)
@@ -147,3 +148,31 @@ def test_the_socket_of_runs_plays_it(visit, robot, saved, app, tmp_path) -> None
         started = socket.receive_json()
         assert [agent["placed"] for agent in started["agents"]] == [False]
         assert started["recording"]
+
+
+def test_a_link_that_comes_back_goes_on_with_the_recording_of_the_same_program(tmp_path) -> None:
+    program = load_board_program(write_pulse(tmp_path))
+    tape = Tape("a")
+
+    def kinds() -> list[str]:
+        tape.save(tmp_path / "a.krtrace")
+        with TraceReader(tmp_path / "a.krtrace") as reader:
+            assert not reader.cut
+            return [event.kind for _, event in reader.events]
+
+    tape.greeted(program, "12345678", "running", 3)
+    tape.lost("the link is lost")
+    tape.greeted(program, "12345678", "running", 90)
+    assert kinds() == ["failure", "revival"]
+    tape.lost("the link is lost")
+    tape.greeted(program, "12345678", "ready", 0)
+    tape.told(None)
+    # It was found standing: the recording has ended, and can be saved until the next run.
+    assert kinds() == ["failure", "revival", "failure", "revival"]
+    tape.started({}, {"ButtonA": 1})
+    assert kinds() == ["outside", "outside"]
+    tape.lost("the link is lost")
+    tape.greeted(program, "87654321", "running", 3)
+    assert kinds() == []
+    tape.close()
+    assert not tape.is_there

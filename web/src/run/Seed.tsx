@@ -18,8 +18,8 @@ export function Seed() {
   const seed = useRun((run) => run.seed);
   const failRate = useRun((run) => run.failRate);
   const live = useRun((run) => isLive(run.status));
-  // Chance has no seed where real robots ran.
-  const real = useRun((run) => run.recording && areReal(run.agents));
+  // Chance has no seed where real robots run.
+  const real = useRun((run) => (run.recording || isLive(run.status)) && areReal(run.agents));
   const [typed, setTyped] = useState<string | null>(null);
   const put = (wanted: number) => {
     if (Number.isInteger(wanted) && wanted >= 0 && wanted <= LARGEST) useRun.setState({ seed: wanted });
