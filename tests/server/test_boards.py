@@ -96,7 +96,7 @@ def test_a_robot_says_what_it_has_and_what_it_does_by_the_programs_names(visit, 
         assert said["holder"] == page.you
         whole = page.until("board", lambda said: {"Count", "Run"} <= set(said["values"]) and said["active"])
         assert whole["inputs"]["ButtonA"] == 0
-        assert {vertex for _, vertex in whole["active"]} <= {f"v{n}" for n in range(1, 8)}
+        assert {vertex for _, vertex in whole["active"]} <= {f"v{n}" for n in range(1, 11)}
 
 
 def test_a_held_run_goes_on_while_the_page_is_there_and_ends_with_it(visit, robot) -> None:

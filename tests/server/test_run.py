@@ -109,7 +109,7 @@ def test_a_short_run_starts_and_ends_as_done(connect, mission):
         started = watcher.start(mission())
         assert started["tick_ms"] == 20
         assert started["agents"] == [
-            {"name": "robot-1", "program": "blink", "robot": "mini-robot", "number": 1, "kind": "robot"}
+            {"name": "robot-1", "program": "blink", "robot": "mini-robot", "number": 1, "kind": "robot", "placed": True}
         ]
         assert started["world"]["name"] == "empty"
         end = watcher.until("state", status="done")
