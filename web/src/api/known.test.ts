@@ -118,6 +118,11 @@ describe("a typed text", () => {
     expect(sentProgram()).toMatchObject({ of: "s-7", vertices: [[0, vertices.length + 1]] });
   });
 
+  it("of a program without arcs changes nothing either", () => {
+    const bare = { ...CARRIER, arcs: [] };
+    expect(drawn(bare, { vertices: [[0, vertices.length]], arcs: [] })).toBe(bare);
+  });
+
   it("that says the same gives the very program, and one with mistakes gives none", async () => {
     const same = { vertices: [[0, vertices.length]], arcs: [[0, arcs.length]] };
     answering([200, { ...followed, program: same }], [200, { ...followed, program: null, report: null }]);

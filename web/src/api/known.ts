@@ -41,10 +41,10 @@ export function rowsOf<Thing extends object>(before: readonly Thing[], after: re
   return rows;
 }
 
-/** The list that rows of `before` say. */
+/** The list that rows of `before` say; `before` itself when that is the same. */
 function taken<Thing>(before: Thing[], rows: Rows<Thing>): Thing[] {
-  const all = rows.length === 1 && isStretch(rows[0]) && rows[0][0] === 0 && rows[0][1] === before.length;
-  return all ? before : rows.flatMap((row) => (isStretch(row) ? before.slice(...row) : [row]));
+  const after = rows.flatMap((row) => (isStretch(row) ? before.slice(...row) : [row]));
+  return after.length === before.length && after.every((one, at) => one === before[at]) ? before : after;
 }
 
 function isStretch(row: unknown): row is [number, number] {
