@@ -1,32 +1,26 @@
-# main.py on a board, which never changes: it starts what `krboot` found in `kr0` and `kr1`. An update writes one of
-# these lines last, so a cut at any moment leaves the other whole. When something fails, Python says so, and the prompt
-# is free.
+# main.py on a board, which never changes: it does what the program file says that `krboot` chose. It is short, because
+# it stays in memory as long as the robot runs.
 #
-# It is done here, and not in functions, because all of this stays in memory as long as the robot runs, and because the
-# smallest board's stack holds few calls in one another. What stays of the package shares one space: modules of their
-# own would take 200 bytes more each. What only starts has another, which is emptied before the next comes (emptied,
-# because Python may still hold it): "+" is before a file for that, and "-" runs its `ready` and empties it. The file of
-# these words has 18 characters for each: mark, name, size.
+# A program file (docs/reference/link.md) is pieces of Python behind their sizes, each compiled, run and forgotten by
+# itself, since a small board has no room for more; the last one ends this. When a device fails, `where` names it, and
+# the loop will tell; when something else does, Python says why, and the prompt is free.
 
-import krboot
-import micropython
+import gc
 
-micropython.opt_level(3)  # numbers of lines take room
-if krboot.x[0]:
-    port = __import__(krboot.x[1])
-    a = {}
-    b = {}
-    line = []
-    names = open(port.FILES)
-    while True:
-        name = names.read(18)
-        if not name:
-            break
-        if name[0] == "-":
-            b["ready"](port, krboot.x, line)
-            b.clear()
-        else:
-            file = open(name[1:14])
-            exec(file.read(int(name[14:])), b if name[0] == "+" else a)
-        min(0, 0, 0, 0)  # takes the place of what Python last called, and thereby holds
-    a["run"](port, line)
+from kitrobot_onboard.state import FAILED
+
+exec(open("krboot.py").read())
+gc.collect()  # so that what stays lies close together
+if program:
+    __import__(first)  # the largest, so it comes while there is most room
+    file = open(program, "rb")
+    where = 0
+    while file:
+        gc.collect()
+        try:
+            exec(file.read(int(file.read(4))))
+        except Exception as error:
+            if not where:
+                raise
+            robot[FAILED] = robot[FAILED] or (3 if isinstance(error, MemoryError) else 5, 0, where, error)
+    run(robot)

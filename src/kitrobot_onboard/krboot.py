@@ -1,20 +1,42 @@
-# What a board is to start, for main.py: the newer whole line of `kr0` and `kr1`, as the list `x`: generation, module,
-# program, sum. A file of its own, because what a module does when it is imported takes no room afterwards. It never
-# changes, and neither does main.py.
+# What a board is to start, for main.py: `program` is the program file of the newer whole line of `kr0` and `kr1` whose
+# program file is whole too, or "". The words of a line: generation, module of the interpreter, program, sum of the
+# program, sum of the line. It never changes, and neither does main.py.
 
-x = [0]
+import micropython
+
+micropython.opt_level(3)  # numbers of lines take room
+first = program = ""
+generation = a = b = file = data = line = 0
+
+
+def add(data):
+    global a, b
+    for i in data:
+        a += i
+        b += a
+    a %= 255
+    b %= 255
+
+
 for name in ("kr0", "kr1"):
     try:
         file = open(name, "rb")
-        line = file.read(64)
+        data = file.read(64)
         file.close()
         a = b = 0
-        for i in line[: line.rfind(b" ") + 1]:
-            a += i
-            b += a
-        line = str(line, "utf8").split()
-        line[0] = int(line[0])
-        if int(line[3], 16) == b % 255 << 8 | a % 255 and line[0] > x[0]:
-            x = line
+        add(data[: data.rfind(b" ") + 1])
+        line = str(data, "utf8").split()
+        if int(line[4], 16) == b << 8 | a and int(line[0]) > generation:
+            a = b = 0
+            file = open(line[2], "rb")
+            while data:
+                data = file.read(64)
+                add(data)
+            file.close()
+            if int(line[3], 16) == b << 8 | a:
+                generation = int(line[0])
+                first = line[1]
+                program = line[2]
     except Exception:  # there is none, or it is not whole
         pass
+del micropython, add, a, b, name, data, file, line

@@ -1,44 +1,41 @@
 # Doing what a request says, and answering it.
 
 from kitrobot_onboard.acting import stop
-from kitrobot_onboard.hearing import asked
 from kitrobot_onboard.link import wrap
-from kitrobot_onboard.perform import perform
-from kitrobot_onboard.reaction import react
-from kitrobot_onboard.state import CODE, FAILED, FAULT, GONE, LAST, REPLY, STATE, STEPS
+from kitrobot_onboard.state import ASKED, DATA, GONE, KIND, LAST, REPLY, SPACE, TIDY, TOLD, WRITE
 
 
-def obey(port, robot, request):
-    """Does what a request (kind, number, payload) says, and answers."""
-    kind, number, data = request
+def obey(robot, request):
+    """Does what a request (kind, number, payload) says, and answers.
+
+    What is asked less often stands in a file: pieces of Python, each behind the letter of the request that it is for
+    and its size, which are run in their order until one of them has the answer.
+    """
+    kind, number, robot[DATA] = request
     robot[LAST] = None
-    why = 0
-    if kind in "xq":
-        stop(robot)
-        robot[GONE] = kind == "q"
-    elif kind in "snfvw" and not robot[CODE]:
-        why = 6 if robot[FAULT][0] == 3 else 1
-    elif kind != "p":
-        try:
-            for step in "wT" if kind == "w" else kind if kind != "n" else "nC" if robot[STATE] == 2 else "nsC":
-                if step == "s":
-                    stop(robot)
-                elif step == "C":
-                    robot[STEPS] = True
-                    react(port, robot)
-                space = {"wrap": wrap}
-                perform(asked(port, step), space)
-                why = 5 if robot[FAILED] else space["answer"](port, robot, data)
-                if why:
-                    break
-                if kind == "n":
-                    data = b"\2"
-        except MemoryError:
-            why = 6
-        except Exception:  # its file is gone
-            why = 4
-    if isinstance(why, int):
-        why = ("N", bytes((why,))) if why else ("K", b"")
-    robot[REPLY] = wrap(why[0], number, why[1])
-    port.write(robot[REPLY])
+    try:
+        told = 0
+        if kind in "xq":
+            stop(robot)
+            robot[GONE] = kind == "q"
+        elif kind != "p":
+            robot[KIND] = kind
+            robot[TOLD] = None
+            file = open(robot[ASKED])
+            while robot[TOLD] is None:
+                robot[TIDY]()
+                head = file.read(4)
+                text = file.read(int(head[1:]))
+                if head[0] in robot[KIND]:
+                    exec(text, robot[SPACE])
+            told = robot[TOLD]
+    except MemoryError:
+        told = 6
+    except Exception:  # no such request, or its file is gone
+        told = 4
+    if isinstance(told, int):
+        told = bytes((78, told)) if told else b"K"
+    robot[TIDY]()
+    robot[REPLY] = wrap(chr(told[0]), number, told[1:])
+    robot[WRITE](robot[REPLY])
     robot[LAST] = request[:2]

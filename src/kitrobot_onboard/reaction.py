@@ -1,17 +1,60 @@
-# One tick of a robot, with the inputs before and the commands after it. What goes wrong is written down in FAILED.
+# One tick of a robot, with the inputs before and the commands after it.
 
-from kitrobot_onboard.acting import act
+from kitrobot_onboard.acting import fail
 from kitrobot_onboard.interpreter import tick
-from kitrobot_onboard.sensing import sense
-from kitrobot_onboard.state import CELLS, CODE, COUNT, FAILED, OUT, PARS, SEEN, STATE, THREADS
+from kitrobot_onboard.state import (
+    ACTUATORS,
+    CELLS,
+    COUNT,
+    DIFF,
+    FORCED,
+    KINDS,
+    OUT,
+    PARS,
+    PROCEDURES,
+    SENSORS,
+    STATE,
+    STEPS,
+    THREADS,
+    TICKS,
+    WHO,
+)
 
 
-def react(port, robot):
-    """One tick."""
-    sense(port, robot)
-    if not robot[FAILED]:
-        tick(robot[CODE], robot[CELLS], robot[THREADS], robot[PARS], robot[OUT], robot[SEEN])
+def react(robot):
+    """One tick. What goes wrong is written down in FAILED."""
+    number = 1
+    try:
+        cells = robot[CELLS]
+        for part in robot[SENSORS]:
+            robot[WHO] = part
+            if part[1] not in robot[FORCED]:
+                cells[part[1]] = max(part[2], min(part[3], part[0]()))
+        for part in robot[ACTUATORS]:
+            robot[WHO] = part
+            if part[3] is not None:
+                if part[0].done():
+                    part[3] = None
+                elif not robot[STEPS] and robot[DIFF](robot[TICKS](), part[3]) > part[2]:
+                    number = 2
+                    raise ValueError
+            if part[1] and part[1] not in robot[FORCED]:
+                cells[part[1]] = 1 if part[3] is None else 0
+        robot[WHO] = None
+        tick(*robot[:6])
         robot[COUNT] += 1
         if robot[THREADS][0] < 0:
             robot[STATE] = 3
-        act(port, robot)
+        cells = robot[OUT]
+        for part in robot[ACTUATORS]:
+            at = part[5] * robot[PARS][3]
+            if cells[at]:
+                robot[WHO] = part
+                part[4] = cells[at + 1]
+                at += 2
+                kind = robot[KINDS][cells[at]]
+                part[3] = robot[TICKS]() if kind % 2 else None
+                part[0].do(robot[PROCEDURES][cells[at]], cells[at + 1 : at + 1 + kind // 2])
+        robot[WHO] = None
+    except Exception as error:
+        fail(robot, number, error)

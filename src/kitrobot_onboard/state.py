@@ -2,48 +2,67 @@
 # because an attribute costs a small board several times as much, in each place where it is used; and on their way to a
 # board these names become numbers, and this file is left at home.
 
-# What `start` makes of a program file.
+# What `tick` takes, in its order.
 CODE = 0
 CELLS = 1
 THREADS = 2
 PARS = 3
 OUT = 4
-FIRST = 5  # first values of the cells that change
-INPUTS = 6  # how many
-VISIBLE = 7  # the fault flag, inputs and variables: how many cells these are
-PERIOD = 8  # of a tick, in ms
-SENSORS = 9  # (read, cell, least, most) for each
-ACTUATORS = 10  # [driver, done cell or 0, limit in ms, when it began what takes longer or None, its instruction]
-PROCEDURES = 11  # names of all commands, with commas
-KINDS = 12  # for each command, twice the number of its arguments, and 1 more when it completes later
+SEEN = 5  # what ran; empty: nobody wants to know
+
+# The clock and the line, from the port.
+TICKS = 6  # milliseconds that begin anew some day
+DIFF = 7  # how much later the first is than the second
+ADD = 8
+READ = 9  # what came over the line, waiting for it at most so many ms
+WRITE = 10
+
+# The rest of the program file.
+SENSORS = 11  # (read, cell, least, most) for each
+# [driver, done cell or 0, limit in ms, when it began what takes longer or None, its instruction, place in `out`,
+# number]
+ACTUATORS = 12
+PROCEDURES = 13  # names of all commands
+KINDS = 14  # for each command, twice the number of its arguments, and 1 more when it completes later
+PERIOD = 15  # of a tick, in ms
+FIRST = 16  # first values of the cells that change
+INPUTS = 17  # how many
+VISIBLE = 18  # the fault flag, inputs and variables: how many cells these are
+NAMES = 19  # the end of H
+ASKED = 20  # the file of what is read when it is asked
+SPACE = 21  # the names that this file knows
+STATE = 22  # 0 no program, 1 ready, 2 running, 3 ended, 4 fault
 
 # How it goes.
-STATE = 13  # 0 no program, 1 ready, 2 running, 3 ended, 4 fault
-COUNT = 14  # ticks
-LATE = 15
-FAULT = 16  # number, instruction, tick, text
-FORCED = 17  # cell: value
-STEPS = 18  # step by step: no tick is due
-HELD = 19
-DUE = 20  # when the next tick is
-
-WANT = 21  # the number of an `n` that waits for its answer
-GONE = 22  # leave to the prompt
-FAILED = 23  # number, instruction and text of a fault that was not told yet, or None
+FORCED = 23  # cells of inputs that are held
+FAULT = 24  # number, tick, device or None, exception: the last one
+FAILED = 25  # one that was not told yet, or None
+COUNT = 26  # ticks
+LATE = 27
+STEPS = 28  # step by step: no tick is due
+HELD = 29
+DUE = 30  # when the next tick is
+WHO = 31  # the device that is at work
+GONE = 32  # leave to the prompt
 
 # The link.
-REST = 24  # what was heard and not read yet
-HEARD = 25  # when the last whole frame came
-LAST = 26  # kind and number of the last request
-REPLY = 27  # its answer
-SHOWN = 28  # it shows itself
-NAMES = 29  # the end of H
+REST = 33  # what was heard and not read yet
+HEARD = 34  # when the last whole frame came
+LAST = 35  # kind and number of the last request
+REPLY = 36  # its answer
+KIND = 37  # of the request that is being answered; letters of the pieces that belong to it
+DATA = 38  # its payload
+TOLD = 39  # its answer: kind and payload; 0 for done; the number of N that says why not; or None
 
 # Whoever watches.
-EVERY = 30  # ms between two T; 0: nobody watches
-TOLD = 31  # when the last was sent
-SENT = 32  # what was told: where each slot stands, each cell's value
-SPOT = 33  # which of those to look at next
-NEWS = 34  # records that wait
-SEEN = 35  # what ran
-TELL = 36  # the function that tells news, for as long as somebody watches
+TELL = 40  # called in each gap with the ms that are left, or None
+EVERY = 41  # ms between two T
+SINCE = 42  # when the last was sent
+SENT = 43  # what was told: where each slot stands, each cell's value
+SPOT = 44  # which of those to look at next
+NEWS = 45  # records that wait
+SHOWN = 46  # it shows itself
+
+TIDY = 47  # makes the room that is free hang together
+
+LENGTH = 48  # of the list

@@ -67,6 +67,7 @@ PROGRAMS = (ONE, OTHER, TURNS, "Wheel.Advance(30); WAIT(4); Motor.Turn(10); Whee
 
 def bench_program(folder: Path, text: str = ONE, mark: str = "one") -> BoardProgram:
     """A program for it, ready to be sent; another `mark` makes its driver another one."""
+    folder.mkdir(exist_ok=True)
     (folder / "bench.robot.xml").write_text(ROBOT, encoding="utf-8")
     (folder / "stores.driver.py").write_text(STORES.format(mark=mark), encoding="utf-8")
     (folder / "zero.driver.py").write_text(ZERO, encoding="utf-8")

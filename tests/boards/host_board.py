@@ -9,27 +9,17 @@ drivers are those of `tests.boards.drivers`, by their plain names.
 from __future__ import annotations
 
 import argparse
-import contextlib
-import hashlib
 import select
 import socket
 import tempfile
 import time
 from pathlib import Path
-from typing import Any
 
-from kitrobot.deploy.package import asked_file
-from kitrobot_onboard import equip, load, start, whole
-from kitrobot_onboard.robot import run
-from tests.boards import drivers
-
-PACKAGE = "c0ffee00"
+from tests.boards.booting import boot
 
 
 class SocketPort:
     """The port of `kitrobot_onboard.robot` over a listening socket; a host that goes is like a cable that is pulled."""
-
-    ASKED = ""
 
     def __init__(self, port: int = 0) -> None:
         self.listener = socket.create_server(("127.0.0.1", port))
@@ -82,16 +72,8 @@ class SocketPort:
     def identify(self, on: bool) -> None:
         self.shows = on
 
-    def driver(self, name: str) -> Any:
-        return drivers.driver(name).make
-
-
-def started(port: Any, line: tuple[int, str, str]) -> list[Any]:
-    """A robot that was started in the steps of `kitrobot_onboard.boot`."""
-    robot: list[Any] = []
-    for step in (start, whole, equip, load):
-        step.ready(port, line, robot)
-    return robot
+    def tidy(self) -> None:
+        """There is room enough."""
 
 
 def main() -> None:
@@ -103,15 +85,9 @@ def main() -> None:
     port = SocketPort(given.port)
     print(port.address, flush=True)
     with tempfile.TemporaryDirectory() as folder:
-        name = "-"
-        if given.program is not None:
-            data = given.program.read_bytes()
-            name = "kp" + hashlib.sha256(data).hexdigest()[:8]
-            (Path(folder) / name).write_bytes(data)
-        port.ASKED = str(Path(folder) / "asked")
-        Path(port.ASKED).write_bytes(asked_file())
-        with contextlib.chdir(folder):
-            run(port, started(port, (given.generation, "kr" + PACKAGE, name)))
+        program = given.program.read_bytes() if given.program is not None else None
+        robot, run = boot(port, Path(folder), program, given.generation)
+        run(robot)
 
 
 if __name__ == "__main__":

@@ -149,8 +149,8 @@ def test_at_the_prompt_it_is_started(board: Any, tmp_path: Path) -> None:
 @pytest.mark.timeout(280)
 def test_a_deploy_that_is_cut_leaves_what_was_there_and_the_next_one_mends_it(board: Any, tmp_path: Path) -> None:
     def made(number: int) -> BoardProgram:
-        """A program whose program file and driver are others than those of the one before."""
-        return bench_program(tmp_path, (ONE, OTHER)[number % 2], f"number {number % 2}" * 20)
+        """A program whose program file and driver are others than those of the two before, which a board keeps."""
+        return bench_program(tmp_path, (ONE, OTHER, ONE + "WAIT(7);" * 40)[number % 3], f"number {number % 3}" * 20)
 
     put(board.address, made(0))
     with Proxy(port_of(board.address)) as whole:

@@ -335,7 +335,7 @@ def test_several_robots_are_recorded_together_and_ctrl_c_or_a_lost_link_leaves_a
             command += ["--to", address]
         process = subprocess.Popen(command, cwd=here, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         assert process.stdout is not None
-        heard = set()
+        heard: set[str] = set()
         while heard != set(addresses):
             heard.add(json.loads(process.stdout.readline())["board"])
         second.pull()

@@ -133,7 +133,7 @@ def test_ones_own_driver_is_held_to_what_it_says(tmp_path: Path) -> None:
 
 
 def test_declarations_do_not_land_on_a_board() -> None:
-    built = Package().built("machine", ["servo", "pin-in"])
+    built = Package().built("machine", {"servo": None, "pin-in": None})
     for content in built.files.values():
         assert b"SETTINGS" not in content
         assert b"PROCEDURES" not in content

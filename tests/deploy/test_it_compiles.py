@@ -22,7 +22,7 @@ def built(family: str) -> dict[str, bytes]:
         "__init__",
         "pins",
     }
-    found = package.built(family, sorted(names))
+    found = package.built(family, dict.fromkeys(sorted(names)))
     return {**found.files, "main.py": found.main}
 
 
@@ -30,13 +30,11 @@ def sources(family: str) -> dict[str, bytes]:
     """What of it is Python: a list of files is none, and one that holds several parts is taken apart."""
     found = {}
     for name, content in built(family).items():
-        if re.match(rb"[=+-](kr| {16})", content):
-            continue
-        if not re.match(rb"[a-z] [0-9]+\n", content):
+        if not re.match(rb"[a-zA-Z][0-9]{3}", content):
             found[name] = content
-        while part := re.match(rb"([a-z]) ([0-9]+)\n", content):
+        while part := re.match(rb"([a-zA-Z])([0-9]{3})", content):
             end = part.end() + int(part[2])
-            found[f"{part[1].decode()}_{name}"] = content[part.end() : end]
+            found[f"{part[1].decode()}{len(content)}_{name}"] = content[part.end() : end]
             content = content[end:]
     assert len(found) > 10
     return found

@@ -7,9 +7,16 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.deploy import FAMILIES, Package, PackageError
+from kitrobot.compiler import compile_text
+from kitrobot.deploy import FAMILIES, Package, PackageError, ProgramFile, board_file
 from kitrobot.deploy.lying import StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.package import name_of
+from kitrobot.deploy.program_file import Device
+from kitrobot.primitives import load_catalogue
+
+_COMPILED = compile_text("Display.Image(0);", load_catalogue().robots["microbit"]).image
+assert _COMPILED is not None
+IMAGE = _COMPILED.to_bytes()
 
 DRIVER = "def make(settings):\n    # a remark that costs nothing on a board\n    return {word!r}\n"
 
@@ -23,28 +30,29 @@ def driver(folder: Path, name: str, word: str = "x") -> Path:
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_every_file_is_named_by_what_is_in_it(family: str) -> None:
-    built = Package().built(family, [])
+    built = Package().built(family, {})
     assert built.files
     for name, content in built.files.items():
         if name != "krboot.py":  # which main.py imports, and which never changes
             assert name == name_of(content) + ".py"
             assert is_ours(name)
-    assert f"{built.module}.py" in built.files
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-def test_all_files_are_named_by_one_another_from_the_first_on(family: str, tmp_path: Path) -> None:
+def test_all_files_are_named_by_the_program_file(family: str, tmp_path: Path) -> None:
     driver(tmp_path, "mine")
-    built = Package((tmp_path,)).built(family, ["mine"])
-    found = needed([f"{built.module}.py", f"{built.drivers['mine']}.py"], built.files.get)
-    assert found == set(built.files) - {"krboot.py"}
-    for content in built.files.values():
+    built = Package((tmp_path,)).built(family, {"mine": None})
+    program = ProgramFile((Device("s", "mine", ("1", "0", "1")),), IMAGE)
+    files = {**built.files, "kp01234567": board_file(program, built)}
+    found = needed([f"{built.interpreter}.py", "kp01234567"], files.get)
+    assert found == set(files) - {"krboot.py"}
+    for content in files.values():
         for name in re.findall(rb"\bkr[0-9a-f]{8}\b", content):
-            assert name.decode() + ".py" in built.files
+            assert name.decode() + ".py" in files
 
 
 def test_the_same_package_twice_is_the_same_to_the_byte() -> None:
-    assert Package().built("microbit", []) == Package().built("microbit", [])
+    assert Package().built("microbit", {}) == Package().built("microbit", {})
 
 
 def test_a_driver_of_the_mission_wins_over_one_of_the_user_and_that_over_a_shipped_one(tmp_path: Path) -> None:
@@ -60,8 +68,8 @@ def test_a_driver_of_the_mission_wins_over_one_of_the_user_and_that_over_a_shipp
     assert package.driver_file("key", "microbit") == own
     beside = driver(mission, "key", "mission")
     assert package.driver_file("key", "microbit") == beside
-    built = package.built("microbit", ["key"])
-    content = built.files[f"{built.drivers['key']}.py"]
+    built = package.built("microbit", {"key": None})
+    content = built.files[built.drivers["key"]]
     assert b"mission" in content
     assert b"remark" not in content
 
@@ -77,38 +85,37 @@ def test_a_driver_with_a_hyphen_is_found_by_both_names_of_its_file(tmp_path: Pat
 def test_a_name_that_leads_elsewhere_is_no_driver(tmp_path: Path, name: str) -> None:
     assert Package((tmp_path,)).driver_file(name, "microbit") is None
     with pytest.raises(PackageError, match="no driver"):
-        Package((tmp_path,)).built("microbit", [name])
+        Package((tmp_path,)).built("microbit", {name: None})
 
 
 def test_a_driver_that_is_no_python_is_told_with_its_line(tmp_path: Path) -> None:
     (tmp_path / "bad.driver.py").write_text("def make(settings):\n    return (\n")
     with pytest.raises(PackageError, match=r"bad\.driver\.py` line 2"):
-        Package((tmp_path,)).built("microbit", ["bad"])
+        Package((tmp_path,)).built("microbit", {"bad": None})
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe", b"x = 1\n" * 60_000])
 def test_a_driver_that_cannot_be_read_is_told(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "bad.driver.py").write_bytes(content)
     with pytest.raises(PackageError, match=r"bad\.driver\.py"):
-        Package((tmp_path,)).built("microbit", ["bad"])
+        Package((tmp_path,)).built("microbit", {"bad": None})
 
 
 def test_a_driver_may_use_what_ours_use_and_nothing_that_is_not_there(tmp_path: Path) -> None:
     path = tmp_path / "mine.driver.py"
     path.write_text("from kitrobot_onboard.nothing import x\n\ndef make(settings):\n    return x\n")
     with pytest.raises(PackageError, match="line 1 imports"):
-        Package((tmp_path,)).built("machine", ["mine"])
+        Package((tmp_path,)).built("machine", {"mine": None})
 
 
 def test_a_line_is_read_as_it_was_written() -> None:
-    line = StartLine(7, "kr01234567", "kp89abcdef")
+    line = StartLine(7, "kr01234567", "kp89abcdef", 65535)
     assert read_line(line.to_bytes()) == line
     assert line.files == ["kr01234567.py", "kp89abcdef"]
-    assert StartLine(1, "kr01234567", "-").files == ["kr01234567.py"]
 
 
 def test_a_line_that_is_cut_or_changed_anywhere_does_not_count() -> None:
-    data = StartLine(12, "kr01234567", "kp89abcdef").to_bytes()
+    data = StartLine(12, "kr01234567", "kp89abcdef", 10).to_bytes()
     for at in range(len(data)):
         assert read_line(data[:at]) is None
         for byte in (0, 0x30, 0x31, 0x61, 0xFF):
@@ -117,7 +124,7 @@ def test_a_line_that_is_cut_or_changed_anywhere_does_not_count() -> None:
 
 
 def test_the_larger_generation_counts() -> None:
-    old, new = StartLine(9, "kr00000000", "-"), StartLine(10, "kr11111111", "-")
+    old, new = StartLine(9, "kr00000000", "kp00000000", 1), StartLine(10, "kr11111111", "kp11111111", 2)
     assert newest({"kr0": new, "kr1": old}) == ("kr0", new)
     assert newest({"kr0": old, "kr1": new}) == ("kr1", new)
     assert newest({}) is None

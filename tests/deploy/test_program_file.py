@@ -8,12 +8,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.deploy import DeployError, read_program_file
+from kitrobot.deploy import DeployError, ProgramFile, read_program_file
 from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.memory import image_bytes, refuse_what_does_not_fit
 from kitrobot.deploy.package import Package
+from kitrobot.deploy.trimming import Asked
 from kitrobot_onboard.link import checksum
+from kitrobot_onboard.state import ACTUATORS
 from tests.boards.bench import OTHER, bench_program
+from tests.boards.booting import boot
+from tests.boards.host_board import SocketPort
 
 
 @pytest.fixture
@@ -35,10 +39,19 @@ def test_it_reads_back(data: bytes) -> None:
     assert read_program_file(data).to_bytes() == data
 
 
-def test_drivers_get_the_names_of_their_modules(data: bytes) -> None:
-    named = read_program_file(data).to_bytes({"stores": "kr00000000", "zero": "kr11111111"})
-    assert named.count(b"kr00000000") == 2
-    assert read_program_file(named).drivers == ["kr00000000", "kr11111111"]
+def test_of_each_driver_it_knows_what_the_program_asks(data: bytes) -> None:
+    file = read_program_file(data)
+    assert file.commands == [(0, "Turn", 1, True), (0, "", 0, False), (1, "Advance", 1, False), (1, "Stop", 0, False)]
+    assert file.drivers == {"stores": Asked(frozenset({"Turn", "Advance", "Stop"}), later=True), "zero": Asked()}
+
+
+@pytest.mark.parametrize("setting", ["$robot", "'", '"', "\\", "a$file"])
+def test_a_setting_is_text_whatever_stands_in_it(data: bytes, tmp_path: Path, setting: str) -> None:
+    file = read_program_file(data)
+    first, *rest = file.devices
+    file = ProgramFile((first._replace(words=(*first.words, f"note={setting}")), *rest), file.image)
+    robot, _ = boot(SocketPort(), tmp_path, file.to_bytes(), 1)
+    assert robot[ACTUATORS][0][0].settings["note"] == setting
 
 
 @given(st.data())

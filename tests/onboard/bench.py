@@ -7,13 +7,9 @@ import struct
 import threading
 from pathlib import Path
 from types import TracebackType
-from typing import Any
 
-from kitrobot.deploy.package import asked_file
 from kitrobot_onboard.link import unwrap, wrap
-from kitrobot_onboard.robot import run
-from tests.boards import drivers
-from tests.boards.host_board import started
+from tests.boards.booting import boot
 
 PATIENCE_S = 5
 CHUNK = 60
@@ -23,8 +19,6 @@ class Wire:
     """The port: what it reads and when is up to the test."""
 
     BYTE_US = 87
-
-    ASKED = ""
 
     def __init__(self) -> None:
         self.now = 0
@@ -63,8 +57,8 @@ class Wire:
     def identify(self, on: bool) -> None:
         self.shows = on
 
-    def driver(self, name: str) -> Any:
-        return drivers.driver(name).make
+    def tidy(self) -> None:
+        """There is room enough."""
 
 
 class Bench:
@@ -72,17 +66,11 @@ class Bench:
 
     def __init__(self, folder: Path, program: bytes | None = None) -> None:
         self.wire = Wire()
-        self.wire.ASKED = str(folder / "asked")
-        Path(self.wire.ASKED).write_bytes(asked_file())
-        name = "-"
-        if program is not None:
-            name = str(folder / "kp12345678")
-            Path(name).write_bytes(program)
-        self.robot = started(self.wire, (7, "krc0ffee00", name))
+        self.robot, run = boot(self.wire, folder, program, 7)
 
         def loop() -> None:
             try:
-                run(self.wire, self.robot)
+                run(self.robot)
             except KeyboardInterrupt:
                 pass
             finally:

@@ -18,6 +18,7 @@ from kitrobot.deploy.ports import BOARDS_VARIABLE, Port, list_ports
 from kitrobot.deploy.program_file import ProgramFile, make_program_file, program_name, read_program_file
 from kitrobot.deploy.receiver import Receiver
 from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.script import board_file
 
 __all__ = [
     "BOARDS_VARIABLE",
@@ -45,6 +46,7 @@ __all__ = [
     "SilentError",
     "Step",
     "Text",
+    "board_file",
     "connect",
     "deploy",
     "list_ports",

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from threading import RLock
 from types import TracebackType
 
-from kitrobot.deploy.errors import BoardError, DeployError, SilentError
+from kitrobot.deploy.errors import BoardError, DeployError, NoMemoryError, SilentError
 from kitrobot.deploy.line import Line
 from kitrobot_onboard import link
 
@@ -41,6 +41,7 @@ FAULTS = {
     5: "a driver is missing or does not start",
     6: "the link was lost during a run that hangs on it",
 }
+_MEMORY = 6
 _REFUSALS = {
     1: ("the board holds no program that can run", "send one with `kitrobot deploy`"),
     2: ("the program on the board has no such variable or input", "send the program again with `kitrobot deploy`"),
@@ -204,7 +205,13 @@ class Board:
 
     def watch(self, period_ms: int) -> None:
         """Has the board send what changed, at most so often; 0 ends it."""
-        self._request("w", struct.pack("<H", period_ms))
+        try:
+            self._request("w", struct.pack("<H", period_ms))
+        except NoMemoryError:
+            raise NoMemoryError(
+                "this robot has too little memory to tell what its program does",
+                "the program runs all the same; to watch it, take a board with more memory",
+            ) from None
 
     def ping(self) -> None:
         """Lets the board know that we are here."""
@@ -260,7 +267,7 @@ class Board:
                         continue
                     if answer[0] == "N":
                         why = answer[1][0] if answer[1] else 0
-                        raise BoardError(*_REFUSALS.get(why, _REFUSALS[3]))
+                        raise (NoMemoryError if why == _MEMORY else BoardError)(*_REFUSALS.get(why, _REFUSALS[3]))
                     return answer
         raise self._silent()
 

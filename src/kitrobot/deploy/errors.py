@@ -23,6 +23,10 @@ class BoardError(DeployError):
     """The board answers and says no, or does not hold what it should."""
 
 
+class NoMemoryError(BoardError):
+    """The board has too little memory for what it was asked."""
+
+
 class ForeignError(BoardError):
     """The board holds somebody else's program, which is not overwritten unasked."""
 

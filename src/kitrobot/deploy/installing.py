@@ -13,15 +13,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from kitrobot.deploy.board import Board, Hello
-from kitrobot.deploy.errors import BoardError, ForeignError, SilentError
+from kitrobot.deploy.errors import BoardError, ForeignError, FullError, NoMemoryError, SilentError
 from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.lying import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
-from kitrobot.deploy.memory import refuse_what_does_not_fit
+from kitrobot.deploy.memory import WORKING, refuse_what_does_not_fit
 from kitrobot.deploy.package import MODULE, PROGRAM, Built, Package
 from kitrobot.deploy.program_file import ProgramFile, program_name, read_program_file
 from kitrobot.deploy.receiver import Receiver
 from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.script import board_file
 from kitrobot_onboard.link import checksum
 
 Progress = Callable[[str, int, int], None]
@@ -135,7 +136,7 @@ class _Job:
         family = "microbit" if board.value("sys.platform") == b"microbit" else "machine"
         self.built: Built = self.package.built(family, self.program.drivers)
         refuse_misfits(self.program, self.package, family)
-        content = self.program.to_bytes(self.built.drivers)
+        content = board_file(self.program, self.built)
         self.name = program_name(content)
         refuse_what_does_not_fit(self.program.image, self.built, board.free)
         self.wanted = {**self.built.files, self.name: content}
@@ -162,12 +163,14 @@ class _Job:
             self._send(name, data)
         if main:
             self._send(MAIN, self.built.main)
-        first, name = self.built.module, self.name
+        if missing:
+            self._look_again()
+        first, name = self.built.interpreter, self.name
         if self.old is not None and (self.old.module, self.old.program) == (first, name):
             self.new = self.old
         else:
             generation = (self.old.generation if self.old is not None else 0) % LAST_GENERATION + 1
-            self.new = StartLine(generation, first, name)
+            self.new = StartLine(generation, first, name, checksum(content))
             self._send(self.slot, self.new.to_bytes(), count=False)
             if generation == 1 and counts is not None:
                 board.remove(counts[0])  # the count begins anew: now, not earlier, this line counts
@@ -192,18 +195,21 @@ class _Job:
                 if self.old is None
                 else "it starts again what it had before; send the program once more, or reset the board",
             ) from error
-        if hello.state != 0 and hello.fault not in (_MEMORY, _DAMAGED, _NO_DRIVER):
-            return hello
         said = self._said
+        if hello is not None and hello.free < WORKING:
+            hello = None
+        if hello is not None and hello.state != 0 and hello.fault not in (_MEMORY, _DAMAGED, _NO_DRIVER):
+            return hello
         self._undo()
-        if hello.fault == _MEMORY:
+        if hello is None or hello.fault == _MEMORY:
             raise BoardError(
                 "the program needs more memory than the board has",
-                "make the program smaller, or take a board with more memory",
+                "make the program smaller, use fewer devices in it, or take a board with more memory",
             )
         raise BoardError(f"the board cannot run the program: {said}", "look at the settings in the robot's XML")
 
-    def _greeting(self) -> Hello:
+    def _greeting(self) -> Hello | None:
+        """How it greets; None when it has no memory for that."""
         assert self.new is not None
         until = time.monotonic() + _GREETING_S
         self._said = ""
@@ -211,6 +217,8 @@ class _Job:
             self.board.repl.leave()
             printed = self.line.drain(0.2, 2)
             self._said = _last_line(printed) or self._said
+            if self._said.startswith("MemoryError"):
+                return None
             if self._said and printed.endswith(b">>> "):
                 raise SilentError("the board starts something else")  # Python has said why, and gave up
             for _ in range(3):
@@ -220,10 +228,12 @@ class _Job:
                     if time.monotonic() > until:
                         raise
                     continue
+                except NoMemoryError:
+                    return None
                 hello = board.hello
                 if hello.generation != self.new.generation or hello.program != self.name[2:]:
                     raise SilentError("the board starts something else")
-                fault = board.last_fault()
+                fault = board.last_fault() if hello.free >= WORKING else None
                 self._said = "" if fault is None else ": ".join(filter(None, (fault.meaning, fault.text.strip())))
                 return hello
 
@@ -284,6 +294,16 @@ class _Job:
                     self.sent[name] = len(data)
                 return
         raise BoardError(f"what was written into `{name}` cannot be read back", "the board's flash may be worn out")
+
+    def _look_again(self) -> None:
+        """A small board tidies its flash up when that is nearly full, and may spoil what it held."""
+        names = self.board.names()
+        for name, data in {**self.wanted, MAIN: self.built.main}.items():
+            if not self._holds(names, name, data):
+                raise FullError(
+                    f"the board's flash is nearly full and lost what stood in `{name}`",
+                    "run the command again with --fresh, which empties it of KitRobot's files first",
+                )
 
     def _told(self, count: int) -> None:
         self.done = min(self.done + count, self.total)

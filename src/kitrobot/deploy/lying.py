@@ -18,35 +18,37 @@ MAIN = "main.py"
 LAST_GENERATION = 65535
 """The board has two bytes for it."""
 
+_SUM = re.compile(r"[0-9a-f]{4}")
 _OURS = re.compile(rf"({MODULE}[0-9a-f]{{{DIGITS}}}\.py|{PROGRAM}[0-9a-f]{{{DIGITS}}})")
 _NAMED = re.compile(rf"\b{MODULE}[0-9a-f]{{{DIGITS}}}\b")
 
 
 @dataclass(frozen=True)
 class StartLine:
-    """One line: what to start, as the how-manieth installation."""
+    """One line: what to start, as the how-manieth installation; `sum` is that of the program file."""
 
     generation: int
     module: str
     program: str
+    sum: int
 
     def to_bytes(self) -> bytes:
         """The file."""
-        text = f"{self.generation} {self.module} {self.program} "
+        text = f"{self.generation} {self.module} {self.program} {self.sum:04x} "
         return f"{text}{checksum(text.encode()):04x}\n".encode()
 
     @property
     def files(self) -> list[str]:
         """The files that it names."""
-        return [f"{self.module}.py", *([self.program] if self.program != "-" else [])]
+        return [f"{self.module}.py", self.program]
 
 
 def read_line(data: bytes) -> StartLine | None:
     """The line of a file; None when it is not whole."""
     words = data.decode("ascii", errors="replace").split(" ")
-    if len(words) != 4 or not words[0].isdecimal():
+    if len(words) != 5 or not words[0].isdecimal() or not _SUM.fullmatch(words[3]):
         return None
-    line = StartLine(int(words[0]), words[1], words[2])
+    line = StartLine(int(words[0]), words[1], words[2], int(words[3], 16))
     return line if line.to_bytes() == data else None
 
 
@@ -71,7 +73,5 @@ def needed(files: Iterable[str], content: Callable[[str], bytes | None]) -> set[
         found.add(name)
         data = content(name)
         if data is not None:
-            # Of a program file only the table names modules; its image is no text.
-            text = data if name.endswith(".py") else data.partition(b"\n\n")[0]
-            left += [f"{module}.py" for module in _NAMED.findall(text.decode(errors="replace"))]
+            left += [f"{module}.py" for module in _NAMED.findall(data.decode("latin-1"))]
     return found

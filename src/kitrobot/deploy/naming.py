@@ -3,7 +3,8 @@
 python-minifier shortens names inside functions; names of functions, classes and attributes that cross modules it must
 leave alone, because it sees one module at a time. Here all modules are seen at once. A name is shortened when it is
 defined in one of them, and when nothing that others made (Python, MicroPython, a driver of somebody's own) may be meant
-by it. The short name hangs on the name alone, so a module that did not change stays as it was.
+by it. What is used most gets a single letter; other short names hang on the name alone, so that a module that did not
+change mostly stays as it was.
 """
 
 from __future__ import annotations
@@ -15,7 +16,10 @@ import io
 import keyword
 import string
 import struct
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
+
+from kitrobot.deploy.known import GLOBALS, LETTERS, LOCALS
 
 DRIVER_FACE = frozenset({"make", "do", "done", "stop", "read", "show"})
 """What a driver offers, and what users write."""
@@ -25,28 +29,37 @@ _FOREIGN = frozenset(
     for thing in (builtins, str, bytes, bytearray, list, dict, tuple, int, set, io.BytesIO, io.StringIO, struct)
     for name in dir(thing)
 )
-_LETTERS = string.ascii_letters
 
 
-def short_names(trees: Iterable[ast.Module], first: ast.Module) -> dict[str, str]:
-    """Long name → short name, for those that may be shortened; the words of `first`, which is `main.py`, are kept."""
+def short_names(trees: Iterable[ast.Module], more: Iterable[str] = ()) -> dict[str, str]:
+    """Long name → short name, for those that may be shortened; `more`: names that no module defines."""
     modules = list(trees)
     kept = set(DRIVER_FACE | _FOREIGN | set(keyword.kwlist))
-    kept.update(node.attr for node in ast.walk(first) if isinstance(node, ast.Attribute))
-    kept.update(_others(first))
-    defined: set[str] = set()
+    defined: set[str] = set(more)
     for tree in modules:
         defined.update(_defined(tree))
         kept.update(_others(tree))
     taken = kept | {node.id for tree in modules for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    names: dict[str, str] = {}
-    for name in sorted(defined - kept):
-        if len(name) < 3 or name.startswith("__"):
-            continue
-        short = next(one for one in _candidates(name) if one not in taken)
-        taken.add(short)
-        names[name] = short
+    wanted = {name for name in defined - kept if len(name) > 1 and not name.startswith("__")}
+    uses = Counter(node.id for tree in modules for node in ast.walk(tree) if isinstance(node, ast.Name))
+    often = sorted(wanted, key=lambda name: (-uses[name], name))[: len(LETTERS)]
+    names = dict(zip(often, LETTERS, strict=False))
+    for name in sorted(wanted - set(often)):
+        names[name] = next(one for one in _candidates(name) if one not in taken)
+        taken.add(names[name])
     return names
+
+
+def own_names(tree: ast.Module) -> dict[str, str]:
+    """Short names for the classes, functions and constants of a module that nobody imports but for its `make`."""
+    names = {node.name for node in tree.body if isinstance(node, ast.ClassDef | ast.FunctionDef)}
+    names |= {name for node in tree.body if isinstance(node, ast.Assign) for name in _stored(node)}
+    attributes = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    named = {word.arg for word in ast.walk(tree) if isinstance(word, ast.keyword)}
+    taken = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} | attributes
+    free = iter(word for word in GLOBALS if word not in taken)
+    kept = DRIVER_FACE | attributes | named
+    return {name: next(free) for name in sorted(names) if name not in kept and not name.startswith("__")}
 
 
 def renamed(tree: ast.Module, names: Mapping[str, str]) -> ast.Module:
@@ -74,20 +87,70 @@ def renamed(tree: ast.Module, names: Mapping[str, str]) -> ast.Module:
     return tree
 
 
-def with_short_parameters(tree: ast.Module) -> ast.Module:
-    """The module with letters for the parameters of its functions: its calls name none of them."""
-    for function in tree.body:
-        if isinstance(function, ast.FunctionDef):
-            letters = {given.arg: _LETTERS[number] for number, given in enumerate(function.args.args)}
-            taken = {node.id for node in ast.walk(function) if isinstance(node, ast.Name)} - set(letters)
-            if taken & set(letters.values()):
-                continue
-            for node in ast.walk(function):
-                if isinstance(node, ast.Name):
-                    node.id = letters.get(node.id, node.id)
-                elif isinstance(node, ast.arg):
-                    node.arg = letters.get(node.arg, node.arg)
+def with_known_locals(tree: ast.Module) -> ast.Module:
+    """The module with names for the variables of its functions that cost a small board nothing.
+
+    Left as they are: those that somebody names in a call, and those that are the module's or another function's.
+    """
+    named = {word.arg for word in ast.walk(tree) if isinstance(word, ast.keyword)}
+    for function in _outermost_functions(tree):
+        count = Counter(_variables(function))
+        others = {node.id for node in ast.walk(function) if isinstance(node, ast.Name)} - set(count)
+        others |= {name for node in ast.walk(function) if isinstance(node, ast.Global) for name in node.names}
+        mine = [name for name, _ in count.most_common() if name not in others | named]
+        taken = others | (set(count) - set(mine))
+        words = [word for word in LOCALS if word not in taken]
+        _rename_variables(function, dict(zip(mine, words, strict=False)))
     return tree
+
+
+def _outermost_functions(tree: ast.AST) -> Iterator[ast.FunctionDef]:
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.FunctionDef):
+            yield node
+        else:
+            yield from _outermost_functions(node)
+
+
+def _variables(function: ast.FunctionDef) -> Iterator[str]:
+    """The variables of a function and of those inside it, each as often as it stands there."""
+    stored = {node.id for node in ast.walk(function) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+    for node in ast.walk(function):
+        match node:
+            case ast.arg(arg=name) | ast.ExceptHandler(name=str(name)):
+                stored.add(name)
+            case ast.FunctionDef(name=name) if node is not function:
+                stored.add(name)
+            case ast.Import() | ast.ImportFrom():
+                stored.update(alias.asname or alias.name for alias in node.names)
+    for node in ast.walk(function):
+        match node:
+            case ast.Name(id=name) | ast.arg(arg=name) | ast.ExceptHandler(name=str(name)) if name in stored:
+                yield name
+            case ast.FunctionDef(name=name) if node is not function:
+                yield name
+            case ast.Import() | ast.ImportFrom():
+                yield from (alias.asname or alias.name for alias in node.names)
+
+
+def _rename_variables(function: ast.FunctionDef, names: Mapping[str, str]) -> None:
+    own = function.name
+    for node in ast.walk(function):
+        match node:
+            case ast.Name():
+                node.id = names.get(node.id, node.id)
+            case ast.arg():
+                node.arg = names.get(node.arg, node.arg)
+            case ast.ExceptHandler() if node.name:
+                node.name = names.get(node.name, node.name)
+            case ast.FunctionDef():
+                node.name = names.get(node.name, node.name)
+            case ast.Nonlocal():
+                node.names = [names.get(name, name) for name in node.names]
+            case ast.Import() | ast.ImportFrom():
+                for alias in node.names:
+                    _rename_import(alias, names, ours=False)
+    function.name = own
 
 
 def _rename_import(alias: ast.alias, names: Mapping[str, str], *, ours: bool) -> None:
@@ -105,10 +168,18 @@ def _defined(tree: ast.Module) -> Iterator[str]:
             yield node.name
         elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
             yield node.attr
-    for statement in tree.body:
-        for node in ast.walk(statement) if isinstance(statement, ast.Assign) else ():
-            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-                yield node.id
+    yield from _stored(tree)
+
+
+def _stored(node: ast.AST) -> Iterator[str]:
+    """Variables of the module itself."""
+    for child in ast.iter_child_nodes(node):
+        match child:
+            case ast.FunctionDef() | ast.ClassDef():
+                continue
+            case ast.Name(id=name, ctx=ast.Store()) | ast.ExceptHandler(name=str(name)) | ast.alias(asname=str(name)):
+                yield name
+        yield from _stored(child)
 
 
 def _others(tree: ast.Module) -> Iterator[str]:
@@ -137,6 +208,9 @@ def _others(tree: ast.Module) -> Iterator[str]:
 
 def _candidates(name: str) -> Iterator[str]:
     number = int.from_bytes(hashlib.sha256(name.encode()).digest()[:4], "big")
+    for _ in GLOBALS:
+        yield GLOBALS[number % len(GLOBALS)]
+        number += 1
     while True:
-        yield _LETTERS[number % 52] + _LETTERS[number // 52 % 52]
+        yield string.ascii_letters[number % 52] + string.ascii_letters[number // 52 % 52]
         number += 1

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import ast
 import hashlib
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -21,26 +22,36 @@ import kitrobot_onboard
 from kitrobot.deploy.constants import Constants, constants_of, told_in_place
 from kitrobot.deploy.declarations import Declared, declared, without_declarations
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.naming import renamed, short_names, with_short_parameters
+from kitrobot.deploy.known import GLOBALS, LOCALS
+from kitrobot.deploy.naming import own_names, renamed, short_names
 from kitrobot.deploy.shortening import parsed, shortened
-from kitrobot_onboard.asked import ASKED
+from kitrobot.deploy.trimming import Asked, trimmed
+from kitrobot_onboard.asked import ASKED, BY_FAMILY
 
 ONBOARD = Path(kitrobot_onboard.__file__).parent
 _ROOT = "kitrobot_onboard"
 MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
 _MOST_BYTES = 200_000
+_LARGE = "wTi"
+"""Requests that only boards with more room answer."""
+
+_WORDS = 8
+_PIECE = 90
+"""Letters of a piece of a script, where a statement needs no more."""
 
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
 """Kinds of boards, with the folders of shipped drivers that they look into; each has its module in `ports`."""
 
-FIRST_TO_LAST = ("+start", "-", "+whole", "-", "+device", "+equip", "+perform", "-", "+arrays", "+load", "-")
-STAYING = ("robot", "hearing", "obeying", "sensing", "acting", "link", "reaction", "perform")
-"""Modules of the package in the order in which a board takes them, as `kitrobot_onboard.boot` says: the largest first,
-because there is less and less room to compile them."""
+LOOP = ("reaction", "robot", "link", "obeying", "hearing", "acting")
+"""Modules of the loop in the order in which a board compiles them: the largest first, because there is less and less
+room for it."""
 
-_NOT_CARRIED = ("__init__.py", "boot.py", "krboot.py", "image.py", "receiver.py")
-"""Modules of `kitrobot_onboard` that no other module on a board imports."""
+_SCRIPTED = ("asked", "driver", "error", "package", "space", "where")
+"""Names of variables that only a program file has."""
+
+_NOT_CARRIED = ("__init__.py", "arrays.py", "image.py", "receiver.py")
+"""Modules of `kitrobot_onboard` that share no names with the others on a board."""
 
 
 def name_of(content: bytes, kind: str = MODULE) -> str:
@@ -50,11 +61,25 @@ def name_of(content: bytes, kind: str = MODULE) -> str:
 
 @dataclass(frozen=True)
 class Built:
-    """A package for one kind of board: `files` by name, the first `module`, the `drivers`' modules, `main.py`."""
+    """A package for one kind of board.
+
+    Args:
+        files: by name, without `main`, which is `main.py`.
+        module: what the whole is called.
+        interpreter: the name of its module.
+        port, loop, asked: names of files; the loop's in the order in which a board takes them.
+        drivers: names of files by names of drivers.
+        wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
+    """
 
     files: Mapping[str, bytes]
     module: str
+    interpreter: str
+    port: str
+    loop: Sequence[str]
+    asked: str
     drivers: Mapping[str, str]
+    wants_range: Mapping[str, bool]
     main: bytes
 
 
@@ -91,23 +116,34 @@ class Package:
         path = self.driver_file(driver, family)
         return declared(parsed(_read(path), str(path)), str(path)) if path is not None else Declared()
 
-    def built(self, family: str, drivers: Iterable[str]) -> Built:
-        """The package for a kind of board, with these drivers.
+    def built(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
+        """The package for a kind of board, with these drivers, each with what is asked of it; None: everything.
 
         Raises:
             PackageError: a driver is missing, or is no Python.
         """
         making = _Making()
-        first = making.add_port(ONBOARD / "ports" / f"{family}.py")
         modules = {}
-        for driver in dict.fromkeys(drivers):
+        wants_range = {}
+        for driver, asked in drivers.items():
             path = self.driver_file(driver, family)
             if path is None:
                 raise missing_driver(driver, self, family)
-            modules[driver] = making.add(path)
-        main, choosing = (shortened(parsed(_read(ONBOARD / name), name)).encode() for name in ("boot.py", "krboot.py"))
-        making.files["krboot.py"] = choosing
-        return Built(making.files, first, modules, main)
+            modules[driver] = making.add(path, asked) + ".py"
+            wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", making.files[modules[driver]]) is not None
+        return _built(family, making, modules, wants_range)
+
+
+def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool]) -> Built:
+    package = _Making()
+    interpreter = package.stored(_interpreter())[: -len(".py")]
+    loop = [package.stored(_part(ONBOARD / f"{name}.py")) for name in LOOP]
+    port = package.stored(_part(ONBOARD / "ports" / f"{family}.py"))
+    asked = package.stored(asked_file(family))
+    main = _part(ONBOARD / "boot.py")
+    package.files["krboot.py"] = _part(ONBOARD / "krboot.py")
+    module = name_of(b"".join([*sorted(package.files.values()), main, *(text.encode() for text in pieces("begin"))]))
+    return Built({**making.files, **package.files}, module, interpreter, port, loop, asked, drivers, wants_range, main)
 
 
 def missing_driver(driver: str, package: Package, family: str) -> PackageError:
@@ -131,81 +167,98 @@ class _Making:
     names: dict[Path, str] = field(default_factory=dict)
     open: list[Path] = field(default_factory=list)
 
-    def add(self, path: Path) -> str:
-        """Adds a module and those that it imports; its name."""
+    def add(self, path: Path, asked: Asked | None = None) -> str:
+        """Adds a module and those that it imports; its name. `asked`: what of it, when it is a driver."""
         if path in self.names:
             return self.names[path]
         if path in self.open:
             raise PackageError(f"`{path.name}` imports itself through others", "undo the circle of imports")
         self.open.append(path)
         tree = parsed(_read(path), str(path))
-        if path in _carried():
-            tree = told_in_place(tree, constants_of(tree), _constants())
-            tree = renamed(tree, _names())
-        else:
-            tree = without_declarations(tree)
-        tree = _Imports(self, path).visit(tree)
+        tree = without_declarations(tree)
+        tree = _Imports(self, path).visit(tree if asked is None else trimmed(tree, asked))
         self.open.pop()
-        return self._file(tree, path)
-
-    def add_port(self, path: Path) -> str:
-        """Adds the first module, which tells what else there is: what only starts, what stays, what is asked."""
-        tree = parsed(_read(path), str(path))
-        told = {
-            "FILES": self._stored("".join(map(self.add_part, (*FIRST_TO_LAST, *STAYING))).encode()) + ".py",
-            "ASKED": self._stored(asked_file()) + ".py",
-        }
-        tree.body = [statement for statement in tree.body if not _is_for_the_package(statement)]
-        interpreter = self.add(ONBOARD / "interpreter.py")  # the largest, while there is room
-        tree.body[:0] = [
-            ast.Import([ast.alias(interpreter)]),
-            *(ast.Assign([ast.Name(name)], ast.Constant(text)) for name, text in told.items()),
-        ]
-        return self._file(renamed(tree, _names()), path)
-
-    def add_part(self, part: str) -> str:
-        """Adds a file whose names share a space with those of others, so that it needs no imports of ours; its word."""
-        mark, name = (part[0], part[1:]) if part[0] in "+-" else ("=", part)
-        if not name:
-            return f"{mark:18}"
-        path = ONBOARD / f"{name}.py"
-        name = self.names[path] = self._stored(_part(path))
-        return f"{mark}{name}.py{len(_part(path)):04}"
-
-    def _file(self, tree: ast.Module, path: Path) -> str:
-        name = self.names[path] = self._stored(_short(ast.unparse(ast.fix_missing_locations(tree))).encode())
+        if asked is not None:
+            tree = renamed(tree, own_names(tree))
+        name = self.stored(_short(ast.unparse(ast.fix_missing_locations(tree))).encode())[: -len(".py")]
+        self.names[path] = name
         return name
 
-    def _stored(self, content: bytes) -> str:
-        name = name_of(content)
-        self.files[name + ".py"] = content
+    def stored(self, content: bytes) -> str:
+        """Adds a file; its name."""
+        name = name_of(content) + ".py"
+        self.files[name] = content
         return name
+
+
+def _interpreter() -> bytes:
+    path = ONBOARD / "interpreter.py"
+    return _short(ast.unparse(renamed(parsed(_read(path), path.name), short()))).encode()
+
+
+@cache
+def _tree(path: Path) -> ast.Module:
+    """A module whose names share a space with those of others, so that it needs no imports of ours."""
+    tree = parsed(_read(path), str(path))
+    tree = renamed(told_in_place(tree, constants_of(tree), _constants()), short())
+    tree.body = [
+        statement
+        for statement in tree.body
+        if not (isinstance(statement, ast.ImportFrom) and (statement.module or "").startswith(_ROOT))
+    ]
+    return tree
 
 
 @cache
 def _part(path: Path) -> bytes:
-    tree = parsed(_read(path), str(path))
-    tree = renamed(told_in_place(tree, constants_of(tree), _constants()), _names())
-    for statement in tree.body[:]:
-        if isinstance(statement, ast.ImportFrom) and (statement.module or "").startswith(_ROOT):
-            if statement.module == f"{_ROOT}.interpreter":
-                statement.module = _Making().add(ONBOARD / "interpreter.py")
-            else:
-                tree.body.remove(statement)
-    return _short(ast.unparse(ast.fix_missing_locations(with_short_parameters(tree)))).encode()
+    return _short(ast.unparse(_tree(path))).encode()
 
 
-def asked_file() -> bytes:
-    """What a board reads when it is asked: each answer behind its letter and its size."""
-    parts = {kind: _part(ONBOARD / "asked" / f"{name}.py") for kind, name in ASKED.items()}
-    return b"".join(f"{kind} {len(part)}\n".encode() + part for kind, part in parts.items())
+@cache
+def pieces(name: str) -> Sequence[str]:
+    """A script of the package in pieces, each short enough that a small board can compile it while a program runs."""
+    found: list[str] = []
+    room = 0
+    for statement in _tree(ONBOARD / f"{name}.py").body:
+        text = _short(ast.unparse(statement))
+        if not text:
+            continue  # a docstring
+        plain = not isinstance(statement, ast.If | ast.For | ast.FunctionDef)
+        if plain and found and len(text) < room:
+            found[-1] += ";" + text
+            room -= 1 + len(text)
+        else:
+            found.append(text)
+            room = _PIECE - len(text) if plain else 0
+    return found
 
 
-def _is_for_the_package(statement: ast.stmt) -> bool:
-    match statement:
-        case ast.Assign(targets=[ast.Name(id="FILES"), *_]):
-            return True
-    return False
+@cache
+def words() -> Sequence[str]:
+    """What the answers that a small board compiles need names of, in pieces that do nothing but name them.
+
+    A name is kept for ever, wherever there was room when it was first read; among the working memory of a program, it
+    would cut that in two.
+    """
+    found: set[str | bytes] = set()
+    for name in {name for kind, names in ASKED.items() if kind not in _LARGE for name in names}:
+        for node in (one for piece in pieces(f"asked/{name}") for one in ast.walk(ast.parse(piece))):
+            match node:
+                case ast.Name(id=word) | ast.Attribute(attr=word) | ast.Constant(value=str(word) | bytes(word)):
+                    found.add(word)
+                case ast.Import():
+                    found.update(alias.name for alias in node.names)
+    listed = [repr(word) for word in sorted(found, key=repr) if word not in {*GLOBALS, *LOCALS}]
+    return [",".join(listed[at : at + _WORDS]) for at in range(0, len(listed), _WORDS)]
+
+
+def asked_file(family: str) -> bytes:
+    """What a board reads when it is asked: each piece of an answer behind its letter and its size."""
+    found = ""
+    for kind, names in ASKED.items():
+        for name in BY_FAMILY.get(family, {}).get(kind, names):
+            found += "".join(f"{kind}{len(piece):03}{piece}" for piece in pieces(f"asked/{name}"))
+    return found.encode()
 
 
 @cache
@@ -225,9 +278,10 @@ def _constants() -> Mapping[str, Constants]:
 
 
 @cache
-def _names() -> Mapping[str, str]:
+def short() -> Mapping[str, str]:
+    """What the names that the modules of the package share are on a board."""
     trees = [parsed(_read(path), path.name) for path in sorted(_carried())]
-    return short_names(trees, parsed(_read(ONBOARD / "boot.py"), "boot.py"))
+    return short_names([told_in_place(tree, constants_of(tree), _constants()) for tree in trees], _SCRIPTED)
 
 
 @cache
@@ -261,10 +315,6 @@ class _Imports(ast.NodeTransformer):
         place = ONBOARD.joinpath(*words[1:])
         if place.with_suffix(".py").is_file() and place != ONBOARD:
             node.module = self.making.add(place.with_suffix(".py"))
-            for alias in node.names:
-                short = _names().get(alias.name)
-                if short is not None and place.with_suffix(".py") in _carried():
-                    alias.name, alias.asname = short, alias.asname or alias.name
             return node
         found: list[ast.stmt] = []
         for alias in node.names:

@@ -6,18 +6,22 @@ stay free, so that one pin may be an output in one program and an input in anoth
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from kitrobot.deploy.errors import DeployError, PackageError
 from kitrobot.deploy.package import PROGRAM, name_of
+from kitrobot.deploy.trimming import Asked
 from kitrobot.image import Image, Layout
 from kitrobot.image.instructions import ACT, BY_NUMBER, Role
 from kitrobot.primitives import Robot, RobotObject
 from kitrobot_onboard.link import checksum
 
 _FIRST = "KRP1"
+LIMIT_S = 30
+"""How long a device may take to be done, when it does not say."""
+
 UNUSED = "unused"
 """The driver of an actuator that the program gives no command."""
 
@@ -38,17 +42,40 @@ class ProgramFile:
     devices: tuple[Device, ...]
     image: bytes
 
-    @property
-    def drivers(self) -> list[str]:
-        """The drivers that it needs, each once."""
-        return list(dict.fromkeys(device.driver for device in self.devices))
+    @cached_property
+    def commands(self) -> list[tuple[int, str, int, bool]]:
+        """Each command: its device's place in `devices`, its name, how many arguments it has, whether it takes longer.
 
-    def to_bytes(self, modules: Mapping[str, str] | None = None) -> bytes:
-        """The file. `modules`: what the drivers are called on a board."""
-        rows = [
-            " ".join((kind, driver if modules is None else modules[driver], *words))
-            for kind, driver, words, _ in self.devices
-        ]
+        A name is empty where the program never gives the command.
+        """
+        given = used(Image.from_bytes(self.image))[1]
+        found: list[tuple[int, str, int, bool]] = []
+        for place, device in enumerate(self.devices):
+            if device.kind == "a" and device.words[1] != "-":
+                for call in device.words[1].split(","):
+                    name, _, count = call.partition("/")
+                    known = name if len(found) in given else ""
+                    found.append((place, known, int(count.rstrip("+")), count.endswith("+")))
+        return found
+
+    @property
+    def used_actuators(self) -> list[int]:
+        """The numbers of the robot's actuators that the program uses."""
+        drivers = [device.driver for device in self.devices if device.kind == "a"]
+        return [number for number, driver in enumerate(drivers) if driver != UNUSED]
+
+    @property
+    def drivers(self) -> dict[str, Asked]:
+        """The drivers that it needs, and what of them."""
+        found = {device.driver: Asked() for device in self.devices if device.driver != UNUSED}
+        for place, name, _, later in self.commands:
+            if name:
+                found[self.devices[place].driver] |= Asked(frozenset([name]), later)
+        return found
+
+    def to_bytes(self) -> bytes:
+        """The file."""
+        rows = [" ".join((kind, driver, *words)) for kind, driver, words, _ in self.devices]
         rest = "".join(f"{row}\n" for row in rows).encode() + b"\n" + self.image
         return f"{_FIRST} {checksum(rest)}\n".encode() + rest
 
@@ -67,7 +94,7 @@ def make_program_file(image: Image, robot: Robot, *, all_devices: bool = False) 
         PackageError: a part of the robot that is used names no driver and no device.
     """
     layout = Layout(robot)
-    cells, commands = _used(image)
+    cells, commands = used(image)
     devices = []
     for number, part in enumerate(robot.actuators):
         mine = {at for at, actuator in enumerate(image.commands) if actuator == number}
@@ -91,7 +118,7 @@ def make_program_file(image: Image, robot: Robot, *, all_devices: bool = False) 
     return ProgramFile(tuple(devices), image.to_bytes())
 
 
-def _used(image: Image) -> tuple[set[int], set[int]]:
+def used(image: Image) -> tuple[set[int], set[int]]:
     """The cells that a program reads, and the commands that it can give."""
     cells: set[int] = set()
     commands = {stop.command for stop in image.stops}

@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 
 from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.naming import with_known_locals
 
 
 def parsed(text: str, name: str) -> ast.Module:
@@ -29,9 +30,9 @@ def shortened(tree: ast.Module) -> str:
     import python_minifier  # only who installs waits for it
 
     return python_minifier.minify(
-        ast.unparse(tree),
+        ast.unparse(with_known_locals(tree)),
         remove_literal_statements=True,
-        rename_locals=True,
+        rename_locals=False,
         rename_globals=False,
         hoist_literals=False,
         remove_annotations=True,

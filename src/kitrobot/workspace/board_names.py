@@ -85,9 +85,12 @@ class BoardNames:
         found = _DEVICE.fullmatch(text)
         if found is None:
             return text
-        names = self.actuators if found[1] == "a" else tuple(self.sensors)
         number = int(found[2])
-        return f"{names[number]}: {found[3]}" if number < len(names) else text
+        if found[1] == "s":
+            name = next((name for name, cell in self.sensors.items() if cell == number), None)
+        else:
+            name = self.actuators[number] if number < len(self.actuators) else None
+        return f"{name}: {found[3]}" if name is not None else text
 
     def _place(self, instruction: int | None) -> tuple[str | None, int, str]:
         if instruction is None or not 0 <= instruction < len(self.places):

@@ -23,6 +23,7 @@ from kitrobot.deploy import (
     PackageError,
     Port,
     ProgramFile,
+    board_file,
     connect,
     deploy,
     list_ports,
@@ -77,7 +78,7 @@ class BoardProgram:
         for family in FAMILIES:
             if not self.package.missing(self.file.drivers, family):
                 built = self.package.built(family, self.file.drivers)
-                found.add(program_name(self.file.to_bytes(built.drivers))[2:])
+                found.add(program_name(board_file(self.file, built))[2:])
         return frozenset(found)
 
     def is_called(self, installed: str) -> bool:

@@ -1,20 +1,23 @@
 """What a robot is asked less often, a file for each request: read when it is asked; before, it takes no room.
 
-Each has `answer(port, robot, data)`, which returns kind and payload of the answer; or 0 for done, or the number of N
-that says why not. `robot` is the list of `kitrobot_onboard.state`. They are small: a small board compiles them while a
-program runs.
+They are scripts: each statement is a piece that is compiled, run and forgotten by itself, because a small board does it
+while a program runs. They know `robot`, the list of `kitrobot_onboard.state`, and the functions of the loop. The first
+that sets TOLD, kind and payload of the answer, is the last that is run.
 """
 
 ASKED = {
-    "h": "hello",
-    "s": "start",
-    "n": "next",
-    "f": "force",
-    "v": "variable",
-    "w": "watch",
-    "i": "identify",
-    "l": "last",
-    "C": "commands",
-    "T": "report",
+    "h": ("hello",),
+    "l": ("last",),
+    "f": ("program", "force", "clamp"),
+    "v": ("program", "variable"),
+    "n": ("program", "next", "clamp", "again"),
+    "s": ("program", "start"),
+    "C": ("commands",),
+    "w": ("program", "watch"),
+    "T": ("report",),
+    "i": ("identify",),
 }
-"""Request → file; C is the answer to `n`, made after the tick, and T what `w` begins."""
+"""Request → scripts, in their order. `n` goes on with C, and with s before it where there is need; `w` with T."""
+
+BY_FAMILY = {"microbit": {"w": ("program", "unwatched"), "T": (), "i": ("lights", "identify")}}
+"""What is otherwise for a family of boards."""

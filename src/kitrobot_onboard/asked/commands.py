@@ -1,16 +1,25 @@
-# What a tick on request gave.
+# A tick on request, and what it gave.
 
 import struct
 
-from kitrobot_onboard.state import CELLS, COUNT, KINDS, OUT, PARS, STATE
+from kitrobot_onboard.state import CELLS, COUNT, DATA, FAILED, KINDS, OUT, PARS, STATE, STEPS, TOLD
 
-
-def answer(port, robot, data):
-    told = struct.pack("<IB", robot[COUNT], (1 if robot[CELLS][0] else 0) + (2 if robot[STATE] == 3 else 0))
-    out = robot[OUT]
-    for at in range(0, len(out), robot[PARS][3]):
-        if out[at]:
-            told += bytes((out[at + 2],))
-            for k in range(robot[KINDS][out[at + 2]] // 2):
-                told += struct.pack("<i", out[at + 3 + k])
-    return "C", told
+robot[STEPS] = True
+react(robot)
+if robot[FAILED]:
+    robot[TOLD] = 5
+number = 0
+if robot[CELLS][0]:
+    number = 1
+if robot[STATE] == 3:
+    number += 2
+robot[DATA] = struct.pack("<i", robot[COUNT]) + bytes((number,))
+for at in range(0, len(robot[OUT]), robot[PARS][3]):
+    if robot[OUT][at]:
+        at += 2
+        number = robot[OUT][at]
+        robot[DATA] += bytes((number,))
+        for count in range(robot[KINDS][number] // 2):
+            at += 1
+            robot[DATA] += struct.pack("<i", robot[OUT][at])
+robot[TOLD] = b"C" + robot[DATA]

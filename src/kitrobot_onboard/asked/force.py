@@ -2,16 +2,15 @@
 
 import struct
 
-from kitrobot_onboard.state import FORCED, INPUTS
+from kitrobot_onboard.state import CELLS, DATA, FORCED, INPUTS, TOLD
 
-
-def answer(port, robot, data):
-    if len(data) != 6:
-        return 3
-    cell, on, value = struct.unpack("<BBi", data)
-    if not 0 < cell <= robot[INPUTS]:
-        return 2
-    robot[FORCED][cell] = value
-    if not on:
-        del robot[FORCED][cell]
-    return 0
+if len(robot[DATA]) != 6:
+    robot[TOLD] = 3
+number = robot[DATA][0]
+if not 0 < number <= robot[INPUTS]:
+    robot[TOLD] = 2
+if number in robot[FORCED]:
+    robot[FORCED].remove(number)
+if robot[DATA][1]:
+    robot[FORCED].append(number)
+    robot[CELLS][number] = struct.unpack("<i", robot[DATA][2:])[0]

@@ -3,14 +3,19 @@
 import gc
 import struct
 
-from kitrobot_onboard.state import COUNT, FAULT, LATE, NAMES, STATE
+from kitrobot_onboard.state import COUNT, DATA, FAULT, LATE, NAMES, STATE, TOLD
 
-
-def answer(port, robot, data):
-    if len(data) != 1:
-        return 3
-    fault = robot[FAULT][0] if robot[STATE] == 4 else 0
-    gc.collect()
-    free = gc.mem_free() if hasattr(gc, "mem_free") else 1 << 20
-    told = struct.pack("<BBBIIH", 1, robot[STATE], fault, free, robot[COUNT], robot[LATE])
-    return "H", told + robot[NAMES]
+if len(robot[DATA]) != 1:
+    robot[TOLD] = 3
+number = robot[FAULT][0]
+if robot[STATE] != 4:
+    number = 0
+robot[DATA] = bytes((1, robot[STATE], number))
+gc.collect()
+number = 1 << 20
+if hasattr(gc, "mem_free"):
+    number = gc.mem_free()
+robot[DATA] += struct.pack("<i", number)
+number = min(robot[LATE], 65535)
+robot[DATA] += struct.pack("<i", robot[COUNT]) + struct.pack("<H", number)
+robot[TOLD] = b"H" + robot[DATA] + robot[NAMES]

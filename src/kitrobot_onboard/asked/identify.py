@@ -1,17 +1,20 @@
-# Shows itself; the loop asks again, with a word, to end that. On a micro:bit, what is dark becomes bright and back.
+# Shows itself, until nothing was heard for a while. What `identify` does is the port's.
 
-from kitrobot_onboard.state import SHOWN
+from kitrobot_onboard.state import DIFF, HEARD, SHOWN, TELL, TICKS, TOLD
+
+SHOW_MS = 2000
 
 
-def answer(port, robot, data):
-    shown = not data
-    if shown != bool(robot[SHOWN]):
-        robot[SHOWN] = shown
-        if hasattr(port, "identify"):
-            port.identify(shown)
-        else:
-            from microbit import display
+def hide(robot, left):
+    if robot[DIFF](robot[TICKS](), robot[HEARD]) > SHOW_MS:
+        identify(False)
+        robot[SHOWN] = False
+        robot[TELL].remove(hide)
+    return left
 
-            for i in range(25):
-                display.set_pixel(i % 5, i // 5, 9 - display.get_pixel(i % 5, i // 5))
-    return 0
+
+if not robot[SHOWN]:
+    identify(True)
+    robot[SHOWN] = True
+    robot[TELL].append(hide)
+robot[TOLD] = 0

@@ -1,12 +1,24 @@
-# The last fault.
+# The last fault. Its device is a list (an actuator), a tuple (a sensor), or text when it could not be made.
 
 import struct
 
-from kitrobot_onboard.state import FAULT
+from kitrobot_onboard.state import DATA, FAULT, TOLD
 
-
-def answer(port, robot, data):
-    if data:
-        return 3
-    number, instruction, tick, text = robot[FAULT]
-    return "F", struct.pack("<BHI", number, instruction, tick) + bytes(text, "utf8")
+if robot[DATA]:
+    robot[TOLD] = 3
+number, count, device, text = robot[FAULT]
+text = repr(text)
+if number in (0, 3, 6):
+    text = ""
+if number == 2:
+    text = "not done"
+at = 65535
+if isinstance(device, tuple):
+    device = "s%d " % device[1]
+if isinstance(device, list):
+    at = device[4]
+    device = "a%d " % device[6]
+text = (device or "") + text
+robot[DATA] = bytes((number, at & 255, at >> 8)) + struct.pack("<i", count)
+robot[TOLD] = b"F" + robot[DATA] + bytes(text[:60], "utf8")
+device = text = None

@@ -2,15 +2,17 @@
 
 import struct
 
-from kitrobot_onboard.state import FORCED, INPUTS
+from kitrobot_onboard.state import CELLS, DATA, FORCED, INPUTS, TOLD
 
-
-def answer(port, robot, data):
-    if len(data) % 5:
-        return 3
-    for at in range(0, len(data), 5):
-        if not 0 < data[at] <= robot[INPUTS]:
-            return 2
-    for at in range(0, len(data), 5):
-        robot[FORCED][data[at]] = struct.unpack("<i", data[at + 1 : at + 5])[0]
-    return 0
+if len(robot[DATA]) % 5:
+    robot[TOLD] = 3
+for at in range(0, len(robot[DATA]), 5):
+    number = robot[DATA][at]
+    if not 0 < number <= robot[INPUTS]:
+        robot[TOLD] = 2
+for at in range(0, len(robot[DATA]), 5):
+    number = robot[DATA][at]
+    at = robot[DATA][at + 1 : at + 5]
+    robot[CELLS][number] = struct.unpack("<i", at)[0]
+    if number not in robot[FORCED]:
+        robot[FORCED].append(number)

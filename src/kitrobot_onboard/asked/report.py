@@ -3,55 +3,86 @@
 
 import struct
 
-from kitrobot_onboard.link import wrap
-from kitrobot_onboard.state import CELLS, COUNT, EVERY, NEWS, PARS, SEEN, SENT, SPOT, TELL, THREADS, TOLD
+from kitrobot_onboard.state import (
+    CELLS,
+    COUNT,
+    DATA,
+    DIFF,
+    DUE,
+    EVERY,
+    NEWS,
+    PARS,
+    SEEN,
+    SENT,
+    SINCE,
+    SPOT,
+    STATE,
+    STEPS,
+    TELL,
+    THREADS,
+    TICKS,
+    TOLD,
+    WRITE,
+)
+
+AT_ONCE = 6  # numbers that are looked at in one gap
 
 
-def tell(port, robot, left):
-    """Goes on with looking for what changed, and tells it, as far as the `left` ms allow."""
-    since = port.diff(port.ticks(), robot[TOLD])
-    if since < robot[EVERY]:
-        return
-    # As many bytes as fit the gap, of which 3 ms stay free: a byte takes 87 us, and a look at a number a third of a
-    # millisecond. A robot that is late anyhow says a word now and then.
-    room = 11 * min(left or since // 250, 8) - 47
-    sent = robot[SENT]
+def look(robot, room):
+    """Looks at the next numbers, as long as there is room to tell that they changed."""
     slots = robot[PARS][0]
-    spot = robot[SPOT]
-    news = robot[NEWS]
-    end = min(spot + 6, len(sent))
-    while spot < end and len(news) + 6 <= room:
+    for spot in range(robot[SPOT], min(robot[SPOT] + AT_ONCE, len(robot[SENT]))):
+        if len(robot[NEWS]) + 6 > room:
+            break
         if spot < slots:
             value = robot[THREADS][2 * spot]
             value = 65535 if value < 0 else value - 1 if robot[THREADS][2 * spot + 1] else value
         else:
             value = robot[CELLS][spot - slots]
-        if sent[spot] != value:
-            news += (
-                struct.pack("<BBH", 116, spot, value) if spot < slots else struct.pack("<BBi", 99, spot - slots, value)
+        if robot[SENT][spot] != value:
+            robot[NEWS] += (
+                bytes((116, spot)) + struct.pack("<H", value)
+                if spot < slots
+                else bytes((99, spot - slots)) + struct.pack("<i", value)
             )
-            sent[spot] = value
-        spot += 1
-    while spot == len(sent) and len(news) + 3 <= room:
+            robot[SENT][spot] = value
+        robot[SPOT] = spot + 1
+
+
+def list_seen(robot, room):
+    """The same with what ran."""
+    while len(robot[NEWS]) + 3 <= room:
         at = bytes(robot[SEEN]).find(b"\1")
         if at < 0:
             break
         robot[SEEN][at] = 0
-        news += struct.pack("<BH", 114, at)
-    if len(news) <= room and (spot == len(sent) or len(news) + 6 > room):
-        if spot == len(sent):
-            spot = 0
-        robot[TOLD] = port.ticks()
-        if news:
-            port.write(wrap("T", 0, struct.pack("<I", robot[COUNT]) + news))
-            news = b""
-    robot[SPOT] = spot
-    robot[NEWS] = news
+        robot[NEWS] += b"r" + struct.pack("<H", at)
 
 
-def answer(port, robot, data):
-    """What `w` asks after it has made the lists: from now on the loop calls `tell`."""
-    if robot[SENT]:
-        robot[TELL] = tell
-        robot[EVERY] = struct.unpack("<H", data)[0]
-    return 0
+def tell(robot, left):
+    """Goes on with looking for what changed, and tells it, as far as the `left` ms allow; how many are left then."""
+    since = robot[DIFF](robot[TICKS](), robot[SINCE])
+    if since >= robot[EVERY]:
+        # As many bytes as fit the gap, of which 3 ms stay free: a byte takes 87 us, and a look at a number a third of
+        # a millisecond. A robot that is late anyhow says a word now and then.
+        room = 11 * min(left or since // 250, 8) - 47
+        look(robot, room)
+        end = robot[SPOT] == len(robot[SENT])
+        if end:
+            list_seen(robot, room)
+        if len(robot[NEWS]) <= room and (end or len(robot[NEWS]) + 6 > room):
+            if end:
+                robot[SPOT] = 0
+            robot[SINCE] = robot[TICKS]()
+            if robot[NEWS]:
+                robot[WRITE](wrap("T", 0, struct.pack("<i", robot[COUNT]) + robot[NEWS]))
+                robot[NEWS] = b""
+        if robot[STATE] == 2 and not robot[STEPS]:
+            left = max(robot[DIFF](robot[DUE], robot[TICKS]()), 0)
+    return left
+
+
+robot[SINCE] = robot[TICKS]()
+robot[EVERY] = struct.unpack("<H", robot[DATA])[0]
+robot[TELL].append(tell)
+robot[TOLD] = 0

@@ -1,26 +1,53 @@
-# Back to the program's first instruction; every device was stopped before. 2 is for a tick on request.
+# Back to the program's first instruction; after `n`, for a tick on request.
 
-from kitrobot_onboard.state import CELLS, COUNT, DUE, FAULT, FIRST, HELD, LATE, PARS, STATE, STEPS, THREADS
+from kitrobot_onboard.state import (
+    CELLS,
+    COUNT,
+    DATA,
+    DUE,
+    FAILED,
+    FAULT,
+    FIRST,
+    HELD,
+    INPUTS,
+    KIND,
+    LATE,
+    PARS,
+    STATE,
+    STEPS,
+    THREADS,
+    TICKS,
+    TOLD,
+)
 
-
-def answer(port, robot, data):
-    if len(data) != 1 or data[0] > 2:
-        return 3
-    pars = robot[PARS]
-    robot[CELLS][: len(robot[FIRST])] = robot[FIRST]
-    robot[THREADS][:] = [-1, 0] * pars[0]
-    robot[THREADS][0] = pars[5]
-    at = 4 + 4 * pars[0]
-    for _ in range(pars[1]):
-        pars[at] = 0
-        at += 5
-    for _ in range(pars[2]):
-        pars[at] = 0
-        at += 3
-    robot[FAULT] = 0, 65535, 0, ""
-    robot[COUNT] = robot[LATE] = 0
-    robot[STATE] = 2
-    robot[STEPS] = data[0] == 2
-    robot[HELD] = data[0] == 1
-    robot[DUE] = port.ticks()
-    return 0
+if robot[KIND] == "s" and robot[DATA] not in (b"\0", b"\1"):
+    robot[TOLD] = 3
+stop(robot)
+if robot[FAILED]:
+    robot[TOLD] = 5
+at = robot[INPUTS]
+for number in robot[FIRST]:
+    at += 1
+    robot[CELLS][at] = number
+robot[CELLS][0] = 0
+for number in range(0, len(robot[THREADS]), 2):
+    robot[THREADS][number] = -1
+    robot[THREADS][number + 1] = 0
+at = robot[PARS]
+robot[THREADS][0] = at[5]
+number = 4 + 4 * at[0]
+for count in range(at[1]):
+    at[number] = 0
+    number += 5
+for count in range(at[2]):
+    at[number] = 0
+    number += 3
+robot[FAULT] = 0, 0, None, None
+robot[COUNT] = robot[LATE] = 0
+robot[STATE] = 2
+robot[STEPS] = robot[KIND] != "s"
+robot[HELD] = False
+robot[DUE] = robot[TICKS]()
+if robot[KIND] == "s":
+    robot[HELD] = robot[DATA] == b"\1"
+    robot[TOLD] = 0

@@ -2,14 +2,12 @@
 
 import struct
 
-from kitrobot_onboard.state import CELLS, INPUTS, VISIBLE
+from kitrobot_onboard.state import CELLS, DATA, INPUTS, TOLD, VISIBLE
 
-
-def answer(port, robot, data):
-    if len(data) != 5:
-        return 3
-    cell, value = struct.unpack("<Bi", data)
-    if not robot[INPUTS] < cell < robot[VISIBLE]:
-        return 2
-    robot[CELLS][cell] = value
-    return 0
+if len(robot[DATA]) != 5:
+    robot[TOLD] = 3
+number = robot[DATA][0]
+if not robot[INPUTS] < number < robot[VISIBLE]:
+    robot[TOLD] = 2
+robot[CELLS][number] = struct.unpack("<i", robot[DATA][1:])[0]
+robot[TOLD] = 0

@@ -10,7 +10,6 @@ from time import ticks_ms as ticks  # noqa: F401
 import micropython
 
 MOST = 64  # bytes that are taken at once, so that a flood does not make a tick late
-FILES = ASKED = ""  # filled in by the package: what to start with, in order; what is read when it is asked
 write = sys.stdout.buffer.write
 take = sys.stdin.buffer.read
 line = poll()
@@ -25,6 +24,10 @@ def read(ms):
     while len(data) < MOST and line.poll(0 if data else ms):
         data += take(1) or b""
     return data
+
+
+def tidy():
+    """Here is room enough."""
 
 
 def identify(on):

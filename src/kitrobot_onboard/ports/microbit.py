@@ -1,12 +1,13 @@
 # The micro:bit of 2016: its link is the USB serial line at 115200 baud; 64 bytes are buffered, without flow control.
 
+from gc import collect as tidy  # noqa: F401
+
 import micropython
 from microbit import sleep, uart
 from utime import ticks_add as add
 from utime import ticks_diff as diff
 from utime import ticks_ms as ticks
 
-FILES = ASKED = ""  # filled in by the package: what to start with, in order; what is read when it is asked
 write = uart.write
 micropython.kbd_intr(-1)  # from now on, 0x03 is a byte like any other; the prompt undoes it
 

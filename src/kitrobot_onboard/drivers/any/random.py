@@ -5,12 +5,7 @@ from random import randint
 SETTINGS = {}
 
 
-class Chance:
-    def __init__(self, settings):
-        self.range = int(settings.get("min", "0")), int(settings.get("max", "100"))
-
-    def read(self):
-        return randint(self.range[0], self.range[1])
-
-
-make = Chance
+def make(settings):
+    least = int(settings.get("min", "0"))
+    most = int(settings.get("max", "100"))
+    return lambda: randint(least, most)

@@ -5,16 +5,11 @@ from microbit import accelerometer
 SETTINGS = {"axis": "x|y|z = x", "what": "axis|shake = axis"}
 
 
-class Accelerometer:
-    def __init__(self, settings):
-        if settings.get("what") == "shake":
-            self.read = self.shaken
-        else:
-            self.read = getattr(accelerometer, "get_" + settings.get("axis", "x"))
-
-    def shaken(self):
-        return 1 if accelerometer.was_gesture("shake") else 0
+def shaken():
+    return 1 if accelerometer.was_gesture("shake") else 0
 
 
 def make(settings):
-    return Accelerometer(settings)
+    if settings.get("what") == "shake":
+        return shaken
+    return getattr(accelerometer, "get_" + settings.get("axis", "x"))

@@ -5,11 +5,6 @@ import microbit
 SETTINGS = {"pin": "pin", "mode": "digital|analog = digital"}
 
 
-class In:
-    def __init__(self, settings):
-        pin = getattr(microbit, "pin" + settings["pin"])
-        self.read = pin.read_analog if settings.get("mode") == "analog" else pin.read_digital
-
-
 def make(settings):
-    return In(settings)
+    pin = getattr(microbit, "pin" + settings["pin"])
+    return pin.read_analog if settings.get("mode") == "analog" else pin.read_digital

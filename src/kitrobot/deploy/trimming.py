@@ -1,0 +1,65 @@
+"""Leaving out of a driver what a program never asks of it: a small board has no room for what is not used.
+
+In the method `do(self, procedure, arguments)`, branches for procedures that the program never gives; `done`, when it
+gives none that completes later; then constants of the module that nobody reads any more.
+"""
+
+from __future__ import annotations
+
+import ast
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a program asks of the devices of a driver: `procedures`, and whether one of them completes later."""
+
+    procedures: frozenset[str] = frozenset()
+    later: bool = False
+
+    def __or__(self, other: Asked) -> Asked:
+        return Asked(self.procedures | other.procedures, self.later or other.later)
+
+
+def trimmed(tree: ast.Module, asked: Asked) -> ast.Module:
+    """The driver without what is not asked of it."""
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            for method in node.body:
+                if isinstance(method, ast.FunctionDef) and method.name == "do" and len(method.args.args) > 1:
+                    _Branches(method.args.args[1].arg, asked.procedures).visit(method)
+            if not asked.later and not _calls(tree, "done"):
+                node.body = [one for one in node.body if not (isinstance(one, ast.FunctionDef) and one.name == "done")]
+    read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
+    tree.body = [node for node in tree.body if _is_read(node, read)]
+    return tree
+
+
+def _calls(tree: ast.Module, name: str) -> bool:
+    return any(isinstance(node, ast.Attribute) and node.attr == name for node in ast.walk(tree))
+
+
+def _is_read(node: ast.stmt, read: set[str]) -> bool:
+    match node:
+        case ast.Assign(targets=[ast.Name(id=name)], value=ast.Constant()):
+            return name in read
+    return True
+
+
+class _Branches(ast.NodeTransformer):
+    def __init__(self, procedure: str, procedures: frozenset[str]) -> None:
+        self.procedure = procedure
+        self.procedures = procedures
+
+    def visit_If(self, node: ast.If) -> ast.AST | list[ast.stmt]:
+        self.generic_visit(node)
+        match node.test:
+            case ast.Compare(left=ast.Name(id=self.procedure), ops=[ast.Eq()], comparators=[ast.Constant(value=name)]):
+                names = {name}
+            case ast.Compare(left=ast.Name(id=self.procedure), ops=[ast.In()], comparators=[ast.Tuple() as several]):
+                names = {one.value for one in several.elts if isinstance(one, ast.Constant)}
+                if len(names) < len(several.elts):
+                    return node
+            case _:
+                return node
+        return node if names & self.procedures else node.orelse or [ast.Pass()]

@@ -1,0 +1,65 @@
+"""Booting on CPython what lands on boards: the very `main.py`, with a port of Python and the drivers of the tests.
+
+Files of drivers are made up here, and fetch `tests.boards.drivers`; all else is what `Package` makes for boards with a
+current MicroPython.
+"""
+
+from __future__ import annotations
+
+import builtins
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import IO, Any
+
+from kitrobot.deploy import Package, board_file, program_name, read_program_file
+from kitrobot.deploy.lying import StartLine
+from kitrobot.deploy.package import Built, name_of, short
+from kitrobot_onboard.interpreter import tick
+from kitrobot_onboard.link import checksum
+
+PORT = ("ticks", "diff", "add", "read", "write", "tidy", "identify")
+MICROPYTHON = SimpleNamespace(opt_level=lambda level: None)
+
+
+def boot(port: Any, folder: Path, program: bytes | None, generation: int) -> tuple[list[Any], Callable[[Any], None]]:
+    """A robot that was started from a program file, and the loop that it is to be given to.
+
+    `folder`: where the files of its board lie.
+    """
+    file = read_program_file(program) if program is not None else None
+    built = _with_test_drivers(Package().built("machine", {}), list(file.drivers) if file is not None else [])
+    data = board_file(file, built)
+    name = program_name(data) if file is not None else "kp-"
+    line = StartLine(generation, built.interpreter, name, checksum(data))
+    for path, content in {**built.files, name: data, "kr0": line.to_bytes()}.items():
+        (folder / path).write_bytes(content)
+    sys.modules.setdefault("micropython", MICROPYTHON)  # type: ignore[arg-type]
+    sys.modules[built.interpreter] = SimpleNamespace(**{short()["tick"]: tick})  # type: ignore[assignment]
+
+    def opened(path: str, mode: str = "r") -> IO[Any]:
+        return builtins.open(folder / path, mode)
+
+    space: dict[str, Any] = {"open": opened, "port": port}
+    loading, _, running = built.main.decode().rpartition("\n")
+    assert running.strip() == f"{short().get('run', 'run')}({short()['robot']})"
+    exec(loading, space)
+    return space[short()["robot"]], space[short().get("run", "run")]
+
+
+def _with_test_drivers(built: Built, drivers: list[str]) -> Built:
+    port = "\n".join(f"{short().get(name, name)}=port.{name}" for name in PORT).encode()
+    texts = {
+        driver: f"from tests.boards.drivers import driver as found\nmake=found({driver!r}).make".encode()
+        for driver in drivers
+    }
+    files = {name_of(text) + ".py": text for text in (port, *texts.values())}
+    return replace(
+        built,
+        files={**built.files, **files},
+        port=name_of(port) + ".py",
+        drivers={driver: name_of(text) + ".py" for driver, text in texts.items()},
+        wants_range=dict.fromkeys(texts, True),
+    )
