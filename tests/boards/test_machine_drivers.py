@@ -247,7 +247,7 @@ result += [digital.read(), analog.read()]
 def test_chance_gives_every_number_of_its_range_and_no_other() -> None:
     result = on_board("""
 dice = make("any.random", min="1", max="6")
-result = sorted(set([dice.read() for _ in range(500)]))
+result = sorted(set([dice() for _ in range(500)]))
 """)
     assert result == [1, 2, 3, 4, 5, 6]
 
