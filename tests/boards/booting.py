@@ -16,10 +16,11 @@ from typing import IO, Any
 
 from kitrobot.deploy import Package, board_file, program_name, read_program_file
 from kitrobot.deploy.lying import StartLine
-from kitrobot.deploy.package import Built, name_of, short
+from kitrobot.deploy.package import MODULE, Built, name_of, short
 from kitrobot_onboard.interpreter import tick
 from kitrobot_onboard.link import checksum
 
+PACKAGE = "c0ffee00"
 PORT = ("ticks", "diff", "add", "read", "write", "tidy", "identify")
 MICROPYTHON = SimpleNamespace(opt_level=lambda level: None)
 
@@ -32,7 +33,7 @@ def boot(port: Any, folder: Path, program: bytes | None, generation: int) -> tup
     file = read_program_file(program) if program is not None else None
     built = _with_test_drivers(Package().built("machine", {}), list(file.drivers) if file is not None else [])
     data = board_file(file, built)
-    name = program_name(data) if file is not None else "kp-"
+    name = program_name(program) if program is not None else "kp-"  # as robots have it that know drivers by their names
     line = StartLine(generation, built.interpreter, name, checksum(data))
     for path, content in {**built.files, name: data, "kr0": line.to_bytes()}.items():
         (folder / path).write_bytes(content)
@@ -58,6 +59,7 @@ def _with_test_drivers(built: Built, drivers: list[str]) -> Built:
     files = {name_of(text) + ".py": text for text in (port, *texts.values())}
     return replace(
         built,
+        module=MODULE + PACKAGE,
         files={**built.files, **files},
         port=name_of(port) + ".py",
         drivers={driver: name_of(text) + ".py" for driver, text in texts.items()},
