@@ -5,6 +5,7 @@
 import micropython
 
 micropython.opt_level(3)  # numbers of lines take room
+micropython.kbd_intr(-1)  # who calls while it starts must not end that; the prompt undoes it
 first = program = ""
 generation = a = b = file = data = line = 0
 

@@ -22,7 +22,7 @@ from kitrobot_onboard.link import checksum
 
 PACKAGE = "c0ffee00"
 PORT = ("ticks", "diff", "add", "read", "write", "tidy", "identify")
-MICROPYTHON = SimpleNamespace(opt_level=lambda level: None)
+MICROPYTHON = SimpleNamespace(opt_level=lambda level: None, kbd_intr=lambda sign: None)
 
 
 def boot(port: Any, folder: Path, program: bytes | None, generation: int) -> tuple[list[Any], Callable[[Any], None]]:

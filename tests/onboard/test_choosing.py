@@ -22,7 +22,9 @@ NEW = b"0003a=2" + bytes(range(256)) * 3
 @pytest.fixture
 def flash(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A board's files, with two installations, of which the one in `kr0` is newer."""
-    monkeypatch.setitem(sys.modules, "micropython", SimpleNamespace(opt_level=lambda level: None))
+    monkeypatch.setitem(
+        sys.modules, "micropython", SimpleNamespace(opt_level=lambda level: None, kbd_intr=lambda sign: None)
+    )
     (tmp_path / "kpold").write_bytes(OLD)
     (tmp_path / "kpnew").write_bytes(NEW)
     (tmp_path / "kr0").write_bytes(StartLine(10, "krnew", "kpnew", checksum(NEW)).to_bytes())

@@ -264,7 +264,9 @@ def test_a_micro_bit_of_2016_is_told_to_have_too_little_memory(
         studio.page.keyboard.press("Alt+r")
         robot = studio.at("robot")
         robot.get_by_test_id("robot-run").click()
-        expect(robot.get_by_test_id("robot-trouble")).to_contain_text("The program needs more memory than the board has")
+        expect(robot.get_by_test_id("robot-trouble")).to_contain_text(
+            "The program needs more memory than the board has"
+        )
 
 
 def test_a_run_is_saved_and_opens_on_the_timeline_with_what_was_done_to_it(
