@@ -8,12 +8,15 @@ from __future__ import annotations
 import contextlib
 import socket
 import subprocess
-from collections.abc import Iterator, Sequence
+import tempfile
+from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 from tools import qemu
 
 BOOT_S = 30
+_FLASH, _PAGE = 256 * 1024, 1024
 
 
 @dataclass
@@ -52,30 +55,45 @@ def running(*extra: str) -> Iterator[Emulated]:
     found = qemu.find()
     # Not skipped: who leaves the board tests out says so with -m.
     assert found is not None, "no QEMU with a micro:bit here; install them, or leave these tests out: -m 'not boards'"
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        port = listener.getsockname()[1]
-        process = subprocess.Popen(
-            _command(found, listener.fileno(), extra),
-            pass_fds=[listener.fileno()],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
-        )
-    try:
+    with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
+        erased = Path(folder, "erased")
+        start = _end_of(Path(found.firmware))
+        erased.write_bytes(b"\xff" * (_FLASH - start))
+        with socket.create_server(("127.0.0.1", 0)) as listener:
+            port = listener.getsockname()[1]
+            process = subprocess.Popen(
+                [*_command(found, listener.fileno()), "-device", f"loader,file={erased},addr={start:#x}", *extra],
+                pass_fds=[listener.fileno()],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.DEVNULL,
+            )
+        stack.callback(process.wait)
+        stack.callback(process.kill)
         board = Emulated(f"socket://127.0.0.1:{port}", port, process)
         with board.wire() as wire:
             wire.sendall(b"\r")
             board.read_until(wire, b">>> ")
         yield board
-    finally:
-        process.kill()
-        process.wait()
 
 
-def _command(found: qemu.Emulator, listener: int, extra: Sequence[str]) -> list[str]:
+def _end_of(firmware: Path) -> int:
+    """The first page behind a firmware. From there a real board's flash is erased; the emulator's is zero, and the
+    board's file system, which counts on that, loses files when it tidies them up."""
+    end = base = 0
+    for line in firmware.read_text(encoding="ascii").splitlines():
+        record = bytes.fromhex(line[1:])
+        size, address, kind = record[0], int.from_bytes(record[1:3], "big"), record[3]
+        if kind == 4:
+            base = int.from_bytes(record[4:6], "big") << 16
+        elif kind == 0 and base + address < _FLASH:
+            end = max(end, base + address + size)
+    return -(-end // _PAGE) * _PAGE
+
+
+def _command(found: qemu.Emulator, listener: int) -> list[str]:
     return [
         found.program,
         *("-M", "microbit", "-display", "none", "-monitor", "stdio"),
         *("-chardev", f"socket,id=s,fd={listener},server=on,wait=off,nodelay=on", "-serial", "chardev:s"),
         *("-device", f"loader,file={found.firmware}"),
-        *extra,
     ]
