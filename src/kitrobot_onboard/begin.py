@@ -47,4 +47,4 @@ robot[FAULT] = 0, 0, None, None
 robot[DUE] = robot[HEARD] = ticks()
 robot[NAMES] = struct.pack("<H", generation) + bytes(package + " " + program[2:], "utf8")
 at = number = count = device = text = None  # of `asked`: where they are kept is made while there is room
-del asked, first, generation, package, struct
+del asked, generation, package

@@ -12,7 +12,6 @@ from kitrobot_onboard.state import FAILED
 exec(open("krboot.py").read())
 gc.collect()  # so that what stays lies close together
 if program:
-    __import__(first)  # the largest, so it comes while there is most room
     file = open(program, "rb")
     where = 0
     while file:

@@ -6,7 +6,7 @@ import micropython
 
 micropython.opt_level(3)  # numbers of lines take room
 micropython.kbd_intr(-1)  # who calls while it starts must not end that; the prompt undoes it
-first = program = ""
+program = ""
 generation = a = b = file = data = line = 0
 
 
@@ -36,7 +36,6 @@ for name in ("kr0", "kr1"):
             file.close()
             if int(line[3], 16) == b << 8 | a:
                 generation = int(line[0])
-                first = line[1]
                 program = line[2]
     except Exception:  # there is none, or it is not whole
         pass

@@ -2,7 +2,8 @@
 
 from kitrobot_onboard.acting import stop
 from kitrobot_onboard.link import wrap
-from kitrobot_onboard.state import ASKED, DATA, GONE, KIND, LAST, REPLY, SPACE, TIDY, TOLD, WRITE
+from kitrobot_onboard.reaction import react
+from kitrobot_onboard.state import ASKED, DATA, GONE, KIND, LAST, REPLY, SPACE, STEPS, TIDY, TOLD, WRITE
 
 
 def obey(robot, request):
@@ -28,6 +29,9 @@ def obey(robot, request):
                 text = file.read(int(head[1:]))
                 if head[0] in robot[KIND]:
                     exec(text, robot[SPACE])
+                if robot[STEPS] == 2:  # not done by the piece itself: a small board's stack ends soon
+                    robot[STEPS] = 1
+                    react(robot)
             told = robot[TOLD]
     except MemoryError:
         told = 6

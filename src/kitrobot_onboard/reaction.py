@@ -33,7 +33,7 @@ def react(robot):
         for part in robot[ACTUATORS]:
             robot[WHO] = part
             if part[3] is not None:
-                if part[0].done():
+                if part[8]():
                     part[3] = None
                 elif not robot[STEPS] and robot[DIFF](robot[TICKS](), part[3]) > part[2]:
                     number = 2
@@ -54,7 +54,7 @@ def react(robot):
                 at += 2
                 kind = robot[KINDS][cells[at]]
                 part[3] = robot[TICKS]() if kind % 2 else None
-                part[0].do(robot[PROCEDURES][cells[at]], cells[at + 1 : at + 1 + kind // 2])
+                part[7](robot[PROCEDURES][cells[at]], cells[at + 1 : at + 1 + kind // 2])
         robot[WHO] = None
     except Exception as error:
         fail(robot, number, error)

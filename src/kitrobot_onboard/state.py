@@ -20,7 +20,7 @@ WRITE = 10
 # The rest of the program file.
 SENSORS = 11  # (read, cell, least, most) for each
 # [driver, done cell or 0, limit in ms, when it began what takes longer or None, its instruction, place in `out`,
-# number]
+# number, the driver's `do`, and its `done` or None]
 ACTUATORS = 12
 PROCEDURES = 13  # names of all commands
 KINDS = 14  # for each command, twice the number of its arguments, and 1 more when it completes later
@@ -30,7 +30,7 @@ INPUTS = 17  # how many
 VISIBLE = 18  # the fault flag, inputs and variables: how many cells these are
 NAMES = 19  # the end of H
 ASKED = 20  # the file of what is read when it is asked
-SPACE = 21  # the names that this file knows
+SPACE = 21  # the names that what is asked knows
 STATE = 22  # 0 no program, 1 ready, 2 running, 3 ended, 4 fault
 
 # How it goes.
@@ -39,7 +39,7 @@ FAULT = 24  # number, tick, device or None, exception: the last one
 FAILED = 25  # one that was not told yet, or None
 COUNT = 26  # ticks
 LATE = 27
-STEPS = 28  # step by step: no tick is due
+STEPS = 28  # step by step: no tick is due; 2: one is, now
 HELD = 29
 DUE = 30  # when the next tick is
 WHO = 31  # the device that is at work
@@ -55,7 +55,7 @@ DATA = 38  # its payload
 TOLD = 39  # its answer: kind and payload; 0 for done; the number of N that says why not; or None
 
 # Whoever watches.
-TELL = 40  # called in each gap with the ms that are left, or None
+TELL = 40  # functions that are called in each gap with the ms that are left, and say how many are left then
 EVERY = 41  # ms between two T
 SINCE = 42  # when the last was sent
 SENT = 43  # what was told: where each slot stands, each cell's value

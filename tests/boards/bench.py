@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.workspace import BoardProgram, load_board_program
+from kitrobot.primitives import Robot
+from kitrobot.workspace import BoardProgram, find_robot, load_board_program
 
 ROBOT = """<robot name="bench" version="1" tick="20" wait-unit="20">
   <actuator name="Motor" device="any"><board driver="stores" pin="1"/>
@@ -74,3 +75,8 @@ def bench_program(folder: Path, text: str = ONE, mark: str = "one") -> BoardProg
     path = folder / "program.lll"
     path.write_text(text, encoding="utf-8")
     return load_board_program(path, robot=str(folder / "bench.robot.xml"))
+
+
+def bench_robot(folder: Path) -> Robot:
+    """The robot of programs that were made in a folder."""
+    return find_robot(str(folder / "bench.robot.xml"))

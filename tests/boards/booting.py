@@ -15,8 +15,10 @@ from types import SimpleNamespace
 from typing import IO, Any
 
 from kitrobot.deploy import Package, board_file, program_name, read_program_file
+from kitrobot.deploy.carried import asked_file, short
 from kitrobot.deploy.lying import StartLine
-from kitrobot.deploy.package import MODULE, Built, name_of, short
+from kitrobot.deploy.package import MODULE, Built, name_of
+from kitrobot.deploy.starting import start_file
 from kitrobot_onboard.interpreter import tick
 from kitrobot_onboard.link import checksum
 
@@ -56,12 +58,17 @@ def _with_test_drivers(built: Built, drivers: list[str]) -> Built:
         driver: f"from tests.boards.drivers import driver as found\nmake=found({driver!r}).make".encode()
         for driver in drivers
     }
-    files = {name_of(text) + ".py": text for text in (port, *texts.values())}
+    files = dict(built.files) | {name_of(text) + ".py": text for text in (port, *texts.values())}
+    loop = [name_of(port) + ".py", *built.loop[1:]]
+    asked = name_of(asked_file(built.family)) + ".py"
+    start = start_file(built.interpreter, [(name, len(files[name])) for name in loop], asked)
+    name = name_of(start) + ".py"
     return replace(
         built,
         module=MODULE + PACKAGE,
-        files={**built.files, **files},
-        port=name_of(port) + ".py",
+        files={**files, name: start},
+        start=name,
+        loop=loop,
         drivers={driver: name_of(text) + ".py" for driver, text in texts.items()},
         wants_range=dict.fromkeys(texts, True),
     )

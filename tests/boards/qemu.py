@@ -8,8 +8,7 @@ from __future__ import annotations
 import contextlib
 import socket
 import subprocess
-import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -55,30 +54,47 @@ def running(*extra: str) -> Iterator[Emulated]:
     found = qemu.find()
     # Not skipped: who leaves the board tests out says so with -m.
     assert found is not None, "no QEMU with a micro:bit here; install them, or leave these tests out: -m 'not boards'"
-    with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
-        erased = Path(folder, "erased")
-        start = _end_of(Path(found.firmware))
-        erased.write_bytes(b"\xff" * (_FLASH - start))
-        with socket.create_server(("127.0.0.1", 0)) as listener:
-            port = listener.getsockname()[1]
-            process = subprocess.Popen(
-                [*_command(found, listener.fileno()), "-device", f"loader,file={erased},addr={start:#x}", *extra],
-                pass_fds=[listener.fileno()],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.DEVNULL,
-            )
-        stack.callback(process.wait)
-        stack.callback(process.kill)
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        port = listener.getsockname()[1]
+        process = subprocess.Popen(
+            _command(found, listener.fileno(), extra),
+            pass_fds=[listener.fileno()],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+        )
+    try:
         board = Emulated(f"socket://127.0.0.1:{port}", port, process)
         with board.wire() as wire:
             wire.sendall(b"\r")
             board.read_until(wire, b">>> ")
+            _erase(board, wire, _end_of(Path(found.firmware)))
         yield board
+    finally:
+        process.kill()
+        process.wait()
+
+
+def _erase(board: Emulated, wire: socket.socket, start: int) -> None:
+    """Erases the flash from there on, and restarts the board, which then makes a file system.
+
+    The emulator's flash is zero where no firmware is; a real one's is erased, and the file system counts on that: on
+    zeros it loses files when it tidies them up.
+    """
+    for line in (
+        "from machine import mem32 as m",
+        "m[0x4001e504]=2",  # erasing is allowed
+        *(f"m[0x4001e508]={page}" for page in range(start, _FLASH, _PAGE)),
+        "m[0x4001e504]=0",
+    ):
+        wire.sendall(line.encode() + b"\r")
+        board.read_until(wire, b">>> ")
+    wire.sendall(b"import machine;machine.reset()\r")
+    board.read_until(wire, b"\n")
+    board.read_until(wire, b">>> ")
 
 
 def _end_of(firmware: Path) -> int:
-    """The first page behind a firmware. From there a real board's flash is erased; the emulator's is zero, and the
-    board's file system, which counts on that, loses files when it tidies them up."""
+    """The first page behind a firmware."""
     end = base = 0
     for line in firmware.read_text(encoding="ascii").splitlines():
         record = bytes.fromhex(line[1:])
@@ -90,10 +106,11 @@ def _end_of(firmware: Path) -> int:
     return -(-end // _PAGE) * _PAGE
 
 
-def _command(found: qemu.Emulator, listener: int) -> list[str]:
+def _command(found: qemu.Emulator, listener: int, extra: Sequence[str]) -> list[str]:
     return [
         found.program,
         *("-M", "microbit", "-display", "none", "-monitor", "stdio"),
         *("-chardev", f"socket,id=s,fd={listener},server=on,wait=off,nodelay=on", "-serial", "chardev:s"),
         *("-device", f"loader,file={found.firmware}"),
+        *extra,
     ]

@@ -11,27 +11,31 @@ import pytest
 
 from kitrobot.deploy import connect, deploy
 from kitrobot.image import Image, Machine
-from kitrobot.workspace import BoardProgram, find_robot
-from tests.boards.bench import PROGRAMS, bench_program
+from kitrobot.primitives import Robot
+from kitrobot.workspace import BoardProgram
+from tests.boards.bench import PROGRAMS, bench_program, bench_robot
 
 TICKS = 2000 if os.environ.get("KITROBOT_THOROUGH") else 150
 
 
-def compared(address: str, program: BoardProgram, folder: Path, seed: int) -> None:
+def compared(address: str, program: BoardProgram, robot: Robot, seed: int) -> None:
     """Steps a board and a machine through the same inputs."""
-    robot = find_robot(str(folder / "bench.robot.xml"))
     machine = Machine(Image.from_bytes(program.file.image), robot)
+    layout = machine.layout
     chance = random.Random(seed)
     with connect(address, 10) as board:
         board.stop()
         board.arguments = list(program.names.arguments)
         for tick in range(TICKS):
-            captor, done = chance.randrange(101), chance.random() < 0.7
-            machine.set_input("Captor", captor)
-            machine.set_done("Motor", done)
+            inputs: dict[int, int] = {}
+            for sensor, cell in layout.sensors.items():
+                least, most = layout.ranges[sensor].minimum, layout.ranges[sensor].maximum
+                machine.set_input(sensor, inputs.setdefault(cell, chance.randint(least, most)))
+            for actuator, cell in layout.done.items():
+                machine.set_done(actuator, bool(inputs.setdefault(cell, int(chance.random() < 0.7))))
             given = [(command.actuator, command.procedure, tuple(command.arguments)) for command in machine.tick()]
-            step = board.step({machine.layout.sensors["Captor"]: captor, machine.layout.done["Motor"]: int(done)})
-            found = [(*machine.layout.commands[number][1:], arguments) for number, arguments in step.commands]
+            step = board.step(inputs)
+            found = [(*layout.commands[number][1:], arguments) for number, arguments in step.commands]
             assert found == given, f"tick {tick}"
             assert step.tick == tick + 1
             assert step.fault_flag == bool(machine.fault)
@@ -44,4 +48,4 @@ def compared(address: str, program: BoardProgram, folder: Path, seed: int) -> No
 def test_the_same_commands_in_every_tick(board: Any, tmp_path: Path, text: str) -> None:
     program = bench_program(tmp_path, text)
     deploy(board.address, program.file.to_bytes(), program.package)
-    compared(board.address, program, tmp_path, seed=7)
+    compared(board.address, program, bench_robot(tmp_path), seed=7)

@@ -12,6 +12,7 @@ from kitrobot.deploy import FAMILIES, Package
 from tests.boards.modern import run
 from tests.onboard.test_board_syntax import mpy_cross
 
+_PART = re.compile(rb"([a-zA-Z0-9])([0-9]{3})")
 DRIVERS = Path(kitrobot_onboard.__file__).parent / "drivers"
 
 
@@ -23,16 +24,18 @@ def built(family: str) -> dict[str, bytes]:
         "pins",
     }
     found = package.built(family, dict.fromkeys(sorted(names)))
-    return {**found.files, "main.py": found.main}
+    groups = found.frozen.groups if found.frozen is not None else ()
+    in_flash = {f"flash{number}.py": text.encode() for number, (text, _) in enumerate(groups)}
+    return {**found.files, **in_flash, "main.py": found.main}
 
 
 def sources(family: str) -> dict[str, bytes]:
     """What of it is Python: a list of files is none, and one that holds several parts is taken apart."""
     found = {}
     for name, content in built(family).items():
-        if not re.match(rb"[a-zA-Z][0-9]{3}", content):
+        if not _PART.match(content):
             found[name] = content
-        while part := re.match(rb"([a-zA-Z])([0-9]{3})", content):
+        while part := _PART.match(content):
             end = part.end() + int(part[2])
             found[f"{part[1].decode()}{len(content)}_{name}"] = content[part.end() : end]
             content = content[end:]

@@ -11,8 +11,8 @@ from typing import IO, Any
 import pytest
 
 from kitrobot.deploy import Package
+from kitrobot.deploy.carried import short
 from kitrobot.deploy.lying import StartLine
-from kitrobot.deploy.package import short
 from kitrobot_onboard.link import checksum
 
 OLD = b"0003a=1the old program"
@@ -32,20 +32,19 @@ def flash(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def chosen(folder: Path) -> tuple[str, str, int]:
-    """Program, interpreter and generation, as the board's own `krboot` finds them."""
+def chosen(folder: Path) -> tuple[str, int]:
+    """Program and generation, as the board's own `krboot` finds them."""
 
     def opened(name: str, mode: str = "r") -> IO[Any]:
         return builtins.open(folder / name, mode)
 
     space: dict[str, Any] = {"open": opened}
     exec(Package().built("machine", {}).files["krboot.py"], space)
-    program, interpreter, generation = (space[short().get(name, name)] for name in ("program", "first", "generation"))
-    return program, interpreter, generation
+    return space[short().get("program", "program")], space[short().get("generation", "generation")]
 
 
 def test_the_newer_line_counts(flash: Path) -> None:
-    assert chosen(flash) == ("kpnew", "krnew", 10)
+    assert chosen(flash) == ("kpnew", 10)
 
 
 def test_with_nothing_there_nothing_is_chosen(flash: Path) -> None:
@@ -59,25 +58,25 @@ def test_a_damaged_program_file_is_passed_over(flash: Path, where: int) -> None:
     data = bytearray(NEW)
     data[where] ^= 4
     (flash / "kpnew").write_bytes(data)
-    assert chosen(flash) == ("kpold", "krold", 9)
+    assert chosen(flash) == ("kpold", 9)
 
 
 @pytest.mark.parametrize("end", [0, 3, 64, len(NEW) - 1])
 def test_a_cut_program_file_is_passed_over(flash: Path, end: int) -> None:
     (flash / "kpnew").write_bytes(NEW[:end])
-    assert chosen(flash) == ("kpold", "krold", 9)
+    assert chosen(flash) == ("kpold", 9)
 
 
 def test_a_program_file_that_is_gone_is_passed_over(flash: Path) -> None:
     (flash / "kpnew").unlink()
-    assert chosen(flash) == ("kpold", "krold", 9)
+    assert chosen(flash) == ("kpold", 9)
 
 
 def test_a_line_that_is_not_whole_is_passed_over(flash: Path) -> None:
     line = (flash / "kr0").read_bytes()
     for end in range(len(line) - 1):
         (flash / "kr0").write_bytes(line[:end])
-        assert chosen(flash) == ("kpold", "krold", 9), end
+        assert chosen(flash) == ("kpold", 9), end
     for at in range(len(line) - 1):
         (flash / "kr0").write_bytes(line[:at] + bytes((line[at] ^ 2,)) + line[at + 1 :])
-        assert chosen(flash) == ("kpold", "krold", 9), at
+        assert chosen(flash) == ("kpold", 9), at

@@ -15,12 +15,14 @@ from dataclasses import dataclass, field
 from kitrobot.deploy.board import Board, Hello
 from kitrobot.deploy.errors import BoardError, ForeignError, FullError, NoMemoryError, SilentError
 from kitrobot.deploy.fitting import refuse_misfits
+from kitrobot.deploy.freezing import freeze
+from kitrobot.deploy.frozen import sign_of
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.lying import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.memory import WORKING, refuse_what_does_not_fit
 from kitrobot.deploy.package import MODULE, PROGRAM, Built, Package
 from kitrobot.deploy.program_file import ProgramFile, program_name, read_program_file
-from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.receiver import MICROBIT, Receiver
 from kitrobot.deploy.repl import RawRepl
 from kitrobot.deploy.script import board_file
 from kitrobot_onboard.link import checksum
@@ -133,7 +135,7 @@ class _Job:
         board = self.board = Receiver(RawRepl(self.line))
         board.begin()
         self.progress("compare", 0, 0)
-        family = "microbit" if board.value("sys.platform") == b"microbit" else "machine"
+        family = MICROBIT if board.family == MICROBIT else "machine"
         self.built: Built = self.package.built(family, self.program.drivers)
         refuse_misfits(self.program, self.package, family)
         content = board_file(self.program, self.built)
@@ -159,6 +161,7 @@ class _Job:
         self.total = 2 * sum(map(len, [*missing.values(), *([self.built.main] if main else [])]))
         board.told = self._told
         self.progress("send", 0, self.total)
+        self._freeze()
         for name, data in missing.items():
             self._send(name, data)
         if main:
@@ -294,6 +297,13 @@ class _Job:
                     self.sent[name] = len(data)
                 return
         raise BoardError(f"what was written into `{name}` cannot be read back", "the board's flash may be worn out")
+
+    def _freeze(self) -> None:
+        """Puts into flash what runs from there; what the line that counts needs of that stays."""
+        if (one := self.built.frozen) is not None:
+            kept = set() if self.old is None else {sign_of(self.old.module)}
+            if sent := freeze(self.board, one, kept):
+                self.sent[one.name] = sent
 
     def _look_again(self) -> None:
         """A small board tidies its flash up when that is nearly full, and may spoil what it held."""

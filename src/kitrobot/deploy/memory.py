@@ -19,6 +19,9 @@ WORKING = 1750
 _PER_LETTER = {"interpreter": 0.74, "loop": 1.04, "driver": 1.0}
 """Bytes that a letter of source takes once it is compiled, as measured on the micro:bit of 2016."""
 
+_PER_FUNCTION = 32
+"""Bytes that a function takes whose code is in flash."""
+
 _ALWAYS = 1500
 """Bytes that the list of the robot, main.py and the names take."""
 
@@ -52,9 +55,9 @@ def package_bytes(built: Built) -> int:
     def letters(names: Iterable[str]) -> int:
         return sum(len(built.files[name]) for name in names)
 
-    return int(
-        _ALWAYS
-        + _PER_LETTER["interpreter"] * letters([f"{built.interpreter}.py"])
-        + _PER_LETTER["loop"] * letters([*built.loop, built.port])
-        + _PER_LETTER["driver"] * letters(built.drivers.values())
-    )
+    if built.frozen is not None:
+        own = 1.0 * _PER_FUNCTION * len(built.frozen.functions)
+    else:
+        own = _PER_LETTER["interpreter"] * letters([f"{built.interpreter}.py"])
+        own += _PER_LETTER["loop"] * letters(built.loop)
+    return int(_ALWAYS + own + _PER_LETTER["driver"] * letters(built.drivers.values()))

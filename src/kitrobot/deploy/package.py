@@ -15,43 +15,32 @@ import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 
-import kitrobot_onboard
-from kitrobot.deploy.constants import Constants, constants_of, told_in_place
+from kitrobot.deploy.carried import (
+    IN_FLASH,
+    ONBOARD,
+    ROOT,
+    asked_file,
+    frozen_loop,
+    interpreter_text,
+    loop_files,
+    part,
+    read_source,
+    short_text,
+)
 from kitrobot.deploy.declarations import Declared, declared, without_declarations
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.known import GLOBALS, LOCALS
-from kitrobot.deploy.naming import own_names, renamed, short_names
-from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot.deploy.frozen import Frozen
+from kitrobot.deploy.naming import own_names, renamed
+from kitrobot.deploy.shortening import parsed
+from kitrobot.deploy.starting import start_file, start_from_flash
 from kitrobot.deploy.trimming import Asked, trimmed
-from kitrobot_onboard.asked import ASKED, BY_FAMILY
 
-ONBOARD = Path(kitrobot_onboard.__file__).parent
-_ROOT = "kitrobot_onboard"
 MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
-_MOST_BYTES = 200_000
-_LARGE = "wTi"
-"""Requests that only boards with more room answer."""
-
-_WORDS = 8
-_PIECE = 90
-"""Letters of a piece of a script, where a statement needs no more."""
-
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
 """Kinds of boards, with the folders of shipped drivers that they look into; each has its module in `ports`."""
-
-LOOP = ("reaction", "robot", "link", "obeying", "hearing", "acting")
-"""Modules of the loop in the order in which a board compiles them: the largest first, because there is less and less
-room for it."""
-
-_SCRIPTED = ("asked", "driver", "error", "package", "space", "where")
-"""Names of variables that only a program file has."""
-
-_NOT_CARRIED = ("__init__.py", "arrays.py", "image.py", "receiver.py")
-"""Modules of `kitrobot_onboard` that share no names with the others on a board."""
 
 
 def name_of(content: bytes, kind: str = MODULE) -> str:
@@ -64,23 +53,27 @@ class Built:
     """A package for one kind of board.
 
     Args:
+        family: of boards.
         files: by name, without `main`, which is `main.py`.
         module: what the whole is called.
-        interpreter: the name of its module.
-        port, loop, asked: names of files; the loop's in the order in which a board takes them.
+        interpreter: the name of its module, or of the block of flash in which it is (`frozen`).
+        start: the name of the file that a program's begins with.
+        loop: names of files that it compiles: the port and the loop; none when they are in flash.
         drivers: names of files by names of drivers.
         wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
+        frozen: what the board runs from its flash.
     """
 
+    family: str
     files: Mapping[str, bytes]
     module: str
     interpreter: str
-    port: str
+    start: str
     loop: Sequence[str]
-    asked: str
     drivers: Mapping[str, str]
     wants_range: Mapping[str, bool]
     main: bytes
+    frozen: Frozen | None = None
 
 
 @dataclass(frozen=True)
@@ -114,7 +107,7 @@ class Package:
             PackageError: it says that as it should not, or is no Python.
         """
         path = self.driver_file(driver, family)
-        return declared(parsed(_read(path), str(path)), str(path)) if path is not None else Declared()
+        return declared(parsed(read_source(path), str(path)), str(path)) if path is not None else Declared()
 
     def built(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
         """The package for a kind of board, with these drivers, each with what is asked of it; None: everything.
@@ -136,14 +129,24 @@ class Package:
 
 def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool]) -> Built:
     package = _Making()
-    interpreter = package.stored(_interpreter())[: -len(".py")]
-    loop = [package.stored(_part(ONBOARD / f"{name}.py")) for name in LOOP]
-    port = package.stored(_part(ONBOARD / "ports" / f"{family}.py"))
     asked = package.stored(asked_file(family))
-    main = _part(ONBOARD / "boot.py")
-    package.files["krboot.py"] = _part(ONBOARD / "krboot.py")
-    module = name_of(b"".join([*sorted(package.files.values()), main, *(text.encode() for text in pieces("begin"))]))
-    return Built({**making.files, **package.files}, module, interpreter, port, loop, asked, drivers, wants_range, main)
+    loop: list[str] = []
+    if family in IN_FLASH:
+        in_flash = frozen_loop(family)
+        interpreter = in_flash.name
+        start = package.stored(start_from_flash(in_flash, family, asked))
+    else:
+        in_flash = None
+        interpreter = package.stored(interpreter_text())[: -len(".py")]
+        loop = [package.stored(part(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
+        sizes = [len(package.files[name]) for name in loop]
+        start = package.stored(start_file(interpreter, list(zip(loop, sizes, strict=True)), asked))
+    main = package.files["main.py"] = part(ONBOARD / "boot.py")
+    package.files["krboot.py"] = part(ONBOARD / "krboot.py")
+    module = name_of(b"".join(sorted(package.files.values())))
+    del package.files["main.py"]
+    files = {**making.files, **package.files}
+    return Built(family, files, module, interpreter, start, loop, drivers, wants_range, main, in_flash)
 
 
 def missing_driver(driver: str, package: Package, family: str) -> PackageError:
@@ -174,13 +177,13 @@ class _Making:
         if path in self.open:
             raise PackageError(f"`{path.name}` imports itself through others", "undo the circle of imports")
         self.open.append(path)
-        tree = parsed(_read(path), str(path))
+        tree = parsed(read_source(path), str(path))
         tree = without_declarations(tree)
         tree = _Imports(self, path).visit(tree if asked is None else trimmed(tree, asked))
         self.open.pop()
         if asked is not None:
             tree = renamed(tree, own_names(tree))
-        name = self.stored(_short(ast.unparse(ast.fix_missing_locations(tree))).encode())[: -len(".py")]
+        name = self.stored(short_text(ast.unparse(ast.fix_missing_locations(tree))).encode())[: -len(".py")]
         self.names[path] = name
         return name
 
@@ -189,116 +192,6 @@ class _Making:
         name = name_of(content) + ".py"
         self.files[name] = content
         return name
-
-
-def _interpreter() -> bytes:
-    path = ONBOARD / "interpreter.py"
-    return _short(ast.unparse(renamed(parsed(_read(path), path.name), short()))).encode()
-
-
-@cache
-def _tree(path: Path) -> ast.Module:
-    """A module whose names share a space with those of others, so that it needs no imports of ours."""
-    tree = parsed(_read(path), str(path))
-    tree = renamed(told_in_place(tree, constants_of(tree), _constants()), short())
-    tree.body = [
-        statement
-        for statement in tree.body
-        if not (isinstance(statement, ast.ImportFrom) and (statement.module or "").startswith(_ROOT))
-    ]
-    return tree
-
-
-@cache
-def _part(path: Path) -> bytes:
-    return _short(ast.unparse(_tree(path))).encode()
-
-
-@cache
-def pieces(name: str) -> Sequence[str]:
-    """A script of the package in pieces, each short enough that a small board can compile it while a program runs."""
-    found: list[str] = []
-    room = 0
-    for statement in _tree(ONBOARD / f"{name}.py").body:
-        text = _short(ast.unparse(statement))
-        if not text:
-            continue  # a docstring
-        plain = not isinstance(statement, ast.If | ast.For | ast.FunctionDef)
-        if plain and found and len(text) < room:
-            found[-1] += ";" + text
-            room -= 1 + len(text)
-        else:
-            found.append(text)
-            room = _PIECE - len(text) if plain else 0
-    return found
-
-
-@cache
-def words() -> Sequence[str]:
-    """What the answers that a small board compiles need names of, in pieces that do nothing but name them.
-
-    A name is kept for ever, wherever there was room when it was first read; among the working memory of a program, it
-    would cut that in two.
-    """
-    found: set[str | bytes] = set()
-    for name in {name for kind, names in ASKED.items() if kind not in _LARGE for name in names}:
-        for node in (one for piece in pieces(f"asked/{name}") for one in ast.walk(ast.parse(piece))):
-            match node:
-                case ast.Name(id=word) | ast.Attribute(attr=word) | ast.Constant(value=str(word) | bytes(word)):
-                    found.add(word)
-                case ast.Import():
-                    found.update(alias.name for alias in node.names)
-    listed = [repr(word) for word in sorted(found, key=repr) if word not in {*GLOBALS, *LOCALS}]
-    return [",".join(listed[at : at + _WORDS]) for at in range(0, len(listed), _WORDS)]
-
-
-def asked_file(family: str) -> bytes:
-    """What a board reads when it is asked: each piece of an answer behind its letter and its size."""
-    found = ""
-    for kind, names in ASKED.items():
-        for name in BY_FAMILY.get(family, {}).get(kind, names):
-            found += "".join(f"{kind}{len(piece):03}{piece}" for piece in pieces(f"asked/{name}"))
-    return found.encode()
-
-
-@cache
-def _carried() -> frozenset[Path]:
-    """The modules that call one another; drivers are called by fixed names only."""
-    return frozenset(
-        path
-        for folder in (ONBOARD, ONBOARD / "ports", ONBOARD / "asked")
-        for path in folder.glob("*.py")
-        if path.name not in _NOT_CARRIED
-    )
-
-
-@cache
-def _constants() -> Mapping[str, Constants]:
-    return {f"{_ROOT}.{path.stem}": constants_of(parsed(_read(path), path.name)) for path in _carried()}
-
-
-@cache
-def short() -> Mapping[str, str]:
-    """What the names that the modules of the package share are on a board."""
-    trees = [parsed(_read(path), path.name) for path in sorted(_carried())]
-    return short_names([told_in_place(tree, constants_of(tree), _constants()) for tree in trees], _SCRIPTED)
-
-
-@cache
-def _short(text: str) -> str:
-    return shortened(ast.parse(text))
-
-
-def _read(path: Path) -> str:
-    try:
-        data = path.read_bytes()
-        if len(data) > _MOST_BYTES:
-            raise PackageError(f"`{path}` is too large for a board: {len(data)} bytes", "make it shorter")
-        return data.decode("utf-8-sig")
-    except OSError as error:
-        raise PackageError(f"`{path}` cannot be read: {error.strerror}", "look at its rights") from error
-    except UnicodeDecodeError:
-        raise PackageError(f"`{path}` is no UTF-8 text", "save it as UTF-8") from None
 
 
 class _Imports(ast.NodeTransformer):
@@ -310,7 +203,7 @@ class _Imports(ast.NodeTransformer):
 
     def visit_ImportFrom(self, node: ast.ImportFrom) -> ast.AST | list[ast.stmt]:
         words = (node.module or "").split(".")
-        if node.level or words[0] != _ROOT:
+        if node.level or words[0] != ROOT:
             return node
         place = ONBOARD.joinpath(*words[1:])
         if place.with_suffix(".py").is_file() and place != ONBOARD:
@@ -327,7 +220,7 @@ class _Imports(ast.NodeTransformer):
 
     def visit_Import(self, node: ast.Import) -> ast.AST:
         for alias in node.names:
-            if alias.name.split(".")[0] == _ROOT:
+            if alias.name.split(".")[0] == ROOT:
                 raise self._unknown(alias.name, node)
         return node
 

@@ -25,6 +25,9 @@ _DEFINITION_TRIES = 5
 _FIRST_S = 0.3
 """How long the first answer is waited for; then twice as long, and so on."""
 
+MICROBIT = "microbit"
+"""What the micro:bit of 2016 calls its platform."""
+
 _READ = 64
 """Bytes of a file that are asked for at once: a small board has no room for many."""
 
@@ -40,6 +43,9 @@ class Receiver:
         self.line: Line = repl.line
         self.told = told
         self.modern = self.disturbed = False
+        self.family = ""
+        """What the board calls its platform."""
+
         self.free = 0
         """Bytes of memory that were free on the board when nothing ran."""
 
@@ -115,6 +121,8 @@ class Receiver:
 
     def write(self, name: str, content: bytes) -> None:
         """Writes a file; it is whole when this comes back."""
+        if self.family == MICROBIT:
+            self.remove(name)  # which frees all of it, and opening it anew frees only its beginning
         self.value(f"o({name!r},'wb')")
         at = 0
         while at < len(content):
@@ -129,6 +137,18 @@ class Receiver:
             self.told(len(piece))
         self.value("c()")
 
+    def write_words(self, at: int, words: bytes) -> None:
+        """Writes words into erased flash of a micro:bit of 2016, from an address on."""
+        self.value(f"w({at})")
+        done = 0
+        while done < len(words):
+            piece = _fitting(words, done)
+            piece = piece[: len(piece) // 4 * 4]
+            self._asked("d", piece, 2)
+            done += len(piece)
+            self.told(len(piece))
+        self.value("c()")
+
     def remove(self, name: str) -> None:
         """Removes a file; no matter if there is none."""
         self.value(f"e({name!r})")
@@ -137,19 +157,22 @@ class Receiver:
         version = self.repl.run("import sys,gc;print(sys.implementation[1][:2])").strip()
         self.repl.run("gc.collect()")
         free = self.repl.run("print(gc.mem_free())").strip()
+        self.family = self.repl.run("print(sys.platform)").strip()
         try:
             # Where it went wrong once the line is bad, and small steps are the better ones.
             self.modern = ast.literal_eval(version) >= (1, 20) and not self.disturbed
             self.free = int(free)
         except (SyntaxError, TypeError, ValueError):
             raise GarbledError(version) from None
-        for text in _texts():
+        for text in _texts(self.family):
             self.modern = self.modern and self._lay_at_once(text)
             if not self.modern:
                 self._lay_down(text)
             self.repl.run("gc.collect()")
             self.repl.run("exec(s)")
             self.repl.run("s=0;gc.collect()")
+        # What was heard as done may have been done by half: all that a text defines is there when its last is.
+        self.repl.run("unwrap,file,receive" + (",g,k,Flash,w" if self.family == MICROBIT else ""))
 
     def _lay_at_once(self, text: str) -> bool:
         """Brings a text into the board's `s` through mpremote; whether it is there as it was sent."""
@@ -223,10 +246,10 @@ class Receiver:
             self._heard += self.line.read(left)
 
 
-def _texts() -> list[str]:
+def _texts(family: str) -> list[str]:
     """What is told to the board: the frames, then the receiver without its import of them."""
     found = []
-    for name in ("link", "receiver"):
+    for name in ("link", "receiver", *(["flash"] if family == MICROBIT else [])):
         source = files("kitrobot_onboard").joinpath(f"{name}.py").read_text(encoding="utf-8")
         tree = parsed(source, f"{name}.py")
         tree.body = [

@@ -55,8 +55,9 @@ class RawRepl:
             " from micropython.org",
         )
 
-    def run(self, command: str, timeout_s: float = 5.0) -> str:
-        """What a harmless command prints; it may be executed more than once.
+    def run(self, command: str, timeout_s: float = 5.0, *, patient: bool = False) -> str:
+        """What a harmless command prints; it may be executed more than once. `patient`: it takes long, and is not to
+        be broken off.
 
         Raises:
             GarbledError: the answer is an error of Python each time, so it was garbled each time.
@@ -67,7 +68,8 @@ class RawRepl:
         error = b""
         for attempt in range(_TRIES):
             self.line.write(data)
-            answer = self.line.read_until(b"\x04>", min(timeout_s, 0.5 * 2**attempt))
+            wait_s = timeout_s if patient else min(timeout_s, 0.5 * 2**attempt)
+            answer = self.line.read_until(b"\x04>", wait_s)
             text, _, error = answer.removeprefix(b"OK").removesuffix(b"\x04>").partition(b"\x04")
             if answer.startswith(b"OK") and answer.endswith(b"\x04>"):
                 if not error:

@@ -1,27 +1,23 @@
 """What a program is on a board: the pieces of Python that `kitrobot_onboard.boot` does one by one, and the arrays.
 
 They name every file that the program needs. They are written for one kind of board and one set of drivers, so that the
-board has nothing to look up: it compiles the interpreter first, while there is most room, then the loop, then the
-drivers, each from large to small, and then reads the arrays, which need no more room than they keep. Of the orders that
-were tried on the micro:bit of 2016 this one leaves the most room in one piece (docs/reference/boards.md).
+board has nothing to look up: behind the start that all programs have (`kitrobot.deploy.starting`) it makes the devices,
+each from large to small, and then reads the arrays, which need no more room than they keep. Of the orders that were
+tried on the micro:bit of 2016 this one leaves the most room in one piece (docs/reference/boards.md).
 """
 
 from __future__ import annotations
 
-import re
 import struct
 from collections.abc import Iterator, Sequence
 
-from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.package import MODULE, Built, pieces, short, words
+from kitrobot.deploy.carried import joined
+from kitrobot.deploy.package import MODULE, Built
 from kitrobot.deploy.program_file import LIMIT_S, UNUSED, Device, ProgramFile
+from kitrobot.deploy.starting import begun, piece
 from kitrobot.image import Image
 from kitrobot_onboard import state
 from kitrobot_onboard.image import load
-
-_NAME = re.compile(r"\$(\w+)")
-_MOST = 9999
-"""Bytes that a piece may have."""
 
 
 def board_file(program: ProgramFile | None, built: Built) -> bytes:
@@ -30,26 +26,20 @@ def board_file(program: ProgramFile | None, built: Built) -> bytes:
 
 
 def _parts(program: ProgramFile | None, built: Built) -> Iterator[bytes]:
-    yield _piece(f"from {built.interpreter} import $tick")
-    yield _file(built.port, built)
-    yield _piece(f"$asked={built.asked!r};$package={built.module[len(MODULE) :]!r}")
-    yield from map(_entry, pieces("begin"))
+    yield begun(built.start, built.module[len(MODULE) :])
     if program is not None:
         yield from _numbers(program)
-    yield from map(_entry, words())
-    for name in built.loop:
-        yield _file(name, built)
-    if program is not None:
         for _, parts in sorted(_devices(program.devices, built), key=lambda job: -job[0]):
             yield from parts
+        yield piece("$space=$where=0")
         yield from _arrays(program)
-    yield _piece("$file=$file.close()")
+    yield piece("$file=$file.close()")
 
 
 def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, list[bytes]]]:
     """Each driver with its size, and what is made of it: a driver that is not needed any more is forgotten then."""
     actuators = places = -1
-    lines: dict[str, list[str]] = {}
+    lines: dict[str, list[tuple[str, str]]] = {}
     for device in devices:
         actuators += device.kind == "a"
         if device.driver == UNUSED:
@@ -59,22 +49,22 @@ def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, lis
         settings = dict(word.split("=", 1) for word in device.words[given:])
         if device.kind == "a":
             limit = int(float(settings.get("limit", LIMIT_S)) * 1000)
-            done = "0" if device.words[0] == "-" else device.words[0]
-            where = f"a{actuators} {device.driver} "
-            kept = f"$robot[{state.ACTUATORS}].append([$driver,{done},{limit},None,65535,{places},{actuators}])"
+            done = 0 if device.words[0] == "-" else int(device.words[0])
+            where, add = f"a{actuators} {device.driver} ", "$add_actuator"
+            kept = f"{done},{limit},{places},{actuators}"
         else:
             cell, least, most = device.words[:3]
             if built.wants_range[device.driver]:
                 settings = {"min": least, "max": most} | settings
-            where = f"s{cell} {device.driver} "
-            kept = f"$robot[{state.SENSORS}].append((getattr($driver,'read',$driver),{cell},{least},{most}))"
-        make = f"$where={_literal(where)};$driver=$space['make']({_literal(settings)})"
-        lines.setdefault(device.driver, []).extend([make, kept])
-    for driver, made in lines.items():
+            where, add = f"s{cell} {device.driver} ", "$add_sensor"
+            kept = f"{cell},{least},{most}"
+        made = f"{add}($robot,$space['make']({_literal(settings)}),({kept}))"
+        lines.setdefault(device.driver, []).append((f"$where={_literal(where)};", made))
+    for driver, made_of_it in lines.items():
         name = built.drivers[driver]
         size = len(built.files[name])
-        first = f"{made[0].partition(';')[0]};$space={{}};exec(open({name!r}).read({size}),$space)"
-        yield size, list(map(_piece, [first, *made, "$driver=$space=$where=0"]))
+        load = f"$space={{}};exec(open({name!r}).read({size}),$space)"
+        yield size, [piece(made_of_it[0][0] + load), *(piece(where + made) for where, made in made_of_it)]
 
 
 def _numbers(program: ProgramFile) -> Iterator[bytes]:
@@ -86,15 +76,15 @@ def _numbers(program: ProgramFile) -> Iterator[bytes]:
         names.pop()
         kinds.pop()
     visible = 1 + image.inputs + image.variables
-    for place, value in (
-        (state.PROCEDURES, tuple(names)),
-        (state.KINDS, bytes(kinds)),
-        (state.INPUTS, image.inputs),
-        (state.VISIBLE, visible),
-        (state.PERIOD, image.tick_ms),
-        (state.STATE, 2),
-    ):
-        yield _piece(f"$robot[{place}]={_literal(value)}")
+    values = {
+        state.PROCEDURES: tuple(names),
+        state.KINDS: bytes(kinds),
+        state.INPUTS: image.inputs,
+        state.VISIBLE: visible,
+        state.PERIOD: image.tick_ms,
+        state.STATE: 2,
+    }
+    yield from map(piece, joined([f"$robot[{place}]={_literal(value)}" for place, value in values.items()]))
 
 
 def _arrays(program: ProgramFile) -> Iterator[bytes]:
@@ -109,36 +99,22 @@ def _arrays(program: ProgramFile) -> Iterator[bytes]:
     threads[:] = [-1, 0] * (len(threads) // 2)
     threads[0] = pars[5]
     first = 1 + image.inputs
-    yield _piece("from array import array")
+    yield piece("from array import array")
     yield _array(state.CELLS, "i", cells)
-    yield _array(state.FIRST, "i", cells[first : first + image.variables + image.counters])
+    yield piece(f"$robot[{state.FIRST}]=$robot[{state.CELLS}][{first}:{first + image.variables + image.counters}]")
     yield _array(state.PARS, "h" if max(pars) < 1 << 15 else "i", pars)
-    yield _array(state.THREADS, "i", threads)
-    yield _array(state.OUT, "i", out)
-    yield _piece(f"$robot[{state.CODE}]=$file.read({len(code)});del array") + bytes(code)
+    yield piece(f"$robot[{state.THREADS}]=array('i',{threads[:2]!r}+[-1,0]*{len(threads) // 2 - 1})")
+    yield piece(f"$robot[{state.OUT}]=array('i',[0]*{len(out)})")
+    yield piece(f"$robot[{state.CODE}]=$file.read({len(code)});del array") + bytes(code)
 
 
 def _array(place: int, form: str, numbers: Sequence[int]) -> bytes:
-    data = struct.pack(f"<{len(numbers)}{form}", *numbers)
-    return _piece(f"$robot[{place}]=array({form!r},$file.read({len(data)}))") + data
-
-
-def _piece(text: str) -> bytes:
-    """A piece, in which `$NAME` is what the package's modules call that on a board."""
-    names = short()
-    return _entry(_NAME.sub(lambda found: names.get(found[1], found[1]), text))
+    """An array of that form; in the file, small numbers have two bytes each."""
+    stored = "h" if all(-(1 << 15) <= number < 1 << 15 for number in numbers) else form
+    data = struct.pack(f"<{len(numbers)}{stored}", *numbers)
+    read = f"array({stored!r},$file.read({len(data)}))"
+    return piece(f"$robot[{place}]={read if stored == form else f'array({form!r},{read})'}") + data
 
 
 def _literal(value: object) -> str:
     return repr(value).replace("$", r"\x24")
-
-
-def _file(name: str, built: Built) -> bytes:
-    return _piece(f"exec(open({name!r}).read({len(built.files[name])}))")
-
-
-def _entry(text: str) -> bytes:
-    found = text.encode()
-    if len(found) > _MOST:
-        raise PackageError("the settings of a device are too long for a board", "make them shorter in the robot's XML")
-    return b"%04d" % len(found) + found

@@ -1,7 +1,8 @@
 """What a robot is asked less often, a file for each request: read when it is asked; before, it takes no room.
 
 They are scripts: each statement is a piece that is compiled, run and forgotten by itself, because a small board does it
-while a program runs. They know `robot`, the list of `kitrobot_onboard.state`, and the functions of the loop. The first
+while a program runs. They know `robot`, the list of `kitrobot_onboard.state`, the functions of the loop, `gc` and
+`struct`. The first
 that sets TOLD, kind and payload of the answer, is the last that is run.
 """
 
@@ -14,10 +15,10 @@ ASKED = {
     "s": ("program", "start"),
     "C": ("commands",),
     "w": ("program", "watch"),
-    "T": ("report",),
+    "T": ("telling", "report"),
     "i": ("identify",),
 }
 """Request → scripts, in their order. `n` goes on with C, and with s before it where there is need; `w` with T."""
 
-BY_FAMILY = {"microbit": {"w": ("program", "unwatched"), "T": (), "i": ("lights", "identify")}}
+BY_FAMILY = {"microbit": {"T": ("report",), "i": ("lights", "identify")}}
 """What is otherwise for a family of boards."""

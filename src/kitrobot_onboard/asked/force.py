@@ -1,7 +1,5 @@
 # Holds an input at a value, or lets it go.
 
-import struct
-
 from kitrobot_onboard.state import CELLS, DATA, FORCED, INPUTS, SENSORS, TOLD
 
 if len(robot[DATA]) != 6:

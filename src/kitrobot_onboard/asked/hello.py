@@ -1,8 +1,5 @@
 # Who it is and how it goes.
 
-import gc
-import struct
-
 from kitrobot_onboard.state import COUNT, DATA, FAULT, LATE, NAMES, STATE, TOLD
 
 if len(robot[DATA]) != 1:

@@ -1,7 +1,5 @@
 # The last fault. Its device is a list (an actuator), a tuple (a sensor), or text when it could not be made.
 
-import struct
-
 from kitrobot_onboard.state import DATA, FAULT, TOLD
 
 if robot[DATA]:

@@ -1,7 +1,5 @@
 # Holds inputs at values, before a tick on request.
 
-import struct
-
 from kitrobot_onboard.state import CELLS, DATA, FORCED, INPUTS, TOLD
 
 if len(robot[DATA]) % 5:

@@ -1,7 +1,5 @@
 # Sets a variable.
 
-import struct
-
 from kitrobot_onboard.state import CELLS, DATA, INPUTS, TOLD, VISIBLE
 
 if len(robot[DATA]) != 5:

@@ -1,13 +1,11 @@
 # Begins or ends the news.
 
-import gc
-
 from kitrobot_onboard.state import CODE, DATA, EVERY, KIND, NEWS, PARS, SEEN, SENT, SPOT, TELL, TOLD, VISIBLE
 
 if len(robot[DATA]) != 2:
     robot[TOLD] = 3
 if robot[EVERY]:
-    robot[TELL].remove(tell)
+    robot[TELL].remove(tell_news)
 robot[SEEN] = robot[SENT] = robot[NEWS] = b""
 robot[SPOT] = robot[EVERY] = 0
 if robot[DATA] == b"\0\0":

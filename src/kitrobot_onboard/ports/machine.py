@@ -7,15 +7,12 @@ from time import ticks_add as add  # noqa: F401
 from time import ticks_diff as diff  # noqa: F401
 from time import ticks_ms as ticks  # noqa: F401
 
-import micropython
-
 MOST = 64  # bytes that are taken at once, so that a flood does not make a tick late
 write = sys.stdout.buffer.write
 take = sys.stdin.buffer.read
 line = poll()
 line.register(sys.stdin, POLLIN)
 lamp = None
-micropython.kbd_intr(-1)  # from now on, 0x03 is a byte like any other; the prompt undoes it
 
 
 def read(ms):

@@ -2,14 +2,12 @@
 
 from gc import collect as tidy  # noqa: F401
 
-import micropython
 from microbit import sleep, uart
 from utime import ticks_add as add
 from utime import ticks_diff as diff
 from utime import ticks_ms as ticks
 
 write = uart.write
-micropython.kbd_intr(-1)  # from now on, 0x03 is a byte like any other; the prompt undoes it
 
 
 def read(ms):

@@ -1,0 +1,224 @@
+"""The modules of `kitrobot_onboard` as they land on a board: short, in pieces, and with names that they share.
+
+Those of the loop share one space of names there, so they need no imports of one another.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+
+import kitrobot_onboard
+from kitrobot.deploy.constants import Constants, constants_of, told_in_place
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.frozen import Frozen, WithNames, frozen, literals_of
+from kitrobot.deploy.known import GLOBALS, LOCALS
+from kitrobot.deploy.naming import renamed, short_names
+from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot_onboard.asked import ASKED, BY_FAMILY
+
+ONBOARD = Path(kitrobot_onboard.__file__).parent
+ROOT = "kitrobot_onboard"
+_MOST_BYTES = 200_000
+_LARGE = "i"
+"""Requests that only boards with more room answer."""
+
+_WORDS = 8
+_PIECE = 90
+"""Letters of a piece of a script, where a statement needs no more."""
+
+LOOP = ("reaction", "robot", "link", "obeying", "hearing", "acting", "checking", "equipping")
+"""Modules of the loop in the order in which a board compiles them: the largest first, because there is less and less
+room for it."""
+
+_SCRIPTED = ("asked", "driver", "error", "package", "space", "where", "memory", "place", "spot", "tail")
+"""Names of variables that only a program file has."""
+
+_LITERALS = tuple(f"literal{number}" for number in range(24))
+"""Names for strings and bytes of functions in flash."""
+
+IN_FLASH = {
+    "microbit": (
+        ("interpreter",),
+        ("reaction", "robot"),
+        ("ports/microbit", "link", "obeying", "hearing", "acting", "checking", "equipping"),
+        ("asked/telling",),
+    )
+}
+"""Families whose boards run the loop from flash, with the modules that they compile together."""
+
+_COMPOUND = re.compile(r"(if|for|def|while|try|with|class) ")
+
+_NOT_CARRIED = ("__init__.py", "arrays.py", "flash.py", "image.py", "receiver.py")
+"""Modules of `kitrobot_onboard` that share no names with the others on a board."""
+
+
+def loop_files() -> Sequence[Path]:
+    """The modules of the loop."""
+    return [ONBOARD / f"{name}.py" for name in LOOP]
+
+
+@cache
+def frozen_loop(family: str) -> Frozen:
+    """The interpreter, the port and the loop, for boards that run these from their flash."""
+    groups = []
+    for names in IN_FLASH[family]:
+        trees = [_flash_tree(name) for name in names]
+        body: list[ast.stmt] = [one for tree in trees for one in tree.body if isinstance(one, ast.FunctionDef)]
+        text = shortened(ast.Module(copy.deepcopy(body), []))
+        groups.append([one for one in ast.parse(text).body if isinstance(one, ast.FunctionDef)])
+    found = literals_of([function for group in groups for function in group])
+    named = dict(zip(found, (short()[name] for name in _LITERALS), strict=False))
+    for group in groups:
+        for function in group:
+            WithNames(named).visit(function)
+    return frozen(groups, {name: value for value, name in named.items()})
+
+
+def _flash_tree(name: str) -> ast.Module:
+    path = ONBOARD / f"{name}.py"
+    return renamed(parsed(read_source(path), path.name), short()) if name == "interpreter" else _tree(path)
+
+
+def in_flash_pieces(family: str) -> Sequence[str]:
+    """What the modules that run from flash have beside their functions, and the literals of these."""
+    names = [name for group in IN_FLASH[family] for name in group if not name.startswith("asked/")]
+    rest = [one for name in names for one in _flash_tree(name).body if not isinstance(one, ast.FunctionDef)]
+    texts = [short_text(ast.unparse(one)) for one in rest]
+    return joined([*texts, *(f"{name}={value}" for name, value in frozen_loop(family).literals.items())])
+
+
+def interpreter_text() -> bytes:
+    """The interpreter, which is a module by itself."""
+    path = ONBOARD / "interpreter.py"
+    return short_text(ast.unparse(renamed(parsed(read_source(path), path.name), short()))).encode()
+
+
+@cache
+def _tree(path: Path) -> ast.Module:
+    """A module whose names share a space with those of others, so that it needs no imports of ours."""
+    tree = parsed(read_source(path), str(path))
+    tree = renamed(told_in_place(tree, constants_of(tree), _constants()), short())
+    tree.body = [
+        statement
+        for statement in tree.body
+        if not (isinstance(statement, ast.ImportFrom) and (statement.module or "").startswith(ROOT))
+    ]
+    return tree
+
+
+@cache
+def part(path: Path) -> bytes:
+    """A module of the package, short."""
+    return short_text(ast.unparse(_tree(path))).encode()
+
+
+@cache
+def pieces(name: str) -> Sequence[str]:
+    """A script of the package in pieces, each short enough that a small board can compile it while a program runs."""
+    return joined([short_text(ast.unparse(statement)) for statement in _tree(ONBOARD / f"{name}.py").body])
+
+
+def joined(statements: Iterable[str]) -> list[str]:
+    """Statements in pieces: short ones that stand in one line together, others each by itself."""
+    found: list[str] = []
+    room = 0
+    for text in statements:
+        if not text:
+            continue  # a docstring
+        plain = not _COMPOUND.match(text)
+        if plain and found and len(text) < room:
+            found[-1] += ";" + text
+            room -= 1 + len(text)
+        else:
+            found.append(text)
+            room = _PIECE - len(text) if plain else 0
+    return found
+
+
+@cache
+def words() -> Sequence[str]:
+    """What the answers that a small board compiles need names of, in pieces that do nothing but name them.
+
+    A name is kept for ever, wherever there was room when it was first read; among the working memory of a program, it
+    would cut that in two.
+    """
+    found: set[str | bytes] = set()
+    for name in {name for kind, names in ASKED.items() if kind not in _LARGE for name in names}:
+        for node in (one for piece in pieces(f"asked/{name}") for one in ast.walk(ast.parse(piece))):
+            match node:
+                case ast.Name(id=word) | ast.Attribute(attr=word) | ast.Constant(value=str(word) | bytes(word)):
+                    found.add(word)
+                case ast.Import():
+                    found.update(alias.name for alias in node.names)
+    listed = [repr(word) for word in sorted(found, key=repr) if word not in {*GLOBALS, *LOCALS}]
+    return [",".join(listed[at : at + _WORDS]) for at in range(0, len(listed), _WORDS)]
+
+
+def asked_file(family: str) -> bytes:
+    """What a board reads when it is asked: each piece of an answer behind its letter and its size."""
+    found = ""
+    for kind, names in ASKED.items():
+        for name in BY_FAMILY.get(family, {}).get(kind, names):
+            found += "".join(f"{kind}{len(piece):03}{piece}" for piece in pieces(f"asked/{name}"))
+    return found.encode()
+
+
+@cache
+def _carried() -> frozenset[Path]:
+    """The modules that call one another; drivers are called by fixed names only."""
+    return frozenset(
+        path
+        for folder in (ONBOARD, ONBOARD / "ports", ONBOARD / "asked")
+        for path in folder.glob("*.py")
+        if path.name not in _NOT_CARRIED
+    )
+
+
+@cache
+def _constants() -> Mapping[str, Constants]:
+    return {f"{ROOT}.{path.stem}": constants_of(parsed(read_source(path), path.name)) for path in _carried()}
+
+
+@cache
+def short() -> Mapping[str, str]:
+    """What the names that the modules of the package share are on a board."""
+    trees = [parsed(read_source(path), path.name) for path in sorted(_carried())]
+    plain = [told_in_place(tree, constants_of(tree), _constants()) for tree in trees]
+    return short_names(plain, (*_SCRIPTED, *_LITERALS))
+
+
+_MARKED = re.compile(r"\$(\w+)")
+
+
+def named(text: str) -> str:
+    """A text in which `$NAME` is what the package's modules call that on a board."""
+    names = short()
+    return _MARKED.sub(lambda found: names.get(found[1], found[1]), text)
+
+
+@cache
+def short_text(text: str) -> str:
+    """A text of Python, short."""
+    return shortened(ast.parse(text))
+
+
+def read_source(path: Path) -> str:
+    """What is in a module.
+
+    Raises:
+        PackageError: it cannot be read, is too large, or no UTF-8.
+    """
+    try:
+        data = path.read_bytes()
+        if len(data) > _MOST_BYTES:
+            raise PackageError(f"`{path}` is too large for a board: {len(data)} bytes", "make it shorter")
+        return data.decode("utf-8-sig")
+    except OSError as error:
+        raise PackageError(f"`{path}` cannot be read: {error.strerror}", "look at its rights") from error
+    except UnicodeDecodeError:
+        raise PackageError(f"`{path}` is no UTF-8 text", "save it as UTF-8") from None

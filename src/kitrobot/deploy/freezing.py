@@ -1,0 +1,83 @@
+"""Bringing what runs from a small board's flash there: the board compiles it, the host reads and places it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from kitrobot.deploy.errors import BoardError
+from kitrobot.deploy.flash import Flash
+from kitrobot.deploy.frozen import DUMP, Frozen, Function, laid_out, unknown_firmware
+from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.repl import GarbledError
+
+_TEXT = "krt.py"
+_TRIES = 3
+_COMPILING_S = 10
+
+
+def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
+    """Puts functions into the flash, unless they are there; how many bytes were written.
+
+    Args:
+        board: in touch with the board, before and after.
+        one: the functions.
+        kept: signs of other blocks that stay.
+
+    Raises:
+        SilentError: the board does not answer.
+        BoardError: its MicroPython is none that we know, or the flash is full.
+    """
+    flash = Flash.of(board)
+    if flash is None:
+        board.write(_TEXT, one.groups[0][0].encode())
+        flash = Flash.of(board)
+    if flash is None:
+        raise unknown_firmware()
+    flash.clear({one.sign, *kept})
+    if flash.find(one.sign) is not None:
+        board.remove(_TEXT)
+        return 0
+    _refuse_new_names(board, one.names)
+    dumps = [_compiled(board, text, functions) for text, functions in one.groups]
+    flash.see()
+    flash.clear(kept)
+    content = laid_out(one, dumps)
+    flash.write(one.sign, content)
+    board.remove(_TEXT)
+    return len(content)
+
+
+def _compiled(board: Receiver, text: str, functions: Sequence[Function]) -> bytes:
+    """What the compiler makes of a text that writes that into the file DUMP, with an empty memory."""
+    for _ in range(_TRIES):
+        board.write(_TEXT, text.encode())
+        board.end()
+        board.repl.enter()
+        try:
+            board.repl.run("import micropython;micropython.opt_level(3)")
+            board.repl.run(f"import {_TEXT[:-3]}", _COMPILING_S, patient=True)
+        except GarbledError as error:
+            failed = str(error)
+        else:
+            failed = ""
+        board.begin()
+        dump = board.read(DUMP) if DUMP in board.names() else b""
+        board.remove(DUMP)
+        if len(dump) == sum(function.written for function in functions):
+            return dump
+    if failed:
+        raise BoardError(
+            f"the board cannot compile KitRobot: {failed}", "send it once more; report it with its firmware"
+        )
+    raise unknown_firmware()
+
+
+def _refuse_new_names(board: Receiver, names: Iterable[str]) -> None:
+    """Raises a BoardError when the firmware does not know all names: it would number them anew with each start."""
+    board.end()
+    board.repl.enter()
+    first = int(board.repl.run("print(id('kr')>>2)"))
+    board.begin()
+    for name in sorted(names):
+        if int(board.value(f"id({name!r})>>2")) >= first:
+            raise unknown_firmware()
