@@ -67,13 +67,8 @@ NOT_SAID = frozenset(
         "My parts",
         "Mes pièces",
         # What is told to a board, what is looked for in errors of systems, and errors that are told in other words.
-        "import sys,gc;print(sys.implementation[1][:2])",
-        "import gc;t={}",
         "s=''.join(t[i]for i in range({1}))",
         "the receiver",
-        "from {1} import $tick",
-        "from array import array",
-        "$robot[{1}]=$file.read({2});del array",
         "exclusively lock",
         "Access is denied",
         "the board starts something else",
@@ -90,7 +85,7 @@ NOT_SAID = frozenset(
     }
 )
 
-_SILENT_CALLS = frozenset({"compile", "debug", "error", "exception", "info", "warning", "AttributeError"})
+_SILENT_CALLS = frozenset({"compile", "debug", "error", "exception", "info", "warning", "AttributeError", "TypeError"})
 """Regular expressions, logs, and errors of programmers."""
 
 
@@ -109,8 +104,11 @@ def sentences() -> dict[str, str]:
 
 
 _HOLE = re.compile(r"\{[0-9]+\}")
-_HEADER = re.compile(r"=\(\)|-src '|charset=|HttpOnly|max-age=|^not allowed$|^Literal\[|^<constructors |^from kitrobot")
-"""Of HTTP, for browsers; types and code."""
+_HEADER = re.compile(
+    r"=\(\)|-src '|charset=|HttpOnly|max-age=|^not allowed$|^Literal\[|^<constructors |^from kitrobot"
+    r"|\$[a-z]|^import [a-z,]+;|^import \{|^from (machine|array) import"
+)
+"""Of HTTP, for browsers; types and code; what is told to a board."""
 
 
 def _said(tree: ast.AST) -> Iterator[tuple[str, int]]:

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.deploy.carried import IN_FLASH, frozen_loop
-from kitrobot.deploy.errors import BoardError, PackageError
+from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.frozen import CHUNK, HEAD, OF_OTHERS, Frozen, Function, frozen, laid_out, literals_of
 from kitrobot.deploy.known import GLOBALS, LOCALS
 
@@ -59,7 +59,7 @@ def places(content: bytes, count: int) -> Sequence[tuple[int, int]]:
     ],
 )
 def test_what_has_no_place_in_flash_is_refused(text: str) -> None:
-    with pytest.raises(PackageError, match="`f` cannot run from flash"):
+    with pytest.raises(TypeError, match="`f` cannot run from flash"):
         frozen([functions(text)], {})
 
 

@@ -66,9 +66,7 @@ def _compiled(board: Receiver, text: str, functions: Sequence[Function]) -> byte
         if len(dump) == sum(function.written for function in functions):
             return dump
     if failed:
-        raise BoardError(
-            f"the board cannot compile KitRobot: {failed}", "send it once more; report it with its firmware"
-        )
+        raise BoardError(f"the board cannot compile KitRobot: {failed}", "send it once more; report it if it stays so")
     raise unknown_firmware()
 
 

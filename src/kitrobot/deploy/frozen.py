@@ -23,7 +23,7 @@ import struct
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from kitrobot.deploy.errors import BoardError, PackageError
+from kitrobot.deploy.errors import BoardError
 
 CHUNK = 128
 """Bytes of a piece of the board's file system, whose first byte says what it is."""
@@ -102,7 +102,7 @@ def frozen(texts: Sequence[Sequence[ast.FunctionDef]], literals: Mapping[str, st
     """Groups of functions, made ready; `literals` have their names in the functions already.
 
     Raises:
-        PackageError: there is something in a function that has no place in flash.
+        TypeError: there is something in a function that has no place in flash.
     """
     groups = []
     names: set[str] = set()
@@ -258,7 +258,7 @@ def _named(function: ast.FunctionDef) -> Iterator[str]:
     """What a function names.
 
     Raises:
-        PackageError: there is something in it that has no place in flash.
+        TypeError: there is something in it that has no place in flash.
     """
     for node in ast.walk(function):
         match node:
@@ -286,12 +286,6 @@ def _named(function: ast.FunctionDef) -> Iterator[str]:
                 | ast.ImportFrom()
                 | ast.Yield()
             ):
-                raise PackageError(
-                    f"`{function.name}` cannot run from flash: there is {ast.unparse(node)!r} in it",
-                    "move it out of the function",
-                )
+                raise TypeError(f"`{function.name}` cannot run from flash: there is {ast.unparse(node)} in it")
             case ast.Tuple(elts=elements) if elements and all(isinstance(one, ast.Constant) for one in elements):
-                raise PackageError(
-                    f"`{function.name}` cannot run from flash: there is {ast.unparse(node)!r} in it",
-                    "give it a name outside of the function",
-                )
+                raise TypeError(f"`{function.name}` cannot run from flash: there is {ast.unparse(node)} in it")
