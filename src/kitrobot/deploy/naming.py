@@ -64,11 +64,17 @@ def own_names(tree: ast.Module) -> dict[str, str]:
 
 def renamed(tree: ast.Module, names: Mapping[str, str]) -> ast.Module:
     """The module with the short names."""
+    _rename(tree, names)
+    return tree
+
+
+def _rename(tree: ast.AST, names: Mapping[str, str], *, variables: bool = False) -> None:
+    """Gives new names to all that have one of these; `variables`: attributes, and what modules offer, keep theirs."""
     for node in ast.walk(tree):
         match node:
             case ast.Name():
                 node.id = names.get(node.id, node.id)
-            case ast.Attribute():
+            case ast.Attribute() if not variables:
                 node.attr = names.get(node.attr, node.attr)
             case ast.FunctionDef() | ast.ClassDef():
                 node.name = names.get(node.name, node.name)
@@ -78,13 +84,12 @@ def renamed(tree: ast.Module, names: Mapping[str, str]) -> ast.Module:
                 node.names = [names.get(name, name) for name in node.names]
             case ast.ExceptHandler() if node.name:
                 node.name = names.get(node.name, node.name)
-            case ast.ImportFrom() if (node.module or "").startswith("kitrobot_onboard."):
+            case ast.ImportFrom() if not variables and (node.module or "").startswith("kitrobot_onboard."):
                 for alias in node.names:
                     _rename_import(alias, names, ours=True)
             case ast.Import() | ast.ImportFrom():
                 for alias in node.names:
                     _rename_import(alias, names, ours=False)
-    return tree
 
 
 def with_known_locals(tree: ast.Module) -> ast.Module:
@@ -100,7 +105,9 @@ def with_known_locals(tree: ast.Module) -> ast.Module:
         mine = [name for name, _ in count.most_common() if name not in others | named]
         taken = others | (set(count) - set(mine))
         words = [word for word in LOCALS if word not in taken]
-        _rename_variables(function, dict(zip(mine, words, strict=False)))
+        own = function.name
+        _rename(function, dict(zip(mine, words, strict=False)), variables=True)
+        function.name = own
     return tree
 
 
@@ -131,26 +138,6 @@ def _variables(function: ast.FunctionDef) -> Iterator[str]:
                 yield name
             case ast.Import() | ast.ImportFrom():
                 yield from (alias.asname or alias.name for alias in node.names)
-
-
-def _rename_variables(function: ast.FunctionDef, names: Mapping[str, str]) -> None:
-    own = function.name
-    for node in ast.walk(function):
-        match node:
-            case ast.Name():
-                node.id = names.get(node.id, node.id)
-            case ast.arg():
-                node.arg = names.get(node.arg, node.arg)
-            case ast.ExceptHandler() if node.name:
-                node.name = names.get(node.name, node.name)
-            case ast.FunctionDef():
-                node.name = names.get(node.name, node.name)
-            case ast.Nonlocal():
-                node.names = [names.get(name, name) for name in node.names]
-            case ast.Import() | ast.ImportFrom():
-                for alias in node.names:
-                    _rename_import(alias, names, ours=False)
-    function.name = own
 
 
 def _rename_import(alias: ast.alias, names: Mapping[str, str], *, ours: bool) -> None:
