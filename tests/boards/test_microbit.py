@@ -188,6 +188,29 @@ def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick
     compared(microbit.address, program, bench_robot(tmp_path), seed=12)
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[TiltX.IsLeft()](Display.Number(1); )!(Display.Number(2); ); [TiltY.IsForward()](Display.Number(3); )!();",
+        "Pin1.Write(1); WAIT(1); Pin1.Analog(500); WAIT(1); Pin2.Servo(90); WAIT(1); Pin1.Write(0);",
+        "[Pin1.IsHigh()](Display.Pixel(1, 2, 9); )!(Display.Clear(); );",
+        "Music.Tone(440, 200); WAIT(2); Music.Stop();",
+        "Music.Play(1); WAIT(2);",
+        "[Random.LessThan(50)](Display.Number(Dice.Value()); )!(Display.Scroll(12); );",
+        "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"
+        " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );",
+    ],
+)
+def test_all_devices_of_it_work_there(microbit: Emulated, tmp_path: Path, text: str) -> None:
+    path = tmp_path / "devices.lll"
+    path.write_text(f"*[Run.IsTrue()]({text} WAIT(1); );\n", encoding="utf-8")
+    program = load_board_program(path, robot="microbit")
+    deploy(microbit.address, program.file.to_bytes(), program.package)
+    compared(microbit.address, program, find_robot("microbit"), seed=14)
+    with connect(microbit.address, 10) as board:
+        assert board.last_fault() is None
+
+
 @pytest.mark.parametrize("name", ["heart", "reaction", "dice"])
 def test_the_examples_for_it_run_on_it(microbit: Emulated, name: str) -> None:
     program = load_board_program(EXAMPLES / name / f"{name}.krt")
