@@ -13,6 +13,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 
@@ -20,6 +21,7 @@ import pytest
 
 from kitrobot.deploy import (
     BoardError,
+    FullError,
     Line,
     LineError,
     RawRepl,
@@ -27,12 +29,14 @@ from kitrobot.deploy import (
     SilentError,
     connect,
     deploy,
+    package,
 )
+from kitrobot.deploy.carried import frozen_loop
 from kitrobot.deploy.shortening import parsed, shortened
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Image, Machine
 from kitrobot.workspace import find_robot, load_board_program
-from tests.boards.bench import PROGRAMS, bench_program, bench_robot
+from tests.boards.bench import PROGRAMS, STORES, bench_program, bench_robot
 from tests.boards.proxy import Proxy, noise
 from tests.boards.qemu import Emulated, running
 from tests.boards.test_deploy import EVERY, runs
@@ -283,3 +287,45 @@ def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(microbit
     with pytest.raises(BoardError, match="memory"):
         put_program(microbit.address, bench_program(tmp_path, PROGRAMS[0] * 150))
     assert small.is_called(runs(microbit.address))
+
+
+RAISES = STORES.format(mark="one").replace(
+    "        pass\n\n    def done", "        raise OSError(arguments[0])\n\n    def done"
+)
+NEVER = STORES.format(mark="one").replace("return True", "return False")
+
+
+@pytest.mark.parametrize(
+    ("driver", "text", "number", "said"),
+    [(RAISES, "Motor.Turn(7); ", 1, "7"), (NEVER, "Motor.Turn(7); WAIT(9000); ", 2, "not done")],
+)
+def test_a_device_that_fails_stops_the_robot_and_is_told_with_its_instruction(
+    microbit: Emulated, tmp_path: Path, driver: str, text: str, number: int, said: str
+) -> None:
+    program = bench_program(tmp_path, f"WAIT(3); {text}")
+    (tmp_path / "stores.driver.py").write_text(driver, encoding="utf-8")
+    robot = (tmp_path / "bench.robot.xml").read_text(encoding="utf-8")
+    (tmp_path / "bench.robot.xml").write_text(robot.replace('pin="1"', 'pin="1" limit="0.2"'), encoding="utf-8")
+    program = load_board_program(tmp_path / "program.lll", robot=str(tmp_path / "bench.robot.xml"))
+    deploy(microbit.address, program.file.to_bytes(), program.package)
+    with connect(microbit.address, 10) as board:
+        fault = next((found for _ in range(100) if (found := board.last_fault()) is not None), None)
+        assert fault is not None
+        assert (fault.number, said in fault.text) == (number, True)
+        assert fault.instruction is not None
+        assert Image.from_bytes(program.file.image).code[4 * fault.instruction] == 15, "ACT"
+        assert board.greet().state == 4
+
+
+def test_another_kitrobot_finds_no_room_beside_the_old_one_and_takes_its_place_when_told_to(
+    microbit: Emulated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
+    there = put_program(microbit.address, old).program
+    other = replace(frozen_loop("microbit"), name="kr01234567")
+    monkeypatch.setattr(package, "frozen_loop", lambda family: other)
+    with pytest.raises(FullError, match="flash"):
+        put_program(microbit.address, new)
+    assert runs(microbit.address) == there
+    done = deploy(microbit.address, new.file.to_bytes(), new.package, fresh=True)
+    assert runs(microbit.address) == done.program != there

@@ -135,6 +135,13 @@ def test_where_no_room_is_left_that_is_said() -> None:
         seen(board).write(5, content(600))
 
 
+def test_room_for_files_is_what_is_unused_or_freed(board: SmallFlash) -> None:
+    flash = seen(board)
+    flash.refuse_less_than(117 * 126)
+    with pytest.raises(FullError):
+        flash.refuse_less_than(117 * 126 + 1)
+
+
 def test_a_script_of_an_editor_at_the_end_of_the_flash_is_left_alone(board: SmallFlash) -> None:
     script = b"MP" + bytes(1000)
     board.bytes[0x3E000 : 0x3E000 + len(script)] = script

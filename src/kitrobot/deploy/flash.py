@@ -25,6 +25,9 @@ _OURS = head(0, 0, whole=True)[0]
 _AT_ONCE = 40
 """Bytes that are asked for at once."""
 
+_DATA = CHUNK - 2
+"""Bytes of a file that a piece holds."""
+
 _CHUNKS_A_PAGE = PAGE // CHUNK
 _SCRIPT = (0x3E000 - FIRST) // CHUNK
 """Where an editor may have put a script, which begins with M; files end in front of it then."""
@@ -76,6 +79,12 @@ class Flash:
     def find(self, sign: int) -> int | None:
         """Where the whole block with that sign is."""
         return next((self.area.address(place) for place in self._blocks({sign})), None)
+
+    def refuse_less_than(self, size: int) -> None:
+        """Raises a FullError when files of so many bytes find no room."""
+        free = sum(first in (_FREED, _UNUSED) for first in self.area.firsts)
+        if free * _DATA < size:
+            raise no_room()
 
     def _blocks(self, signs: set[int]) -> dict[int, int]:
         """Where whole blocks with one of these signs are, with the number of their pieces."""
@@ -134,10 +143,7 @@ class Flash:
             for place in range(len(area.firsts) - count + 1):
                 if all(first == _UNUSED for first in area.firsts[place : place + count]):
                     return place
-        raise FullError(
-            "the board's flash has no room left in one piece",
-            "remove files of yours from the board, or use --fresh",
-        )
+        raise no_room()
 
     def _read(self, at: int, size: int) -> bytes:
         found = b""
@@ -148,6 +154,14 @@ class Flash:
 
     def _write(self, at: int, words: bytes) -> None:
         self.board.write_words(at, words)
+
+
+def no_room() -> FullError:
+    """The flash is full."""
+    return FullError(
+        "the board's flash has no room left in one piece",
+        "remove files of yours from the board, or use --fresh",
+    )
 
 
 def _area(firsts: list[int], lasts: list[int]) -> Area | None:

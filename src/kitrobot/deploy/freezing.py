@@ -13,6 +13,8 @@ from kitrobot.deploy.repl import GarbledError
 _TEXT = "krt.py"
 _TRIES = 3
 _COMPILING_S = 10
+_NAMES = 300
+"""Bytes that files take beside what is in them, at most."""
 
 
 def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
@@ -37,6 +39,7 @@ def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
     if flash.find(one.sign) is not None:
         board.remove(_TEXT)
         return 0
+    flash.refuse_less_than(max(len(text) + _size(functions) for text, functions in one.groups) + _NAMES)
     _refuse_new_names(board, one.names)
     dumps = [_compiled(board, text, functions) for text, functions in one.groups]
     flash.see()
@@ -63,11 +66,16 @@ def _compiled(board: Receiver, text: str, functions: Sequence[Function]) -> byte
         board.begin()
         dump = board.read(DUMP) if DUMP in board.names() else b""
         board.remove(DUMP)
-        if len(dump) == sum(function.written for function in functions):
+        if len(dump) == _size(functions):
             return dump
     if failed:
         raise BoardError(f"the board cannot compile KitRobot: {failed}", "send it once more; report it if it stays so")
     raise unknown_firmware()
+
+
+def _size(functions: Sequence[Function]) -> int:
+    """Bytes of DUMP."""
+    return sum(function.written for function in functions)
 
 
 def _refuse_new_names(board: Receiver, names: Iterable[str]) -> None:
