@@ -319,7 +319,7 @@ def connect(address: str, timeout: float = 4.0) -> Board:
             return Board(line, 2)
         except SilentError:
             line.write(b"\r\x02")
-            if not line.read_until(b">>> ", 1).endswith(b">>> "):
+            if not line.read_until(b">>> ", max(1.0, timeout / 3)).endswith(b">>> "):
                 raise
         line.write(b"\x04")  # at the prompt, this starts what is installed
         printed = line.read_until(b">>> ", 0.5)

@@ -1,7 +1,8 @@
 """What lies on a board: the two lines of which one says what starts, and the files that a line needs.
 
-`kr0` and `kr1` hold a line each, `GENERATION MODULE PROGRAM SUM`; the larger generation whose sum fits counts. Files
-are named by their content and name one another in it, so what a line needs can be found by reading.
+`kr0` and `kr1` hold a line each, `GENERATION INTERPRETER PROGRAM PSUM SUM` (docs/reference/link.md); the larger
+generation whose sums fit counts. Files are named by their content and name one another in it, so what a line needs can
+be found by reading.
 """
 
 from __future__ import annotations

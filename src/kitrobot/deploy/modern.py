@@ -23,6 +23,7 @@ def tell_at_once(line: Line, text: str) -> None:
         LineError: the line broke.
     """
     # Only who talks to such a board waits for it.
+    from mpremote import transport_serial
     from mpremote.transport import TransportError
     from mpremote.transport_serial import SerialTransport
 
@@ -35,6 +36,7 @@ def tell_at_once(line: Line, text: str) -> None:
             self.is_pty = False
             self.serial = line.port
 
+    transport_serial.print = lambda *words: None  # it prints what it did not expect; we try again in another way
     transport = OnOpenLine()
     # Its first step is to look for the prompt, which was read already: a new one is asked for.
     line.write(b"\r\x03\x01")
