@@ -25,7 +25,7 @@ ONBOARD = Path(kitrobot_onboard.__file__).parent
 ROOT = "kitrobot_onboard"
 _MOST_BYTES = 200_000
 _LARGE = "i"
-"""Requests that only boards with more room answer."""
+"""Requests whose words are not named before: they differ from board to board."""
 
 _WORDS = 8
 _PIECE = 90
@@ -67,35 +67,27 @@ def frozen_loop(family: str) -> Frozen:
     """The interpreter, the port and the loop, for boards that run these from their flash."""
     groups = []
     for names in IN_FLASH[family]:
-        trees = [_flash_tree(name) for name in names]
-        body: list[ast.stmt] = [one for tree in trees for one in tree.body if isinstance(one, ast.FunctionDef)]
+        body: list[ast.stmt] = [one for tree in _trees(names) for one in tree.body if isinstance(one, ast.FunctionDef)]
         text = shortened(ast.Module(copy.deepcopy(body), []))
         groups.append([one for one in ast.parse(text).body if isinstance(one, ast.FunctionDef)])
     found = literals_of([function for group in groups for function in group])
-    named = dict(zip(found, (short()[name] for name in _LITERALS), strict=False))
+    names_of = dict(zip(found, (short()[name] for name in _LITERALS), strict=False))
     for group in groups:
         for function in group:
-            WithNames(named).visit(function)
-    return frozen(groups, {name: value for value, name in named.items()})
+            WithNames(names_of).visit(function)
+    return frozen(groups, {name: value for value, name in names_of.items()})
 
 
-def _flash_tree(name: str) -> ast.Module:
-    path = ONBOARD / f"{name}.py"
-    return renamed(parsed(read_source(path), path.name), short()) if name == "interpreter" else _tree(path)
+def _trees(names: Iterable[str]) -> list[ast.Module]:
+    return [_tree(ONBOARD / f"{name}.py") for name in names]
 
 
 def in_flash_pieces(family: str) -> Sequence[str]:
     """What the modules that run from flash have beside their functions, and the literals of these."""
     names = [name for group in IN_FLASH[family] for name in group if not name.startswith("asked/")]
-    rest = [one for name in names for one in _flash_tree(name).body if not isinstance(one, ast.FunctionDef)]
+    rest = [one for tree in _trees(names) for one in tree.body if not isinstance(one, ast.FunctionDef)]
     texts = [short_text(ast.unparse(one)) for one in rest]
     return joined([*texts, *(f"{name}={value}" for name, value in frozen_loop(family).literals.items())])
-
-
-def interpreter_text() -> bytes:
-    """The interpreter, which is a module by itself."""
-    path = ONBOARD / "interpreter.py"
-    return short_text(ast.unparse(renamed(parsed(read_source(path), path.name), short()))).encode()
 
 
 @cache

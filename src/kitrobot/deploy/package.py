@@ -23,7 +23,6 @@ from kitrobot.deploy.carried import (
     ROOT,
     asked_file,
     frozen_loop,
-    interpreter_text,
     loop_files,
     part,
     read_source,
@@ -137,7 +136,7 @@ def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range
         start = package.stored(start_from_flash(in_flash, family, asked))
     else:
         in_flash = None
-        interpreter = package.stored(interpreter_text())[: -len(".py")]
+        interpreter = package.stored(part(ONBOARD / "interpreter.py"))[: -len(".py")]
         loop = [package.stored(part(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
         sizes = [len(package.files[name]) for name in loop]
         start = package.stored(start_file(interpreter, list(zip(loop, sizes, strict=True)), asked))

@@ -89,22 +89,19 @@ def _numbers(program: ProgramFile) -> Iterator[bytes]:
 
 def _arrays(program: ProgramFile) -> Iterator[bytes]:
     image = Image.from_bytes(program.image)
-    code, cells, threads, pars, out = load(program.image)
+    code, cells, _, pars, _ = load(program.image)
     # Only actuators that are used have a place in `out`.
     places = {number: place for place, number in enumerate(program.used_actuators)}
     first = len(pars) - len(image.commands)
     width = pars[3]
     pars[first:] = [width * places.get(actuator, 0) for actuator in image.commands]
-    del out[width * len(places) :]
-    threads[:] = [-1, 0] * (len(threads) // 2)
-    threads[0] = pars[5]
     first = 1 + image.inputs
     yield piece("from array import array")
     yield _array(state.CELLS, "i", cells)
     yield piece(f"$robot[{state.FIRST}]=$robot[{state.CELLS}][{first}:{first + image.variables + image.counters}]")
     yield _array(state.PARS, "h" if max(pars) < 1 << 15 else "i", pars)
-    yield piece(f"$robot[{state.THREADS}]=array('i',{threads[:2]!r}+[-1,0]*{len(threads) // 2 - 1})")
-    yield piece(f"$robot[{state.OUT}]=array('i',[0]*{len(out)})")
+    yield piece(f"$robot[{state.THREADS}]=array('i',[{pars[5]}, 0]+[-1,0]*{pars[0] - 1})")
+    yield piece(f"$robot[{state.OUT}]=array('i',[0]*{width * len(places)})")
     yield piece(f"$robot[{state.CODE}]=$file.read({len(code)});del array") + bytes(code)
 
 
