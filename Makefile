@@ -31,7 +31,7 @@ test: install page ## run every test: the page's, Python's and those in a browse
 	@$(PY) -m tools.qemu --install
 	@browser="$$($(PY) -m tools.chromium > /dev/null || echo 'not browser')"; \
 	boards="$$($(PY) -m tools.qemu > /dev/null || echo 'not boards')"; \
-	$(BIN)/pytest -n auto -m "$$browser$${browser:+$${boards:+ and }}$$boards"
+	$(BIN)/pytest -n auto --dist worksteal -m "$$browser$${browser:+$${boards:+ and }}$$boards"
 
 check: install ## format, lint, types, the stairs; changes nothing
 	$(BIN)/ruff format --check $(SOURCES)

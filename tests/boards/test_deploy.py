@@ -146,7 +146,6 @@ def test_at_the_prompt_it_is_started(board: Any, tmp_path: Path) -> None:
     assert runs(board.address) == done.program
 
 
-@pytest.mark.timeout(280)
 def test_a_deploy_that_is_cut_leaves_what_was_there_and_the_next_one_mends_it(board: Any, tmp_path: Path) -> None:
     def made(number: int) -> BoardProgram:
         """A program whose program file and driver are others than those of the two before, which a board keeps."""
@@ -173,7 +172,6 @@ def test_a_deploy_that_is_cut_leaves_what_was_there_and_the_next_one_mends_it(bo
     assert stayed >= len(range(EVERY, count, EVERY)) - 3
 
 
-@pytest.mark.timeout(280)
 def test_a_first_deploy_that_is_cut_is_mended_by_the_next_one(board: Any, tmp_path: Path) -> None:
     program = bench_program(tmp_path)
     for cut in range(15, 400, 10 if THOROUGH else 97):
@@ -184,7 +182,6 @@ def test_a_first_deploy_that_is_cut_is_mended_by_the_next_one(board: Any, tmp_pa
     assert program.is_called(runs(board.address))
 
 
-@pytest.mark.timeout(280)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_bytes_that_are_lost_changed_and_added_are_mended(board: Any, tmp_path: Path, seed: int) -> None:
     program = bench_program(tmp_path, OTHER)

@@ -222,7 +222,6 @@ def test_the_examples_for_it_run_on_it(microbit: Emulated, name: str) -> None:
     compared(microbit.address, program, find_robot("microbit"), seed=13)
 
 
-@pytest.mark.timeout(280)
 @pytest.mark.parametrize("part", range(4))
 def test_a_deploy_that_is_cut_at_any_tenth_message_leaves_what_was_there(tmp_path: Path, part: int) -> None:
     old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
@@ -242,7 +241,6 @@ def test_a_deploy_that_is_cut_at_any_tenth_message_leaves_what_was_there(tmp_pat
             assert new.is_called(runs(board.address))
 
 
-@pytest.mark.timeout(280)
 def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> None:
     program = bench_program(tmp_path, PROGRAMS[0])
     with running() as board, Proxy(board.port) as whole:

@@ -211,7 +211,6 @@ HOSTILE = [
 ]
 
 
-@pytest.mark.timeout(60)
 @pytest.mark.parametrize("data", HOSTILE, ids=range(len(HOSTILE)))
 @pytest.mark.parametrize(
     "name", ["x.robot.xml", "x.world.xml", "x.tutorial.xml", "x.xml", "x.krt", "x.lll", "x.kri", "x.kra"]

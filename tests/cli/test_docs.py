@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.cli.app import app
+from tests.patience import PATIENCE_S
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "cli.md").read_text(encoding="utf-8")
@@ -27,7 +28,9 @@ def test_the_python_on_the_page_runs(tmp_path):
     code = "\n".join(re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL))
     (tmp_path / "mine.krt").write_text('<kitrobot version="1"/>')
     (tmp_path / "examples").symlink_to(ROOT / "examples")
-    ended = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, timeout=120, check=False)
+    ended = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, timeout=PATIENCE_S, check=False
+    )
     assert ended.returncode == 0, ended.stderr
     assert b"done" in ended.stdout
     assert b"Wheel.Advance" in ended.stdout

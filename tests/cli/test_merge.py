@@ -9,6 +9,7 @@ import sys
 import pytest
 
 from tests.cli.test_diff import MISSION
+from tests.patience import PATIENCE_S
 
 SLOW = MISSION.replace(">50<", ">10<")
 FAST = MISSION.replace(">50<", ">90<")
@@ -71,7 +72,7 @@ def test_a_missing_file_is_trouble(kitrobot, here):
 def test_git_merges_two_branches_with_it(here):
     def git(*arguments):
         names = ["-c", "user.name=a", "-c", "user.email=a@example.org", "-c", "commit.gpgsign=false"]
-        return subprocess.run(["git", *names, *arguments], cwd=here, capture_output=True, text=True, timeout=60)
+        return subprocess.run(["git", *names, *arguments], cwd=here, capture_output=True, text=True, timeout=PATIENCE_S)
 
     def commit(text):
         (here / "p.krt").write_text(text)

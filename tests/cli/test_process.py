@@ -18,16 +18,16 @@ import pytest
 import websockets
 
 from tests.cli.conftest import EXAMPLE
+from tests.patience import PATIENCE_S
 
 KITROBOT = [sys.executable, "-m", "kitrobot"]
-SHORT_S = 60
 
 
 def call(*arguments, env=None, **options):
     return subprocess.run(
         [*KITROBOT, *map(str, arguments)],
         capture_output=True,
-        timeout=SHORT_S,
+        timeout=PATIENCE_S,
         env={**os.environ, **(env or {})},
         check=False,
         **options,
@@ -52,7 +52,7 @@ def test_a_reader_that_stops_reading_is_no_mistake(tmp_path):
         assert json.loads(process.stdout.readline())["tick"] == 0
         process.stdout.close()
         said = process.stderr.read()
-        status = process.wait(SHORT_S)
+        status = process.wait(PATIENCE_S)
     assert said == b""
     assert status in (1, 141)
 
@@ -86,7 +86,7 @@ def test_laying_out_a_text_loads_neither_the_simulator_nor_the_server(tmp_path):
 
 def test_importing_the_package_imports_nothing_else():
     code = "import sys, kitrobot; print([name for name in sys.modules if name.startswith('kitrobot.')])"
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=SHORT_S, check=True)
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=PATIENCE_S, check=True)
     assert ended.stdout.strip() == b"[]"
 
 
@@ -99,7 +99,9 @@ def test_a_mistake_of_ours_shows_where_only_when_asked(tmp_path):
     )
     for debug in ("", "1"):
         env = {**os.environ, "KITROBOT_DEBUG": debug}
-        ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=SHORT_S, env=env, check=False)
+        ended = subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, timeout=PATIENCE_S, env=env, check=False
+        )
         assert ended.returncode == 70
         assert (b"Traceback" in ended.stderr) == bool(debug)
 
@@ -182,7 +184,7 @@ def test_ctrl_c_ends_the_studio_in_the_middle_of_runs_and_pages_that_left_leave_
                     pass
 
         asyncio.run(watch())
-        assert process.wait(SHORT_S) == 0
+        assert process.wait(PATIENCE_S) == 0
         assert process.stderr is not None
         assert process.stderr.read() == "Ctrl-C ends the studio.\n"
 

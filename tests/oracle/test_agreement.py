@@ -14,12 +14,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.oracle.agreement import disagreement, first_difference, machine_for, random_case, report, small_case
+from tests.patience import PATIENCE_S
 
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "600"))
 STREAMS = 4
 
 
-@pytest.mark.timeout(0 if BUDGET > 1000 else 300)
+@pytest.mark.timeout(0 if BUDGET > 1000 else PATIENCE_S)
 @pytest.mark.parametrize("stream", range(STREAMS))
 def test_the_machine_does_what_the_oracle_says(stream: int) -> None:
     compared = 0

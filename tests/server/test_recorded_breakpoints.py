@@ -157,8 +157,10 @@ def test_over_the_socket_a_recording_pauses_and_goes_on(connect, page, recording
         watcher.send(type="replay", recording=opened["recording"], speed=0)
         player = Player(open_trace(recording), TRANSPORT)
         place = waiting_place(player)
-        watcher.send(type="breakpoints", breakpoints=[{"program": "carrier", "vertex": place}])
+        # Sought before there is a breakpoint: a pause on the way there would be taken for the one after it.
         watcher.send(type="seek", tick=0)
+        watcher.until("state", status="paused", tick=0)
+        watcher.send(type="breakpoints", breakpoints=[{"program": "carrier", "vertex": place}])
         watcher.send(type="resume")
         hits = hits_of(player, Breakpoint("carrier", place))
         for tick in sorted({tick for tick, _ in hits})[:3]:

@@ -20,6 +20,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.sim import Simulation, compiling, simulate
+from tests.patience import PATIENCE_S
 from tests.sim.building import transport
 from tests.sim.teams import random_team
 
@@ -151,7 +152,9 @@ sys.stdout.buffer.write(run.snapshot())
 
 def test_a_long_run_asks_for_the_compiled_step_and_takes_it_when_it_is_there() -> None:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}"}
-    child = subprocess.run([sys.executable, "-c", LONG], env=environment, capture_output=True, check=False, timeout=200)
+    child = subprocess.run(
+        [sys.executable, "-c", LONG], env=environment, capture_output=True, check=False, timeout=PATIENCE_S
+    )
     assert child.returncode == 0, child.stderr.decode()
     here = random_team(5, 10)
     here.stays_plain = True
@@ -180,7 +183,7 @@ sys.stdout.buffer.write(run.snapshot())
 def test_what_a_crowd_needs_is_there_before_its_run_begins() -> None:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}"}
     child = subprocess.run(
-        [sys.executable, "-c", CROWD], env=environment, capture_output=True, check=False, timeout=200
+        [sys.executable, "-c", CROWD], env=environment, capture_output=True, check=False, timeout=PATIENCE_S
     )
     assert child.returncode == 0, child.stderr.decode()
     here = random_team(5, 130)
@@ -193,7 +196,7 @@ def test_what_a_crowd_needs_is_there_before_its_run_begins() -> None:
 @pytest.mark.slow
 def test_what_is_not_kept_yet_is_compiled_in_a_process_of_its_own(tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}", "KITROBOT_CACHE": str(tmp_path)}
-    subprocess.run([sys.executable, "-c", LONG], env=environment, capture_output=True, check=True, timeout=280)
+    subprocess.run([sys.executable, "-c", LONG], env=environment, capture_output=True, check=True, timeout=PATIENCE_S)
     assert [path.name for path in tmp_path.glob(f"*/{compiling.READY}")] == [compiling.READY]
 
 
@@ -203,7 +206,11 @@ def test_without_numba_or_when_told_so_the_run_is_plain_and_the_same(prelude: st
     if not prelude:
         environment["KITROBOT_COMPILE"] = "no"
     child = subprocess.run(
-        [sys.executable, "-c", prelude + CHILD, "no"], env=environment, capture_output=True, check=False, timeout=120
+        [sys.executable, "-c", prelude + CHILD, "no"],
+        env=environment,
+        capture_output=True,
+        check=False,
+        timeout=PATIENCE_S,
     )
     assert child.returncode == 0, child.stderr.decode()
     here = hurried(transport(3, 3))
@@ -233,4 +240,6 @@ def test_a_machine_where_compiling_fails_goes_on_plain(tmp_path: Path) -> None:
         "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}",
         "KITROBOT_CACHE": str(nowhere),
     }
-    subprocess.run([sys.executable, "-c", CHILD, "no"], env=environment, capture_output=True, check=True, timeout=120)
+    subprocess.run(
+        [sys.executable, "-c", CHILD, "no"], env=environment, capture_output=True, check=True, timeout=PATIENCE_S
+    )

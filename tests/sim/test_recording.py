@@ -12,6 +12,7 @@ import pytest
 
 from kitrobot.sim import Recorder, Simulation, simulate
 from kitrobot.trace import TraceReader
+from tests.patience import PATIENCE_S
 from tests.sim.building import catalogue, empty_world, run_of, transport
 
 ROOT = Path(__file__).parents[2]
@@ -38,7 +39,9 @@ def test_another_process_gives_the_same_bytes(tmp_path: Path, hash_seed: str) ->
     simulate(transport(5, 3, 2), tmp_path / "here.krtrace")
     there = tmp_path / "there.krtrace"
     environment = {"PYTHONHASHSEED": hash_seed, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}"}
-    subprocess.run([sys.executable, "-c", CHILD, str(there)], check=True, env=environment, cwd=tmp_path, timeout=120)
+    subprocess.run(
+        [sys.executable, "-c", CHILD, str(there)], check=True, env=environment, cwd=tmp_path, timeout=PATIENCE_S
+    )
     assert there.read_bytes() == (tmp_path / "here.krtrace").read_bytes()
 
 

@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.sim import Recorder, SimulationError
+from tests.patience import PATIENCE_S
 from tests.sim.building import catalogue, empty_world, run_of, transport
 from tests.sim.teams import random_team
 
@@ -55,7 +56,7 @@ def test_another_process_goes_on_identically(seed: int) -> None:
     kept = run.snapshot()
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'src'}", "PYTHONHASHSEED": str(seed)}
     child = subprocess.run(
-        [sys.executable, "-c", CHILD, str(seed)], input=kept, env=environment, capture_output=True, timeout=120
+        [sys.executable, "-c", CHILD, str(seed)], input=kept, env=environment, capture_output=True, timeout=PATIENCE_S
     )
     assert child.returncode == 0, child.stderr.decode()
     for _ in range(120):

@@ -1,26 +1,35 @@
-"""The running studio in a real browser: a server of its own for each test, on loopback, ended by its process."""
+"""The running studio in a real browser: for each worker one server thread and one browser, for each test one page."""
 
 from __future__ import annotations
 
-import re
+import asyncio
+import os
+import secrets
 import shutil
-import subprocess
-import sys
+import socket
+import threading
 from collections.abc import Iterator
+from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
+import uvicorn
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
+from kitrobot.server import create_app
+from kitrobot.server.start import server_config
+from tests.patience import PATIENCE_S, STATE_MS
 from tools.chromium import FLAGS
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 WIDTH, HEIGHT = 1600, 1000
-PATIENCE_MS = 30_000
-"""How long a state is waited for: a busy machine is slow, and no test is about that."""
-expect.set_options(timeout=PATIENCE_MS)
+expect.set_options(timeout=STATE_MS)
+
+
+LOOKS = [("light",), ("dark", "ur"), *([("contrast", "fr")] if os.environ.get("KITROBOT_THOROUGH") else [])]
+"""Theme and language that axe looks at whole; it holds the contrast of every screen in every theme besides."""
 
 
 @pytest.fixture(scope="session")
@@ -30,6 +39,52 @@ def browser(chromium_path: str) -> Iterator[Browser]:
         browser = playwright.chromium.launch(executable_path=chromium_path, args=list(FLAGS))
         yield browser
         browser.close()
+
+
+class ServerThread:
+    """One event loop on a thread, which serves the studios of a worker's tests one after another.
+
+    What only a process shows (a kill, a restart, its first line) has tests with processes: test_journal.py.
+    """
+
+    def __init__(self) -> None:
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._loop.run_forever, name="studios", daemon=True)
+        self._thread.start()
+
+    def serve(self, target: Path) -> ServedStudio:
+        """Serves the studio on a mission's file or a folder, as `kitrobot studio` does."""
+        token = secrets.token_urlsafe(24)
+        app = create_app(*((target, None) if target.is_dir() else (target.parent, target)), token)
+        listening = socket.create_server(("127.0.0.1", 0))
+        server = uvicorn.Server(server_config(app))
+        ended = asyncio.run_coroutine_threadsafe(server.serve([listening]), self._loop)
+        return ServedStudio(f"http://127.0.0.1:{listening.getsockname()[1]}/?token={token}", server, ended)
+
+    def close(self) -> None:
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join(PATIENCE_S)
+
+
+@dataclass(frozen=True)
+class ServedStudio:
+    """A studio that is being served."""
+
+    address: str
+    server: uvicorn.Server
+    ended: Future[None]
+
+    def close(self) -> None:
+        self.server.should_exit = True
+        self.ended.result(PATIENCE_S)
+
+
+@pytest.fixture(scope="session")
+def servers() -> Iterator[ServerThread]:
+    """The thread that serves the studios of a worker's tests."""
+    thread = ServerThread()
+    yield thread
+    thread.close()
 
 
 @dataclass
@@ -76,16 +131,19 @@ class Studio:
 
     def wait_until_done(self) -> None:
         """Waits until the run has ended as done."""
-        expect(self.at("status")).to_contain_text("Done", timeout=60_000)
+        expect(self.at("status")).to_contain_text("Done")
 
 
 @pytest.fixture
-def open_studio(browser: Browser, tmp_path: Path) -> Iterator[object]:
+def open_studio(
+    browser: Browser, servers: ServerThread, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[object]:
     """A function that opens the studio on a copy of an example, or on an empty folder with None.
 
     Words that follow say what device the page is on, as Playwright's contexts do: `viewport`, `has_touch`, …
     """
-    servers: list[subprocess.Popen[str]] = []
+    monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
+    served: list[ServedStudio] = []
     pages: list[Studio] = []
 
     def open_on(example: str | None, **device: Any) -> Studio:
@@ -94,20 +152,16 @@ def open_studio(browser: Browser, tmp_path: Path) -> Iterator[object]:
             shutil.copytree((EXAMPLES / example).parent, target)
         else:
             target.mkdir()
-        argument = str(target / Path(example).name) if example is not None else str(target)
-        command = [sys.executable, "-m", "kitrobot", "studio", argument, "--no-browser", "--port", "0"]
-        server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        servers.append(server)
-        assert server.stdout is not None
-        address = re.search(r"http://\S+", server.stdout.readline())
-        assert address is not None, "the studio says its address on its first line"
+        running = servers.serve(target if example is None else target / Path(example).name)
+        served.append(running)
         words = {"viewport": {"width": WIDTH, "height": HEIGHT}, "reduced_motion": "reduce", **device}
         context = browser.new_context(**words)
+        context.set_default_timeout(STATE_MS)
         page = context.new_page()
         faults: list[str] = []
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
-        page.goto(address.group(0))
+        page.goto(running.address)
         expect(page.get_by_test_id("run-button")).to_be_visible()
         expect(page.get_by_test_id("canvas")).to_be_visible()
         expect(page.locator('[data-testid="code"] .cm-line').first).not_to_be_empty()
@@ -119,9 +173,6 @@ def open_studio(browser: Browser, tmp_path: Path) -> Iterator[object]:
     faults = [fault for studio in pages for fault in studio.faults]
     for studio in pages:
         studio.page.context.close()
-    for server in servers:
-        server.terminate()
-        server.wait(10)
-        assert server.stdout is not None
-        server.stdout.close()
+    for running in served:
+        running.close()
     assert faults == [], "the page reported errors of its own"

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, expect
 
-from tests.studio.conftest import Studio
+from tests.studio.conftest import LOOKS, Studio
 from tests.studio.test_reach import choose, find_nothing
 
 pytestmark = pytest.mark.browser
@@ -126,7 +126,7 @@ def test_keys_are_there_in_every_language(open_studio: OpenStudio, language: str
     expect(studio.at("hand-ButtonA")).to_contain_text(names[language])
 
 
-@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast", "ur")], ids=str)
+@pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_a_board(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio("dice/dice.krt")
     choose(studio, *look)

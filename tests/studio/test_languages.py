@@ -211,7 +211,7 @@ def test_how_a_run_ends(open_studio: OpenStudio, language: str) -> None:
     studio.full_speed()
     studio.at("run-button").click()
     ended = {"fr": "Fini en", "ur": "سیکنڈ میں مکمل"}[language]
-    expect(studio.at("status")).to_contain_text(ended, timeout=60_000)
+    expect(studio.at("status")).to_contain_text(ended)
     meets_no_english(studio, language, "the end of a run")
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, expect
 
-from tests.studio.conftest import Studio
+from tests.studio.conftest import LOOKS, Studio
 from tests.studio.test_reach import choose as axe_look
 from tests.studio.test_reach import find_nothing
 
@@ -191,7 +191,7 @@ def test_in_urdu_the_sheet_is_mirrored(open_studio: OpenStudio) -> None:
     expect(studio.at("own-name")).to_have_value(re.compile("میرا پرزہ"))
 
 
-@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast", "ur")], ids=str)
+@pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_the_sheets(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)
     axe_look(studio, *look)

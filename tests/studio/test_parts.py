@@ -32,11 +32,11 @@ CONSTRUCTORS = """<constructors version="1">
 </constructors>
 """
 
-DROP = """([files]) => {
+DROP = """([files, padding]) => {
     const carried = new DataTransfer();
     for (const [name, data] of files) {
         const bytes = Uint8Array.from(atob(data), (sign) => sign.charCodeAt(0));
-        carried.items.add(new File([bytes], name));
+        carried.items.add(new File([bytes, new Uint8Array(padding).fill(32)], name));
     }
     const target = document.querySelector('.studio');
     for (const kind of ['dragenter', 'dragover', 'drop']) {
@@ -45,13 +45,13 @@ DROP = """([files]) => {
 }"""
 
 
-def drop(studio: Studio, **files: str | bytes) -> None:
-    """Drops files on the window; `_` in a name stands for a dot."""
+def drop(studio: Studio, *, padding: int = 0, **files: str | bytes) -> None:
+    """Drops files on the window; `_` in a name stands for a dot, `padding` is a count of spaces at the end of each."""
     sent = [
         (name.replace("_", "."), base64.b64encode(data.encode() if isinstance(data, str) else data).decode())
         for name, data in files.items()
     ]
-    studio.page.evaluate(DROP, [sent])
+    studio.page.evaluate(DROP, [sent, padding])
 
 
 def test_a_dropped_robot_is_beside_the_mission_and_a_program_is_added_for_it(open_studio: OpenStudio) -> None:
@@ -111,21 +111,21 @@ def test_a_file_of_that_name_is_replaced_only_after_a_question(open_studio: Open
 
 
 @pytest.mark.parametrize(
-    ("file", "data", "says"),
+    ("file", "data", "padding", "says"),
     [
-        ("song_xml", b"\x89PNG\r\n\x1a\n\x00\xff", "is no XML"),
-        ("drawing_xml", b"<svg/>", "begins with <svg>"),
-        ("bomb_xml", b"<!DOCTYPE robot [<!ENTITY a 'b'>]><robot name='&a;'/>", "cannot be read"),
-        ("short_robot_xml", b"<robot name='x'><actuator", "cannot be read"),
-        ("film_xml", b"<robot/>" + b" " * (50 * 1024 * 1024), "is larger than 4 MB"),
+        ("song_xml", b"\x89PNG\r\n\x1a\n\x00\xff", 0, "is no XML"),
+        ("drawing_xml", b"<svg/>", 0, "begins with <svg>"),
+        ("bomb_xml", b"<!DOCTYPE robot [<!ENTITY a 'b'>]><robot name='&a;'/>", 0, "cannot be read"),
+        ("short_robot_xml", b"<robot name='x'><actuator", 0, "cannot be read"),
+        ("film_xml", b"<robot/>", 50 * 1024 * 1024, "is larger than 4 MB"),
     ],
 )
 def test_what_holds_no_parts_is_refused_in_a_sentence(
-    open_studio: OpenStudio, file: str, data: bytes, says: str
+    open_studio: OpenStudio, file: str, data: bytes, padding: int, says: str
 ) -> None:
     studio = open_studio(SQUARE)
     before = sorted(studio.folder.iterdir())
-    drop(studio, **{file: data})
+    drop(studio, padding=padding, **{file: data})
     expect(studio.at("banner")).to_contain_text(says)
     assert sorted(path for path in studio.folder.iterdir() if path.name != ".kitrobot") == [
         path for path in before if path.name != ".kitrobot"

@@ -44,7 +44,7 @@ def test_the_studio_in_the_middle_of_the_transport(open_studio: OpenStudio, pict
     for _ in range(3):
         studio.page.keyboard.press("ArrowRight")
     studio.at("run-button").click()
-    expect(studio.at("arena-summary")).to_contain_text(re.compile("[4-9] of 12 delivered"), timeout=60_000)
+    expect(studio.at("arena-summary")).to_contain_text(re.compile("[4-9] of 12 delivered"))
     studio.at("pause-button").click()
     expect(studio.at("status")).to_contain_text("Paused")
     studio.page.locator(".vertex", has_text="Advance").first.click()

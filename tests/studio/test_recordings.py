@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import expect
 
 import kitrobot
-from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.conftest import EXAMPLES, LOOKS, Studio
 from tests.studio.test_reach import choose, find_nothing
 
 pytestmark = pytest.mark.browser
@@ -142,7 +142,7 @@ def test_what_is_no_recording_is_a_sentence_and_nothing_is_lost(open_studio: Ope
     expect(studio.at("recording-bar")).to_contain_text("cut off")
 
 
-@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast", "ur")], ids=str)
+@pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_while_a_recording_plays(
     open_studio: OpenStudio, tmp_path: Path, look: tuple[str, ...]
 ) -> None:

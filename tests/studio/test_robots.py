@@ -14,13 +14,12 @@ from kitrobot.workspace import open_trace
 from tests.boards.host import HostBoard, host_board, write_pulse
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import running
-from tests.studio.conftest import Studio
+from tests.studio.conftest import LOOKS, Studio
 from tests.studio.test_reach import AXE, choose, find_nothing
 
 pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[..., Studio]
-LOOKS = [("light",), ("dark",), ("contrast",), ("light", "ur"), ("dark", "fr")]
 ACTIVE = ".vertex.is-active"
 
 
@@ -246,7 +245,7 @@ def test_a_program_is_sent_to_a_current_micropython_runs_there_and_is_stopped(
 
 def runs_and_stops(studio: Studio, robot: Locator) -> None:
     """Waits until what was sent runs, sees it glow and count, and stops it."""
-    expect(robot.get_by_test_id("robot-state")).to_have_attribute("data-state", "running", timeout=240_000)
+    expect(robot.get_by_test_id("robot-state")).to_have_attribute("data-state", "running")
     expect(robot).to_contain_text("bytes free")
     expect(studio.page.locator(ACTIVE).first).to_be_visible()
     robot.get_by_test_id("robot-watch").click()

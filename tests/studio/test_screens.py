@@ -8,14 +8,13 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
-from tests.studio.conftest import Studio
+from tests.studio.conftest import LOOKS, Studio
 from tests.studio.test_reach import AXE, choose, find_nothing
 
 pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[..., Studio]
 TRANSPORT = "transport/transport.krt"
-LOOKS = [("light",), ("dark",), ("contrast",), ("light", "ur"), ("contrast", "ur"), ("dark", "fr")]
 
 
 @pytest.fixture(autouse=True)
@@ -106,7 +105,7 @@ def test_axe_finds_nothing_on_problems_and_on_text_with_a_mistake(
     find_nothing(studio, "three-address code")
 
 
-@pytest.mark.parametrize("look", [("light",), ("dark", "ur")], ids=str)
+@pytest.mark.parametrize("look", LOOKS, ids=str)
 @pytest.mark.parametrize("size", [(1024, 768), (390, 844)], ids=str)
 def test_axe_finds_nothing_on_small_screens(
     open_studio: OpenStudio, look: tuple[str, ...], size: tuple[int, int]

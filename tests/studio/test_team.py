@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
-from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.conftest import EXAMPLES, LOOKS, Studio
 from tests.studio.test_reach import choose, find_nothing
 from tests.studio.test_variables import save
 
@@ -173,7 +173,7 @@ def test_a_program_without_a_free_start_says_so_and_leads_to_the_team(open_studi
     expect(studio.at("agent-program-1")).to_have_value("program-1")
 
 
-@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast",), ("light", "ur"), ("light", "fr")], ids=str)
+@pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_in_the_team(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)
     choose(studio, *look)

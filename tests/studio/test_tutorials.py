@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
-from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.conftest import EXAMPLES, LOOKS, Studio
 from tests.studio.test_reach import choose, find_nothing
 
 pytestmark = pytest.mark.browser
@@ -377,7 +377,7 @@ def test_a_newcomer_is_welcomed_once(open_studio: OpenStudio) -> None:
     expect(welcome).to_have_count(0)
 
 
-@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast", "ur"), ("light", "fr")], ids=str)
+@pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_and_nothing_overlaps(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(None)
     choose(studio, *look)

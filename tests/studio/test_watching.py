@@ -8,7 +8,6 @@ from playwright.sync_api import expect
 pytestmark = pytest.mark.browser
 
 TRANSPORT = "transport/transport.krt"
-SLOW_MS = 30_000
 
 
 def another_window(studio):
@@ -17,12 +16,12 @@ def another_window(studio):
     page.on("pageerror", lambda error: studio.faults.append(str(error)))
     page.on("console", lambda message: studio.faults.append(message.text) if message.type == "error" else None)
     page.goto(studio.page.url)
-    expect(page.get_by_test_id("canvas")).to_be_visible(timeout=SLOW_MS)
+    expect(page.get_by_test_id("canvas")).to_be_visible()
     return page
 
 
 def status_is(page, status: str) -> None:
-    expect(page.get_by_test_id("status")).to_have_attribute("data-status", status, timeout=SLOW_MS)
+    expect(page.get_by_test_id("status")).to_have_attribute("data-status", status)
 
 
 def watched(studio):
@@ -30,8 +29,8 @@ def watched(studio):
     studio.at("run-button").click()
     status_is(studio.page, "running")
     other = another_window(studio)
-    other.get_by_test_id("watch-run").click(timeout=SLOW_MS)
-    expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "true", timeout=SLOW_MS)
+    other.get_by_test_id("watch-run").click()
+    expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "true")
     status_is(other, "running")
     return other
 
@@ -45,15 +44,15 @@ def test_a_run_is_offered_to_the_other_window_and_watched_there(open_studio):
     status_is(studio.page, "paused")
     status_is(other, "paused")
     for window in (studio.page, other):
-        expect(window.get_by_test_id("arena-summary")).to_contain_text("carrier-1", timeout=SLOW_MS)
+        expect(window.get_by_test_id("arena-summary")).to_contain_text("carrier-1")
     said = studio.at("event-strip").get_attribute("aria-valuenow")
     assert said is not None
-    expect(other.get_by_test_id("event-strip")).to_have_attribute("aria-valuenow", said, timeout=SLOW_MS)
+    expect(other.get_by_test_id("event-strip")).to_have_attribute("aria-valuenow", said)
     for control in ("run-button", "pause-button", "step-button", "step-back-button", "speed"):
         expect(other.get_by_test_id(control)).to_be_disabled()
     expect(other.get_by_test_id("event-strip")).to_have_attribute("aria-disabled", "true")
     studio.at("step-button").click()
-    expect(other.get_by_test_id("event-strip")).to_have_attribute("aria-valuenow", str(int(said) + 1), timeout=SLOW_MS)
+    expect(other.get_by_test_id("event-strip")).to_have_attribute("aria-valuenow", str(int(said) + 1))
 
 
 def test_who_watches_leaves_and_the_run_goes_on(open_studio):
@@ -61,7 +60,7 @@ def test_who_watches_leaves_and_the_run_goes_on(open_studio):
     other = watched(studio)
     other.get_by_test_id("team-stop").click()
     status_is(other, "idle")
-    expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "false", timeout=SLOW_MS)
+    expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "false")
     status_is(studio.page, "running")
     other.get_by_test_id("watch-run").click()
     status_is(other, "running")
@@ -75,7 +74,7 @@ def test_the_end_of_the_run_is_seen_and_the_offer_goes_away(open_studio):
     studio.at("team-stop").click()
     status_is(other, "stopped")
     other.get_by_test_id("watch-leave").click()
-    expect(other.get_by_test_id("watching-bar")).to_have_count(0, timeout=SLOW_MS)
+    expect(other.get_by_test_id("watching-bar")).to_have_count(0)
     other.get_by_test_id("run-button").click()
     status_is(other, "running")
 
@@ -84,7 +83,7 @@ def test_the_run_is_over_when_its_window_is_closed(open_studio):
     studio = open_studio(TRANSPORT)
     other = watched(studio)
     studio.page.close()
-    expect(other.get_by_test_id("banner")).to_contain_text("is gone, and the run with it", timeout=SLOW_MS)
+    expect(other.get_by_test_id("banner")).to_contain_text("is gone, and the run with it")
     status_is(other, "stopped")
 
 

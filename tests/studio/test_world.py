@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
-from tests.studio.conftest import Studio
+from tests.studio.conftest import LOOKS, Studio
 from tests.studio.test_reach import choose as choose_look
 from tests.studio.test_reach import find_nothing
 from tests.studio.test_undo import press_until_nothing_is_left, save
@@ -274,7 +274,7 @@ def test_the_world_becomes_a_file_and_the_mission_uses_it(open_studio: OpenStudi
     assert '<world href="mine.world.xml"/>' in (studio.folder / "brake.krt").read_text()
 
 
-@pytest.mark.parametrize("look", [("light",), ("dark",), ("contrast",), ("light", "ur")], ids=str)
+@pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_in_the_world(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)
     choose_look(studio, *look)

@@ -9,6 +9,7 @@ import sys
 import pytest
 
 from kitrobot.workspace import Journal, JournalError, Journals, MissionFolder
+from tests.patience import PATIENCE_S
 
 
 @pytest.fixture
@@ -154,7 +155,7 @@ def test_another_process_on_the_same_folder_takes_nothing_that_is_being_written(
         "print(len(journals.left()), len(journals.claim(journals.join(), 'a.krt').records))"
     )
     command = [sys.executable, "-c", code, str(folder.root), str(tmp_path / "state")]
-    ended = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE_S, check=True)
     assert ended.stdout.split() == ["0", "0"]
 
 
@@ -166,7 +167,7 @@ def test_what_a_killed_process_was_writing_is_free_for_the_next(folder, tmp_path
         "os.kill(os.getpid(), 9)"
     )
     command = [sys.executable, "-c", code, str(folder.root), str(tmp_path / "state")]
-    subprocess.run(command, capture_output=True, timeout=60, check=False)
+    subprocess.run(command, capture_output=True, timeout=PATIENCE_S, check=False)
     journals = Journals(folder, tmp_path / "state")
     assert len(journals.left()) == 1
     assert journals.claim(journals.join(), "a.krt").records == ("base", "one")
