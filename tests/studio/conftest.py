@@ -55,7 +55,8 @@ class ServerThread:
     def serve(self, target: Path) -> ServedStudio:
         """Serves the studio on a mission's file or a folder, as `kitrobot studio` does."""
         token = secrets.token_urlsafe(24)
-        app = create_app(*((target, None) if target.is_dir() else (target.parent, target)), token)
+        folder, mission = (target, None) if target.is_dir() else (target.parent, target)
+        app = create_app(folder, mission, token)
         listening = socket.create_server(("127.0.0.1", 0))
         server = uvicorn.Server(server_config(app))
         ended = asyncio.run_coroutine_threadsafe(server.serve([listening]), self._loop)
