@@ -20,6 +20,7 @@ from typing import Any
 
 from kitrobot.deploy import Deployed, Line, RawRepl, Receiver, connect, deploy
 from kitrobot.workspace import BoardProgram, load_board_program
+from kitrobot.workspace.board_watching import LOOK_S
 
 FORGETS = """
 class Forgets:
@@ -100,8 +101,12 @@ def measure(
     with connect(address, 20) as board:
         if watched_ms:
             board.watch(watched_ms)
+            looked = time.monotonic()
             while getattr(board.news(1), "tick", 0) < last:
                 _hurry(until)
+                if time.monotonic() - looked >= LOOK_S:  # as all do who watch
+                    looked = time.monotonic()
+                    board.look()
         else:
             while board.greet().tick < last:
                 _hurry(until)

@@ -83,10 +83,10 @@ def main() -> None:
     parser.add_argument("--generation", type=int, default=1)
     given = parser.parse_args()
     port = SocketPort(given.port)
-    print(port.address, flush=True)
     with tempfile.TemporaryDirectory() as folder:
         program = given.program.read_bytes() if given.program is not None else None
         robot, run = boot(port, Path(folder), program, given.generation)
+        print(port.address, flush=True)  # who connects does not wait long for the first answer
         run(robot)
 
 

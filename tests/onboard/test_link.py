@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 import random
 import struct
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 from kitrobot_onboard.link import LONGEST, checksum, unwrap, wrap
-from kitrobot_onboard.state import REST
+from kitrobot_onboard.state import LATE, REST
 from tests.onboard.bench import Bench
 from tests.onboard.test_watchdog import file
 
@@ -102,9 +103,22 @@ def test_news_are_told_as_often_as_asked_and_only_what_changed(tmp_path: Path) -
         assert 2 <= len(news) <= 20
         assert all(len(data) <= LONGEST for data in news)
         seen = [data[at : at + 1] for data in news for at in records(data)]
-        assert {b"c", b"t", b"r"} == set(seen)
+        assert {b"c", b"t", b"r", b"s"} == set(seen)
         assert bench.ask("w", struct.pack("<H", 0)) == ("K", b"")
         assert bench.wait(1000) == []
+
+
+def test_who_watches_is_told_how_it_goes_though_nothing_changes(tmp_path: Path) -> None:
+    with Bench(tmp_path, file(text="WAIT(9000);")) as bench:
+        assert bench.ask("w", struct.pack("<H", 100)) == ("K", b"")
+        bench.wait(300)
+        bench.robot[LATE] = 70_000
+        news = [data for kind, _, data in bench.wait(2000) if kind == "T"]
+        assert 15 <= len(news) <= 20
+        assert {data[4:] for data in news} == {b"s" + struct.pack("<BH", 2, 65535)}
+        assert all(later > earlier for earlier, later in pairwise(data[:4] for data in news)), "the ticks go on"
+        assert bench.ask("x") == ("K", b"")
+        assert bench.wait(2000) == []
 
 
 def records(data: bytes) -> list[int]:
@@ -113,6 +127,6 @@ def records(data: bytes) -> list[int]:
     found = []
     while at < len(data):
         found.append(at)
-        at += {ord("c"): 6, ord("t"): 4, ord("r"): 3}[data[at]]
+        at += {ord("c"): 6, ord("t"): 4, ord("r"): 3, ord("s"): 4}[data[at]]
     assert at == len(data)
     return found

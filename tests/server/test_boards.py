@@ -357,6 +357,8 @@ class Flickering:
     def greet(self) -> Hello:
         return Hello(1, self.state, 0, 2000, self.tick, 0, 1, "c0ffee00", "-")
 
+    look = greet
+
     def start(self, held: bool = False) -> None:
         self.tick, self.state = 100, 2
 

@@ -1,6 +1,6 @@
 """Real robots: the line to a board, what is put onto it, and talking to what runs there."""
 
-from kitrobot.deploy.board import FAULTS, Board, Fault, Hello, News, Step, Text, connect
+from kitrobot.deploy.board import Board, Hello, Step, connect
 from kitrobot.deploy.errors import (
     BoardError,
     DeployError,
@@ -13,6 +13,7 @@ from kitrobot.deploy.errors import (
 from kitrobot.deploy.fitting import refuse_what_fits_no_board
 from kitrobot.deploy.installing import Deployed, Progress, deploy
 from kitrobot.deploy.line import Line
+from kitrobot.deploy.news import FAULTS, Fault, News, Text
 from kitrobot.deploy.package import FAMILIES, OWN_SUFFIX, Package
 from kitrobot.deploy.ports import BOARDS_VARIABLE, Port, list_ports
 from kitrobot.deploy.program_file import ProgramFile, make_program_file, program_name, read_program_file

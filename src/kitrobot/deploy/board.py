@@ -7,40 +7,35 @@ Left to others: what the numbers are called (workspace), putting something onto 
 
 from __future__ import annotations
 
+import math
 import random
 import struct
 import time
 from collections import deque
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from threading import RLock
 from types import TracebackType
 
 from kitrobot.deploy.errors import BoardError, DeployError, NoMemoryError, SilentError
 from kitrobot.deploy.line import Line
+from kitrobot.deploy.news import Fault, News, Text, printable, read_fault, read_news
 from kitrobot_onboard import link
 
-NO_INSTRUCTION = 65535
 _ANSWER_S = 0.4
 _TRIES = 8
 _HOLD_S = 0.25
 """In a held run the board hears from us at least so often; it gives up after 0.8 seconds."""
 
 _SLICE_S = 0.05
+_FRESH_S = 1.0
+"""A robot that is watched and runs tells how it goes; what is older than that, or than two periods, is asked for."""
+
 _LONGEST_TEXT = 4000
 _STEP_CELLS = 8
 """Inputs that are forced by one message: more do not surely fit a frame when all of it is escaped."""
 
 STATES = ("no program", "ready", "running", "ended", "fault")
-FAULTS = {
-    0: "none",
-    1: "a driver failed",
-    2: "a device did not say that it is done in its time",
-    3: "the board ran out of memory",
-    4: "the program file is damaged or cannot be read",
-    5: "a driver is missing or does not start",
-    6: "the link was lost during a run that hangs on it",
-}
 _MEMORY = 6
 _REFUSALS = {
     1: ("the board holds no program that can run", "send one with `kitrobot deploy`"),
@@ -82,38 +77,6 @@ class Step:
     commands: tuple[tuple[int, tuple[int, ...]], ...]
 
 
-@dataclass(frozen=True)
-class News:
-    """What changed: cells' values, where each slot stands (None: not running), and which instructions ran."""
-
-    tick: int
-    cells: Mapping[int, int]
-    threads: Mapping[int, int | None]
-    ran: frozenset[int] = frozenset()
-
-
-@dataclass(frozen=True)
-class Fault:
-    """Why a board stopped; `instruction` None: none is to blame."""
-
-    number: int
-    instruction: int | None
-    tick: int
-    text: str
-
-    @property
-    def meaning(self) -> str:
-        """What the number means."""
-        return FAULTS.get(self.number, f"fault {self.number}, which this KitRobot does not know")
-
-
-@dataclass(frozen=True)
-class Text:
-    """What a board printed."""
-
-    text: str
-
-
 class Board:
     """A board on an open line; closes it at the end.
 
@@ -129,6 +92,8 @@ class Board:
         self._waiting: deque[News | Fault | Text] = deque(maxlen=10_000)
         self._held = False
         self._spoke = 0.0
+        self._told = -math.inf
+        self._fresh_s = _FRESH_S
         self.hello = self.greet(tries)
 
     def __enter__(self) -> Board:
@@ -166,15 +131,34 @@ class Board:
         self.hello = Hello(protocol, state, fault, free, tick, late, generation, package, program or "-")
         return self.hello
 
+    def look(self) -> Hello:
+        """How the board is: as it told lately while it runs, for a question makes a tick late; else it is asked.
+
+        Memory and generation are those of the last greeting.
+
+        Raises:
+            SilentError: nobody answers.
+            BoardError: the board speaks another version of the protocol.
+        """
+        with self._lock:
+            lately = time.monotonic() - self._told <= self._fresh_s
+            return self.hello if lately and self.hello.state_name == "running" else self.greet()
+
     def start(self, held: bool = False) -> None:
         """Begins the program. Held: it stops when it does not hear from us; `news` sees to that."""
         self._request("s", bytes((held,)), timeout_s=1.0)
         self._held = held
+        self._told = -math.inf
+        # What was told before still says what changed; its tick is of another run.
+        for at, one in enumerate(self._waiting):
+            if isinstance(one, News):
+                self._waiting[at] = replace(one, tick=0)
 
     def stop(self) -> None:
         """Stops every device and the program."""
         self._held = False
         self._request("x")
+        self._told = -math.inf
 
     def step(self, inputs: Mapping[int, int]) -> Step:
         """Forces inputs and does one tick."""
@@ -207,6 +191,7 @@ class Board:
         """Has the board send what changed, at most so often; 0 ends it."""
         try:
             self._request("w", struct.pack("<H", period_ms))
+            self._fresh_s = max(_FRESH_S, 2 * period_ms / 1000)
         except NoMemoryError:
             raise NoMemoryError(
                 "this robot has too little memory to tell what its program does",
@@ -224,7 +209,7 @@ class Board:
     def last_fault(self) -> Fault | None:
         """Why it stopped last; None when nothing went wrong."""
         _, payload = self._request("l")
-        fault = _fault(payload)
+        fault = read_fault(payload)
         return fault if fault.number else None
 
     def quit(self) -> None:
@@ -293,15 +278,19 @@ class Board:
         for piece in pieces:
             found = link.unwrap(piece)
             if found is None:
-                text = _printable(piece)
+                text = printable(piece)
                 if text:
                     self._waiting.append(Text(text))
             elif found[1] == self._number:
                 answer = found[0], found[2]
             elif found[1] == 0 and found[0] == "F":
-                self._waiting.append(_fault(found[2]))
+                self._waiting.append(read_fault(found[2]))
             elif found[1] == 0 and found[0] == "T":
-                self._waiting.append(_news(found[2]))
+                news = read_news(found[2])
+                self._waiting.append(news)
+                if news.state is not None and news.late is not None:
+                    self.hello = replace(self.hello, state=news.state, tick=news.tick, late=news.late)
+                    self._told = time.monotonic()
         return answer
 
 
@@ -326,7 +315,7 @@ def connect(address: str, timeout: float = 4.0) -> Board:
         try:
             return Board(line, max(2, int(timeout / _ANSWER_S)))
         except SilentError as error:
-            error.printed = _printable(printed)
+            error.printed = printable(printed)
             raise
     except BaseException:
         line.close()
@@ -343,47 +332,3 @@ def _another_version(theirs: int) -> DeployError:
         f"the board speaks version {theirs} of the link, this computer only version {link.PROTOCOL}",
         "update KitRobot on this computer, or put its version onto the board with `kitrobot deploy`",
     )
-
-
-def _fault(payload: bytes) -> Fault:
-    try:
-        number, instruction, tick = struct.unpack("<BHI", payload[:7])
-    except struct.error:
-        return Fault(0, None, 0, "")
-    at = None if instruction == NO_INSTRUCTION else instruction
-    return Fault(number, at, tick, payload[7:].decode(errors="replace"))
-
-
-def _news(payload: bytes) -> News:
-    """Reads T; what a later version may add at its end is left out."""
-    cells: dict[int, int] = {}
-    threads: dict[int, int | None] = {}
-    ran = set()
-    tick = struct.unpack("<I", payload[:4])[0] if len(payload) >= 4 else 0
-    at = 4
-    while at < len(payload):
-        kind, size = chr(payload[at]), {99: 6, 116: 4, 114: 3}.get(payload[at], 0)
-        if not size or at + size > len(payload):
-            break
-        record = payload[at + 1 : at + size]
-        if kind == "c":
-            cell, value = struct.unpack("<Bi", record)
-            cells[cell] = value
-        elif kind == "t":
-            slot, instruction = struct.unpack("<BH", record)
-            threads[slot] = None if instruction == NO_INSTRUCTION else instruction
-        else:
-            ran.add(struct.unpack("<H", record)[0])
-        at += size
-    return News(tick, cells, threads, frozenset(ran))
-
-
-def _printable(data: bytes) -> str:
-    """The text of bytes; empty when it is noise or only white space."""
-    try:
-        text = data.decode().replace("\r\n", "\n")
-    except UnicodeDecodeError:
-        return ""
-    if not text.strip() or not all(sign.isprintable() or sign in "\n\t" for sign in text):
-        return ""
-    return text

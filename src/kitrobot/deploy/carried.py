@@ -31,7 +31,7 @@ _WORDS = 8
 _PIECE = 90
 """Letters of a piece of a script, where a statement needs no more."""
 
-LOOP = ("reaction", "robot", "link", "obeying", "hearing", "acting", "checking", "equipping")
+LOOP = ("telling", "reaction", "robot", "link", "obeying", "hearing", "acting", "checking", "equipping")
 """Modules of the loop in the order in which a board compiles them: the largest first, because there is less and less
 room for it."""
 
@@ -46,7 +46,7 @@ IN_FLASH = {
         ("interpreter",),
         ("reaction", "robot"),
         ("ports/microbit", "link", "obeying", "hearing", "acting", "checking", "equipping"),
-        ("asked/telling",),
+        ("telling",),
     )
 }
 """Families whose boards run the loop from flash, with the modules that they compile together."""
@@ -84,8 +84,9 @@ def _trees(names: Iterable[str]) -> list[ast.Module]:
 
 def in_flash_pieces(family: str) -> Sequence[str]:
     """What the modules that run from flash have beside their functions, and the literals of these."""
-    names = [name for group in IN_FLASH[family] for name in group if not name.startswith("asked/")]
-    rest = [one for tree in _trees(names) for one in tree.body if not isinstance(one, ast.FunctionDef)]
+    names = [name for group in IN_FLASH[family] for name in group]
+    # What is imported whole, `begin` imports too.
+    rest = [one for tree in _trees(names) for one in tree.body if not isinstance(one, ast.FunctionDef | ast.Import)]
     texts = [short_text(ast.unparse(one)) for one in rest]
     return joined([*texts, *(f"{name}={value}" for name, value in frozen_loop(family).literals.items())])
 

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 LISTEN_S = 0.05
 """How long the robot is listened to before what was asked for meanwhile is looked at."""
 LOOK_S = 0.5
-"""How often it is asked how it stands: that a program has ended is no news of its own."""
+"""How often it is looked how it stands; it is asked only while it tells nothing of that itself."""
 WATCH_MS = 100
 """The robot tells what changed at most so often."""
 MOST_ORDERS = 64
@@ -371,7 +371,7 @@ class Hand:
     def _look(self, board: Board) -> None:
         """How it stands."""
         self._looked = self._clock()
-        hello = board.greet()
+        hello = board.look()
         state, was = STATES[hello.state], self.standing
         if state != was.state:
             self.tape.stands(state, hello.tick)

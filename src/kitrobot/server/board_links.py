@@ -27,6 +27,9 @@ class Board(Protocol):
     def greet(self) -> Hello:
         """How it stands now."""
 
+    def look(self) -> Hello:
+        """The same, but a robot that runs and told so lately is not asked."""
+
     def start(self, held: bool = False) -> None:
         """Begins its program. Held: it stops when it does not hear from us; `news` sees to that."""
 

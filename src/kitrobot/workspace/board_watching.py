@@ -174,11 +174,13 @@ class View:
 
 
 LOOK_S = 0.5
-"""How often a robot is asked how it stands: that a program has ended is no news of its own."""
+"""How often it is looked how a robot stands; it is asked only while it tells nothing of that itself."""
 
 
 class Watched:
-    """A robot that is watched, and recorded when `recorder` is set; `news` is what it told last."""
+    """A robot that is watched, and recorded when `recorder` is set; `news` is what it told last, if that is anything
+    new.
+    """
 
     def __init__(self, address: str, board: Board, names: BoardNames | None, carried: Carried | None) -> None:
         self.address = address
@@ -190,9 +192,11 @@ class Watched:
         self.number = 0
         self._faulty = False
         self._looked = time.monotonic()
+        self._period_ms = 0
 
     def begin(self, period_ms: int) -> None:
         """Has it tell what changes, at most so often."""
+        self._period_ms = period_ms
         self._stands(self.board.hello)
         self.board.watch(period_ms)
 
@@ -208,11 +212,13 @@ class Watched:
                 self.view.take(self.news)
                 if self.recorder is not None:
                     self.recorder.told(self.number, self.news)
+                if isinstance(self.news, News) and self.news.is_empty:
+                    self.news = None
             elif self.recorder is not None:
                 self.recorder.pass_time()
             if time.monotonic() - self._looked >= LOOK_S:
                 self._looked = time.monotonic()
-                self._stands(self.board.greet())
+                self._stands(self.board.look())
         except (LineError, SilentError) as error:
             if self.recorder is not None:
                 self.recorder.lost(self.number, "the link is lost")
@@ -227,9 +233,12 @@ class Watched:
     def _stands(self, hello: Hello) -> None:
         was, recorder = self.view.hello, self.recorder
         self.view.renew(hello)
+        began_anew = hello.state == was.state and hello.tick < was.tick
+        if began_anew:
+            self.board.watch(self._period_ms)  # it does not know any more that it is watched
         if recorder is None:
             return
-        if hello.state == was.state and hello.tick < was.tick:
+        if began_anew:
             recorder.began_anew(self.number)
         recorder.stands(self.number, hello.state_name, hello.tick)
         if hello.fault and not self._faulty:

@@ -8,17 +8,18 @@ that sets TOLD, kind and payload of the answer, is the last that is run.
 
 ASKED = {
     "h": ("hello",),
+    "w": ("program", "watch"),
+    "T": ("report",),
     "l": ("last",),
     "f": ("program", "force", "clamp"),
     "v": ("program", "variable"),
     "n": ("program", "next", "clamp", "again"),
     "s": ("program", "start"),
     "C": ("commands",),
-    "w": ("program", "watch"),
-    "T": ("telling", "report"),
     "i": ("identify",),
 }
-"""Request → scripts, in their order. `n` goes on with C, and with s before it where there is need; `w` with T."""
+"""Request → scripts, in their order: a board passes over those before, so what is asked while a program runs comes
+first. `n` goes on with C, and with s before it where there is need; `w` with T."""
 
-BY_FAMILY = {"microbit": {"T": ("report",), "i": ("lights", "identify")}}
+BY_FAMILY = {"microbit": {"i": ("lights", "identify")}}
 """What is otherwise for a family of boards."""

@@ -1,5 +1,6 @@
 # News of a running program (docs/reference/link.md, T): where its threads stand, which cells changed, which
-# instructions ran. Only in the gap before the next tick, a little at a time, and never more than fits it.
+# instructions ran, and how it goes, so that nobody need ask. Only in the gap before the next tick, a little at a time,
+# and never more than fits it.
 
 import struct
 
@@ -10,6 +11,7 @@ from kitrobot_onboard.state import (
     DIFF,
     DUE,
     EVERY,
+    LATE,
     NEWS,
     PARS,
     SEEN,
@@ -63,7 +65,7 @@ def tell_news(robot, left):
     if since >= robot[EVERY]:
         # As many bytes as fit the gap, of which 3 ms stay free: a byte takes 87 us, and a look at a number a third of
         # a millisecond. A robot that is late anyhow says a word now and then.
-        room = 11 * min(left or since // 250, 8) - 47
+        room = 11 * min(left or since // 250, 8) - 49
         look(robot, room)
         end = robot[SPOT] == len(robot[SENT])
         if end:
@@ -72,7 +74,8 @@ def tell_news(robot, left):
             if end:
                 robot[SPOT] = 0
             robot[SINCE] = robot[TICKS]()
-            if robot[NEWS]:
+            if robot[NEWS] or end and robot[STATE] == 2:
+                robot[NEWS] += bytes((115, robot[STATE])) + struct.pack("<H", min(robot[LATE], 65535))
                 robot[WRITE](wrap("T", 0, struct.pack("<i", robot[COUNT]) + robot[NEWS]))
                 robot[NEWS] = b""
         if robot[STATE] == 2 and not robot[STEPS]:

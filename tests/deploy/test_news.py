@@ -1,0 +1,117 @@
+"""What a host makes of what a board tells unasked, and when it asks all the same."""
+
+from __future__ import annotations
+
+import struct
+from typing import Any
+
+import pytest
+
+from kitrobot.deploy import Board, News
+from kitrobot.deploy.news import read_news
+from kitrobot_onboard.link import unwrap, wrap
+
+RUNNING, ENDED = 2, 3
+CELL = b"c" + struct.pack("<Bi", 4, -9)
+
+
+def goes(state: int, late: int = 0) -> bytes:
+    """The record that says how a robot goes."""
+    return b"s" + struct.pack("<BH", state, late)
+
+
+def told(tick: int, records: bytes) -> bytes:
+    """A frame of news."""
+    return wrap("T", 0, struct.pack("<I", tick) + records)
+
+
+class Twin:
+    """A line to a board that answers at once and is asked about what it was asked."""
+
+    address = "twin"
+
+    def __init__(self) -> None:
+        self.asked = ""
+        self.comes = b""
+
+    def write(self, data: bytes) -> None:
+        found = unwrap(data.strip(b"~"))
+        assert found is not None
+        self.asked += found[0]
+        hello = struct.pack("<BBBIIHH", 1, RUNNING, 0, 5000, 7, 0, 1) + b"c0ffee00 -"
+        self.comes += wrap("H", found[1], hello) if found[0] == "h" else wrap("K", found[1], b"")
+
+    def read(self, timeout_s: float) -> bytes:
+        comes, self.comes = self.comes, b""
+        return comes
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.fixture
+def wired() -> tuple[Any, Board]:
+    twin: Any = Twin()
+    return twin, Board(twin)
+
+
+def test_a_robot_that_runs_and_tells_how_it_goes_is_not_asked(wired: tuple[Any, Board]) -> None:
+    twin, board = wired
+    board.watch(100)
+    twin.asked = ""
+    for tick in range(10, 13):
+        twin.comes += told(tick, CELL + goes(RUNNING, 3))
+        assert board.news(0) == News(tick, {4: -9}, {}, frozenset(), RUNNING, 3)
+        found = board.look()
+        assert (found.state, found.tick, found.late, found.free, found.package) == (2, tick, 3, 5000, "c0ffee00")
+    assert twin.asked == ""
+
+
+@pytest.mark.parametrize("records", [CELL, CELL + goes(ENDED)], ids=["says nothing of it", "does not run"])
+def test_a_robot_is_asked_when_it(wired: tuple[Any, Board], records: bytes) -> None:
+    twin, board = wired
+    twin.comes += told(10, records)
+    assert board.news(0) is not None
+    twin.asked = ""
+    assert board.look().tick == 7
+    assert twin.asked == "h"
+
+
+def test_a_robot_that_went_silent_is_asked(wired: tuple[Any, Board], monkeypatch: pytest.MonkeyPatch) -> None:
+    twin, board = wired
+    twin.comes += told(10, goes(RUNNING))
+    assert board.news(0) is not None
+    monkeypatch.setattr(board, "_fresh_s", -1.0)
+    twin.asked = ""
+    assert board.look().tick == 7
+    assert twin.asked == "h"
+
+
+@pytest.mark.parametrize("order", ["s", "x"])
+def test_what_was_told_before_an_order_does_not_say_how_it_goes_after_it(wired: tuple[Any, Board], order: str) -> None:
+    twin, board = wired
+    twin.comes += told(900, goes(RUNNING))
+    if order == "s":
+        board.start()
+    else:
+        board.stop()
+    twin.asked = ""
+    assert board.look().tick == 7
+    assert twin.asked == "h"
+
+
+def test_news_of_the_run_before_tell_values_and_no_tick(wired: tuple[Any, Board]) -> None:
+    twin, board = wired
+    twin.comes += told(900, CELL)
+    board.start()
+    assert board.news(0) == News(0, {4: -9}, {})
+
+
+def test_what_a_later_version_adds_at_the_end_is_left_out() -> None:
+    assert read_news(struct.pack("<I", 5) + CELL + goes(RUNNING) + b"?later") == News(
+        5, {4: -9}, {}, frozenset(), RUNNING, 0
+    )
+
+
+def test_a_record_that_is_cut_off_is_left_out() -> None:
+    assert read_news(struct.pack("<I", 5) + CELL + goes(RUNNING)[:-1]) == News(5, {4: -9}, {})
