@@ -1,7 +1,8 @@
 """Missions to XML, in one true layout, and safely to disk.
 
 `save` never leaves a half-written file: it writes beside the old one, makes sure the bytes are on the disk, and then
-puts the new file in the place of the old, which is kept with a `~` behind its name.
+puts the new file in the place of the old, which is kept with a `~` behind its name. Left to others: that nobody else
+saves the same file meanwhile.
 """
 
 from __future__ import annotations
@@ -17,6 +18,9 @@ from kitrobot.mission.model import Mission, Team
 from kitrobot.mission.trial import write_breakpoint, write_failure
 from kitrobot.primitives import Texts, attributes, text_element, write_constructor, write_variable
 from kitrobot.world import world_lines
+
+TEMPORARY_ENDING = ".kitrobot-part"
+"""Of a file that is being written; who sweeps up after a crash knows it by that."""
 
 
 def write_mission(mission: Mission) -> bytes:
@@ -77,7 +81,7 @@ def save(path: Path, mission: Mission) -> bytes:
 
 
 def _replace(path: Path, data: bytes) -> None:
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".tmp", dir=path.parent)
+    handle, name = tempfile.mkstemp(prefix=f".{path.name[:50]}.", suffix=TEMPORARY_ENDING, dir=path.parent)
     fresh = Path(name)
     try:
         with os.fdopen(handle, "wb") as file:

@@ -110,9 +110,10 @@ def mission_save(studio: StudioOf, wanted: SaveShape) -> SavedShape:
     if read_mission(data, wanted.path)[0] is None:
         # Only XML that is kept word for word can do that; what is on the disk is worth more.
         raise UnsavableError("this mission would not open again, so it was not saved", "load the page again")
-    with studio.folder.hold(wanted.path, wanted.revision) as path:
+    hold = studio.folder.hold(wanted.path, wanted.revision)
+    with hold as path:
         save(path, made)
-    return SavedShape(path=wanted.path, revision=revision_of(data))
+    return SavedShape(path=wanted.path, revision=revision_of(data), locked=hold.alone)
 
 
 @routes.post("/mission/text")

@@ -57,11 +57,13 @@ def serve(target: Path | None, host: str = "127.0.0.1", port: int | None = None,
     listening = _listen(_loopback(host), port)
     token = secrets.token_urlsafe(24)
     address = f"http://{_name(host)}:{listening.getsockname()[1]}/?token={token}"
-    config = server_config(create_app(place.workspace, place.mission, token))
+    app = create_app(place.workspace, place.mission, token)
+    config = server_config(app)
 
     _calm_collector()
 
     def ready() -> None:
+        threading.Thread(target=app.state.studio.folder.sweep, daemon=True).start()
         print(address, flush=True)
         print("Ctrl-C ends the studio.", file=sys.stderr, flush=True)
         if browser and _has_screen():

@@ -13,7 +13,7 @@ from pathlib import PurePosixPath
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import read_constructors, read_robot
 from kitrobot.workspace.checking import first_element
-from kitrobot.workspace.files import write_atomic
+from kitrobot.workspace.files import replace_file
 from kitrobot.workspace.folder import ConflictError, MissionFolder, MissionNameError, revision_of
 from kitrobot.world import read_world
 
@@ -68,7 +68,7 @@ def add_parts(folder: MissionFolder, mission: str, file: str, data: bytes, over:
     hold = folder.hold_beside(mission, wanted, over)
     try:
         with hold as path:
-            write_atomic(path, data)
+            replace_file(path, data)
     except ConflictError as error:
         if error.revision != revision_of(data):
             raise

@@ -19,6 +19,7 @@ from kitrobot.mission import write_mission
 from kitrobot.primitives import Robot
 from kitrobot.trace import TracePart
 from kitrobot.workspace.board_names import NAME_ON_ROBOT
+from kitrobot.workspace.files import FileError, write_atomic
 from kitrobot.workspace.journals import state_folder
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.traces import parts_of
@@ -86,13 +87,11 @@ def keep_carried(carried: Carried | None, called: Iterable[str]) -> None:
     """Keeps it for later, where that can be, beside the names; `called`: what robots call the program."""
     folder = state_folder() / "boards"
     text = json.dumps(asdict(carried), ensure_ascii=False) if carried is not None else ""
-    with suppress(OSError):
+    with suppress(OSError, FileError):
         for one in called:
             path = folder / f"{one}{_ENDING}"
             if text and len(text) <= _MOST_BYTES:
-                new = folder / f".{one}.new"
-                new.write_text(text, encoding="utf-8")
-                new.replace(path)
+                write_atomic(path, text.encode())
             else:
                 # What was sent last counts, also when it came from no mission.
                 path.unlink(missing_ok=True)

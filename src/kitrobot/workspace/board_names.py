@@ -16,6 +16,7 @@ from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Layout
 from kitrobot.primitives import Robot, did_you_mean
+from kitrobot.workspace.files import FileError, write_atomic
 from kitrobot.workspace.journals import state_folder
 
 _KEPT = 200
@@ -122,12 +123,10 @@ def keep_names(names: BoardNames, called: Iterable[str]) -> None:
     """Keeps the names of a program for later, where that can be; `called`: what robots call it."""
     folder = state_folder() / "boards"
     text = json.dumps(asdict(names), ensure_ascii=False)
-    with suppress(OSError):
+    with suppress(OSError, FileError):
         folder.mkdir(parents=True, exist_ok=True)
         for one in called:
-            new = folder / f".{one}.new"
-            new.write_text(text, encoding="utf-8")
-            new.replace(folder / f"{one}.json")
+            write_atomic(folder / f"{one}.json", text.encode())
         old = sorted(folder.glob("*.json"), key=lambda path: path.stat().st_mtime, reverse=True)
         for path in old[_KEPT:]:
             path.unlink(missing_ok=True)

@@ -17,7 +17,6 @@ from typing import Any
 from kitrobot.diagnostics import KitRobotError, Source
 from kitrobot.graph import START, STOP, Note, Program, Vertex
 from kitrobot.mission import NO_PROGRAM, Agent, Goal, Mission, read_mission
-from kitrobot.workspace.files import read_bytes
 from kitrobot.workspace.layout import lay_out_file
 from kitrobot.workspace.opening import read_carried
 from kitrobot.workspace.outline import PARKED, Outline
@@ -323,20 +322,15 @@ def compare_files(before: Path, after: Path) -> list[Difference]:
         return text_differences(_laid_out(before), _laid_out(after))
     if ".lll" in kinds:
         raise CompareError("expected two missions or two LLL texts, found one of each", "convert one of them first")
-    return differences(_whole(read_carried(before), before), _whole(read_carried(after), after))
+    return differences(mission_whole(read_carried(before), before), mission_whole(read_carried(after), after))
 
 
-def read_whole(path: Path) -> Mission:
-    """A mission all of which can be used.
+def mission_whole(data: bytes, path: Path) -> Mission:
+    """The mission in the bytes of a file, all of which can be used.
 
     Raises:
         ProblemsError: some of it cannot.
-        FileError: it cannot be read.
     """
-    return _whole(read_bytes(path), path)
-
-
-def _whole(data: bytes, path: Path) -> Mission:
     mission, diagnostics = read_mission(data, str(path))
     if mission is None or any(item.is_error and item.code != NO_PROGRAM.code for item in diagnostics):
         source = Source(str(path), data.decode("utf-8-sig", errors="replace"))

@@ -21,7 +21,7 @@ from kitrobot.lll import is_name, parse, print_program
 from kitrobot.mission import Mission, save
 from kitrobot.primitives import Robot, load_catalogue
 from kitrobot.workspace.carried import is_picture
-from kitrobot.workspace.files import read_text, same_file, write_atomic
+from kitrobot.workspace.files import read_text, same_file, saving_in, write_atomic
 from kitrobot.workspace.forms import Form, form_of
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.opening import mission_of, open_mission
@@ -115,7 +115,8 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
     else:
         made = _from_image(source, form)
     if made.mission is not None:
-        save(target, made.mission)
+        with saving_in(target):
+            save(target, made.mission)
     elif made.data is not None:
         write_atomic(target, made.data)
     written = made.mission is not None or made.data is not None

@@ -1,15 +1,23 @@
 """A lock between processes that nobody has to clean up after: it ends with the process that took it.
 
-The system keeps it on an open file, `path`, which holds nothing. Left to others: who may take which.
+The system keeps it on an open file, `path`, which holds nothing and is removed when the lock is given back. Between
+threads of one process it is a lock too. Left to others: who may take which.
 """
 
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
+import secrets
 import sys
+import time
 from dataclasses import dataclass
 from pathlib import Path
+
+_TAKEN = {errno.EACCES, errno.EAGAIN, errno.EWOULDBLOCK, errno.EDEADLK}
+"""What the system answers when somebody has the lock; anything else says that there are no locks to be had."""
+_FIRST_PAUSE_S, _LONGEST_PAUSE_S = 0.001, 0.05
 
 
 @dataclass(frozen=True)
@@ -24,13 +32,49 @@ class FileLock:
         """The lock, or None when somebody has it, in this process or another.
 
         Raises:
-            OSError: the file cannot be made.
+            OSError: the file cannot be made, or its file system has no locks.
         """
-        handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_CLOEXEC", 0), 0o600)
-        if _lock(handle):
-            return FileLock(path, handle)
-        os.close(handle)
-        return None
+        while True:
+            handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_CLOEXEC", 0), 0o666)
+            try:
+                taken = _lock(handle)
+                # Whoever had it may have removed the file meanwhile: then this is a lock on nothing.
+                current = taken and _is_at(handle, path)
+            except BaseException:
+                os.close(handle)
+                raise
+            if current:
+                return FileLock(path, handle)
+            os.close(handle)
+            if not taken:
+                return None
+
+    @staticmethod
+    def wait(path: Path, longest_s: float) -> FileLock | None:
+        """The lock as soon as it is free; None when somebody has it for longer than `longest_s` seconds.
+
+        Raises:
+            OSError: as for `take`.
+        """
+        pause = _FIRST_PAUSE_S
+        end = time.monotonic() + longest_s
+        while True:
+            lock = FileLock.take(path)
+            if lock is not None or time.monotonic() > end:
+                return lock
+            time.sleep(pause)
+            pause = min(2 * pause, _LONGEST_PAUSE_S)
+
+    @staticmethod
+    def is_possible(folder: Path) -> bool:
+        """Whether files can be locked in a folder."""
+        try:
+            lock = FileLock.take(folder / f".{secrets.token_hex(4)}.lock")
+        except OSError:
+            return False
+        if lock is not None:
+            lock.release()
+        return True
 
     @staticmethod
     def is_taken(path: Path) -> bool:
@@ -48,8 +92,15 @@ class FileLock:
 
     def release(self) -> None:
         """Gives it back."""
+        # While it is held nobody else can lock the file that is removed. Windows removes no file that is open.
+        if sys.platform != "win32":
+            self._remove()
         with contextlib.suppress(OSError):
             os.close(self.handle)
+        if sys.platform == "win32":
+            self._remove()
+
+    def _remove(self) -> None:
         with contextlib.suppress(OSError):
             self.path.unlink()
 
@@ -64,6 +115,18 @@ def _lock(handle: int) -> bool:
             import fcntl
 
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        return False
+    except OSError as error:
+        if error.errno in _TAKEN:
+            return False
+        raise
     return True
+
+
+def _is_at(handle: int, path: Path) -> bool:
+    if sys.platform == "win32":
+        return True
+    try:
+        there = os.stat(path)
+    except FileNotFoundError:
+        return False
+    return os.path.samestat(os.fstat(handle), there)

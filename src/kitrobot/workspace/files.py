@@ -2,21 +2,31 @@
 
 Every way a file can fail (missing, a folder, not ours to read, too large, not UTF-8) becomes a `FileError` that names
 the file and a way out. A write goes to a temporary file beside its place and is moved there, so a reader, or a power
-cut, finds the old content or the new one. Left to others: what the bytes mean.
+cut, finds the old content or the new one. Who replaces a file holds its folder's lock (`saving_in`), so between a look
+at the old content and the write nobody else replaces it. Left to others: what the bytes mean.
 """
 
 from __future__ import annotations
 
 import contextlib
 import os
+import re
 import tempfile
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, rule
+from kitrobot.workspace.file_lock import FileLock
 
 LARGEST_FILE_BYTES = 64 * 1024 * 1024
 """More than any mission, world or image; a device or a film given by mistake is refused instead of filling memory."""
+LOCK_NAME = ".kitrobot.lock"
+"""The file in each folder that is locked while one of its files is replaced."""
+LONGEST_WAIT_S = 10.0
+"""How long a save waits for others; one save takes some milliseconds."""
+_TEMPORARY = re.compile(r"\..{1,50}\.[a-z0-9_]{8}\.kitrobot-part~?", re.DOTALL)
+"""The names of what is being written, here and by `mission.save`."""
 
 UNREADABLE = rule(
     "file-unreadable",
@@ -86,8 +96,25 @@ def decode(data: bytes, path: Path) -> str:
         raise FileError(message, "save the file with the encoding UTF-8", path=path, place=place) from None
 
 
-def write_atomic(path: Path, data: bytes) -> None:
+def write_atomic(path: Path, data: bytes, before: bytes | None = None) -> None:
     """Writes a whole file or leaves the old one as it was; a link is followed, the file's mode is kept.
+
+    Args:
+        path: the file.
+        data: all of it.
+        before: what it must still hold, if that matters.
+
+    Raises:
+        FileError: the folder is missing or may not be written to, the disk is full, or somebody changed the file.
+    """
+    with saving_in(path):
+        if before is not None:
+            expect_unchanged(path, before)
+        replace_file(path, data)
+
+
+def replace_file(path: Path, data: bytes) -> None:
+    """`write_atomic` for who holds the folder's lock already.
 
     Raises:
         FileError: the folder is missing or may not be written to, or the disk is full.
@@ -97,7 +124,7 @@ def write_atomic(path: Path, data: bytes) -> None:
         target = Path(os.path.realpath(path))
         if target.is_dir():
             raise _unreadable(path, f"`{path}` is a folder, not a file", "name a file in it")
-        handle, temporary = tempfile.mkstemp(prefix=f".{target.name[:50]}.", suffix=".part", dir=target.parent)
+        handle, temporary = tempfile.mkstemp(prefix=f".{target.name[:50]}.", suffix=".kitrobot-part", dir=target.parent)
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)
             stream.flush()
@@ -111,6 +138,61 @@ def write_atomic(path: Path, data: bytes) -> None:
         if isinstance(error, FileNotFoundError):
             raise _unreadable(path, f"there is no folder `{path.parent}`", "make the folder first") from None
         raise _unreadable(path, f"`{path}` could not be written: {_reason(error)}", "") from None
+
+
+def expect_unchanged(path: Path, before: bytes) -> None:
+    """That a file still holds what was read; for who holds its folder's lock.
+
+    Raises:
+        FileError: it holds something else, or cannot be read any more.
+    """
+    if read_bytes(path) != before:
+        raise _unreadable(path, f"`{path}` was changed by somebody else meanwhile", "do the same again")
+
+
+@contextlib.contextmanager
+def saving_in(path: Path) -> Iterator[bool]:
+    """A context in which no other thread and no other KitRobot replaces files in the folder of `path`.
+
+    Gives False where that cannot be had: no file can be made there, or the file system has no locks.
+
+    Raises:
+        FileError: somebody else has been saving there for longer than `LONGEST_WAIT_S`.
+    """
+    try:
+        lock = FileLock.wait(_lock_for(path), LONGEST_WAIT_S)
+    except (OSError, ValueError):
+        yield False  # what cannot be written says so itself
+        return
+    if lock is None:
+        message = f"`{path}` cannot be written now: another KitRobot is saving in the same folder"
+        raise _unreadable(path, message, "try again; if that does not help, end the other KitRobot")
+    try:
+        yield True
+    finally:
+        lock.release()
+
+
+def sweep(folder: Path) -> int:
+    """Removes what killed saves left in a folder, and gives how many files that were.
+
+    Only files with the names of our unfinished writes, and only while nobody of us writes in that folder.
+    """
+    removed = 0
+    with contextlib.suppress(OSError):
+        left = [entry for entry in folder.iterdir() if _TEMPORARY.fullmatch(entry.name)]
+        lock = FileLock.take(folder / LOCK_NAME) if left else None
+        if lock is not None:
+            for entry in left:
+                with contextlib.suppress(OSError):
+                    entry.unlink()
+                    removed += 1
+            lock.release()
+    return removed
+
+
+def _lock_for(path: Path) -> Path:
+    return Path(os.path.realpath(path)).parent / LOCK_NAME
 
 
 def same_file(one: Path, other: Path) -> bool:

@@ -10,6 +10,7 @@ wrote meanwhile is noticed. Left to others: what a mission says.
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import re
@@ -23,7 +24,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.trace import ENDING as TRACE_ENDING
 from kitrobot.workspace.carried import is_picture
 from kitrobot.workspace.examples import examples_folder
-from kitrobot.workspace.files import read_bytes
+from kitrobot.workspace.files import read_bytes, saving_in, sweep
 
 ENDING = ".krt"
 TUTORIAL_ENDING = ".tutorial.xml"
@@ -169,6 +170,10 @@ class MissionFolder:
         """The recordings of the folder by path."""
         return [_entry(path, self.root, "") for path in _found_below(self.root, self.examples, TRACE_ENDING)]
 
+    def sweep(self) -> int:
+        """Removes what killed saves left below the folder, and gives how many files that were."""
+        return sum(sweep(folder) for folder in _folders_below(self.root, self.examples))
+
     def hold(self, name: str, revision: str) -> _Hold:
         """For saving: a context in which nobody else saves, entered only when the file still has that revision.
 
@@ -198,7 +203,7 @@ class MissionFolder:
 
 
 class _Hold:
-    """The lock of a folder around one save."""
+    """The lock of a folder around one save. Where the system has none only this process is kept out."""
 
     def __init__(self, folder: MissionFolder, path: Path, what: str, name: str, revision: str) -> None:
         self._folder = folder
@@ -206,21 +211,22 @@ class _Hold:
         self._what = what
         self._name = name
         self._revision = revision
+        self._within = contextlib.ExitStack()
+        self.alone = False
+        """Whether nobody else at all can save meanwhile."""
 
     def __enter__(self) -> Path:
-        lock = self._folder._saving
-        lock.acquire()
-        try:
+        with contextlib.ExitStack() as entered:
+            entered.enter_context(self._folder._saving)
+            self.alone = entered.enter_context(saving_in(self._path))
             now = revision_of(read_bytes(self._path)) if self._path.exists() else ""
             if now != self._revision:
                 raise _conflict(self._what, self._name, self._revision, now)
-            return self._path
-        except BaseException:
-            lock.release()
-            raise
+            self._within = entered.pop_all()
+        return self._path
 
     def __exit__(self, *reason: object) -> None:
-        self._folder._saving.release()
+        self._within.close()
 
 
 def revision_of(data: bytes) -> str:
@@ -255,6 +261,16 @@ def _found_below(root: Path, without: Path | None, ending: str) -> list[Path]:
 
 
 def _walk(root: Path, without: Path | None, ending: str) -> Iterator[Path]:
+    for folder, files in _looked_through(root, without):
+        yield from (folder / name for name in files if name.lower().endswith(ending) and not name.startswith("."))
+
+
+def _folders_below(root: Path, without: Path | None) -> list[Path]:
+    return [folder for folder, _ in _looked_through(root, without)] + [root / ".kitrobot" / "journal"]
+
+
+def _looked_through(root: Path, without: Path | None) -> Iterator[tuple[Path, list[str]]]:
+    """Each folder that missions are looked for in, and its files."""
     looked_at = 0
     for folder, folders, files in os.walk(root):
         looked_at += len(folders) + len(files)
@@ -262,7 +278,7 @@ def _walk(root: Path, without: Path | None, ending: str) -> Iterator[Path]:
         hidden = looked_at > MOST_LOOKED_AT or depth >= DEEPEST
         inner = [name for name in folders if not name.startswith(".") and name != "node_modules"]
         folders[:] = [] if hidden else sorted(name for name in inner if Path(folder, name) != without)
-        yield from (Path(folder, name) for name in files if name.lower().endswith(ending) and not name.startswith("."))
+        yield Path(folder), files
 
 
 def _entry(path: Path, root: Path, prefix: str) -> MissionEntry:

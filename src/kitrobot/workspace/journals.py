@@ -4,7 +4,8 @@ A page that is open is a *tab*; it writes one journal at a time, its *claim*, so
 ends with its tab, or with this process: it is a lock that the system keeps on a file beside the journal, so a second
 KitRobot on the same folder sees it too, and none is left after a kill. A journal that nobody claims was left behind:
 whoever opens its mission next gets it. Journals live in `.kitrobot/journal` of the folder; those of examples, and all
-when the folder cannot be written to, in the user's state folder. A journal that is damaged in the middle is kept aside.
+when the folder cannot be written to or knows no locks, in the user's state folder. A journal that is damaged in the
+middle is kept aside.
 """
 
 from __future__ import annotations
@@ -121,7 +122,7 @@ class Journals:
             mine.path, mine.stamp = path, None
             for file, found in self._free():
                 if file.stem == journal or (not journal and path and found.path == path):
-                    lock = FileLock.take(_lock_of(file))
+                    lock = _taken(file)
                     if lock is None:
                         continue
                     if found.cut:
@@ -146,13 +147,13 @@ class Journals:
             mine.path = journal.path
             before = self._file(mine.journal)
             if not journal.records:
-                _release(mine, forget=False)
                 _remove(before)
+                _release(mine, forget=False)
                 mine.count = 0
                 return 0
             file = self._place(journal.path) / f"{mine.journal}{ENDING}"
             if mine.lock is None or mine.lock.path != _lock_of(file):
-                lock = FileLock.take(_lock_of(file))
+                lock = _taken(file)
                 if lock is None:
                     raise JournalError("this journal is written by another page", "load the page again")
                 _release(mine, forget=False)
@@ -185,8 +186,10 @@ class Journals:
         """Throws away a journal that was left behind; one that somebody writes stays."""
         with self._lock:
             for file, _ in list(self._free()):
-                if file.stem == journal:
+                lock = _taken(file) if file.stem == journal else None
+                if lock is not None:
                     _remove(file)
+                    lock.release()
 
     def news(self, tab: str) -> News:
         """What is new for a tab. Reads the file only when the disk says that it changed."""
@@ -245,7 +248,7 @@ class Journals:
                 ignore = self._own.parent / ".gitignore"
                 if not ignore.exists():
                     ignore.write_text("*\n")
-                if os.access(self._own, os.W_OK | os.X_OK):
+                if FileLock.is_possible(self._own):
                     return self._own
         self._state.mkdir(parents=True, exist_ok=True)
         return self._state
@@ -280,9 +283,16 @@ def _release(tab: _Tab, forget: bool = True) -> None:
 
 def _remove(file: Path | None) -> None:
     if file is not None:
-        for path in (file, _lock_of(file)):
-            with contextlib.suppress(OSError):
-                path.unlink()
+        with contextlib.suppress(OSError):
+            file.unlink()
+
+
+def _taken(file: Path) -> FileLock | None:
+    """The lock of a journal; None when somebody has it, or nobody can."""
+    try:
+        return FileLock.take(_lock_of(file))
+    except OSError:
+        return None
 
 
 def _lock_of(file: Path) -> Path:

@@ -19,12 +19,18 @@ class Layout:
     text: str | None
     diagnostics: tuple[Diagnostic, ...]
     changed: bool
+    before: bytes | None = None
+    """What the file held when it was read."""
 
     def write(self) -> bool:
-        """Puts the new text in the file's place; tells whether that was needed."""
+        """Puts the new text in the file's place; tells whether that was needed.
+
+        Raises:
+            FileError: it cannot be written, or somebody changed the file since it was read.
+        """
         if self.text is None or not self.changed:
             return False
-        write_atomic(self.path, self.text.encode())
+        write_atomic(self.path, self.text.encode(), self.before)
         return True
 
 
@@ -37,7 +43,7 @@ def lay_out(data: bytes, path: Path) -> Layout:
     source = Source(str(path), decode(data, path))
     text, diagnostics = format_text(source.text, source.name)
     changed = text is not None and text.encode() != data
-    return Layout(path, source, text, tuple(diagnostics), changed)
+    return Layout(path, source, text, tuple(diagnostics), changed, data)
 
 
 def lay_out_file(path: Path) -> Layout:

@@ -17,8 +17,8 @@ from typing import Any, TypeVar
 from kitrobot.graph import IN, RETURN, START, STOP, Arc, Program, Vertex
 from kitrobot.mission import Agent, Breakpoint, Failure, Goal, Mission, Team, save
 from kitrobot.primitives import Constructor, OwnVariable
-from kitrobot.workspace.comparison import read_whole, renamed_programs
-from kitrobot.workspace.files import read_bytes
+from kitrobot.workspace.comparison import mission_whole, renamed_programs
+from kitrobot.workspace.files import expect_unchanged, read_bytes, same_file, saving_in
 from kitrobot.workspace.outline import Outline
 from kitrobot.workspace.own_worlds import merge_places
 
@@ -39,12 +39,18 @@ def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> Merged:
 
     Raises:
         ProblemsError: one of them cannot be used; nothing is written.
-        FileError: one of them cannot be read; nothing is written.
+        FileError: one of them cannot be read, or `out` is one of them and was changed meanwhile; nothing is written.
         SaveError: the result could not be written.
     """
-    ancestor = read_whole(base) if read_bytes(base).strip() else Mission()
-    merged = merge_missions(ancestor, read_whole(ours), read_whole(theirs))
-    save(out, merged.mission)
+    paths = (base, ours, theirs)
+    data = [read_bytes(path) for path in paths]
+    ancestor = mission_whole(data[0], base) if data[0].strip() else Mission()
+    merged = merge_missions(ancestor, mission_whole(data[1], ours), mission_whole(data[2], theirs))
+    with saving_in(out):
+        for path, before in zip(paths, data, strict=True):
+            if same_file(path, out):
+                expect_unchanged(path, before)
+        save(out, merged.mission)
     return merged
 
 

@@ -53,6 +53,8 @@ export interface Made {
 export interface Saved {
   path: string;
   revision: string;
+  /** Whether nobody else could save meanwhile. */
+  locked?: boolean;
 }
 
 export class ApiError extends Error {

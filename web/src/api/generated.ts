@@ -940,10 +940,11 @@ export interface Save {
   mission: Mission;
 }
 
-/** What was written. */
+/** What was written; `locked`: whether nobody else could save meanwhile; not so where the folder knows no locks. */
 export interface Saved {
   path: string;
   revision: string;
+  locked?: boolean;
 }
 
 /** What happens to an agent at so many simulated seconds. */

@@ -6,7 +6,7 @@
  */
 import { create } from "zustand";
 
-import { api, ApiError, type Session } from "../api/client";
+import { api, ApiError, type Saved, type Session } from "../api/client";
 import { type Claimed, journalApi, type Left } from "../api/journal";
 import { type Recording, traceApi } from "../api/traces";
 import type { MissionFile, Problem } from "../api/types";
@@ -274,13 +274,24 @@ export async function save(): Promise<boolean> {
   return write(path, revision);
 }
 
+/** Whether it was said that the folder knows no locks: once is enough. */
+let toldOfLocks = false;
+
+/** A mission is on disk. */
+function written({ locked }: Saved): void {
+  set({ banner: null, overlay: null, fileProblems: [] });
+  if (locked !== false || toldOfLocks) return;
+  toldOfLocks = true;
+  question(t("disk.no-locks"), [], "note", t("disk.no-locks-help"));
+}
+
 export async function write(path: string, revision: string): Promise<boolean> {
   const { mission } = useStudio.getState();
   set({ saving: true });
   try {
     const saved = await api.saveMission(path, revision, mission);
     if (useStudio.getState().mission === mission) useStudio.getState().markSaved(saved.path, saved.revision);
-    set({ banner: null, overlay: null, fileProblems: [] });
+    written(saved);
     return true;
   } catch (cause) {
     if (cause instanceof ApiError && cause.status === 409 && path === useStudio.getState().file.path) {
@@ -323,7 +334,7 @@ export async function saveAs(path: string, over: string): Promise<{ taken: strin
   try {
     const saved = await api.saveMission(path, over, mission);
     useStudio.getState().markSaved(saved.path, saved.revision);
-    set({ banner: null, overlay: null, fileProblems: [] });
+    written(saved);
     return null;
   } catch (cause) {
     if (cause instanceof ApiError && cause.status === 409) return { taken: cause.revision };

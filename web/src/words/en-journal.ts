@@ -14,6 +14,8 @@ export const JOURNAL_EN = {
   "disk.difference": "Show the difference",
   "disk.removed": "{name} is no longer on disk.",
   "disk.write": "Write it again",
+  "disk.no-locks": "This folder knows no locks, as some network folders do not.",
+  "disk.no-locks-help": "Two people who save the same mission at the same moment may overwrite each other.",
   "disk.also-open": "also open in another window",
   "disk.also-open-help": "Each window keeps its own changes. Whoever saves second is asked what to do.",
   "difference.title": "Yours and the one on disk",

@@ -16,6 +16,9 @@ export const JOURNAL_FR = {
   "disk.difference": "Montrer la différence",
   "disk.removed": "{name} n'est plus sur le disque.",
   "disk.write": "L'écrire de nouveau",
+  "disk.no-locks": "Ce dossier ne connaît pas de verrous, comme certains dossiers réseau.",
+  "disk.no-locks-help":
+    "Deux personnes qui enregistrent la même mission au même moment peuvent s'écraser l'une l'autre.",
   "disk.also-open": "ouvert aussi dans une autre fenêtre",
   "disk.also-open-help": "Chaque fenêtre garde ses changements. Qui enregistre en second doit choisir quoi faire.",
   "difference.title": "Le vôtre et celui du disque",

@@ -71,10 +71,11 @@ class SaveShape(BaseModel):
 
 
 class SavedShape(BaseModel):
-    """What was written."""
+    """What was written; `locked`: whether nobody else could save meanwhile; not so where the folder knows no locks."""
 
     path: str
     revision: str
+    locked: bool = True
 
 
 class ConflictShape(BaseModel):
