@@ -116,7 +116,10 @@ class _Drawing:
             case Repeat():
                 return self.block("controls_repeat", {"TIMES": node.count}, {"DO": self.stack(node.body)})
             case While():
-                inputs = {"BOOL": self.condition(node.condition), "DO": self.stack(node.body)}
+                test = self.block("logic_boolean", {"BOOL": "TRUE"})
+                if node.condition is not None:
+                    test = self.condition(node.condition)
+                inputs = {"BOOL": test, "DO": self.stack(node.body)}
                 return self.block("controls_whileUntil", {"MODE": "WHILE"}, inputs)
             case Event():
                 inputs = {"CONDITION": self.condition(node.condition), "DO": self.stack(node.body)}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,9 @@ import pytest
 from tests.cli.conftest import EXAMPLE, MISTAKEN
 
 KEYS = ["file", "line", "column", "end_line", "end_column", "severity", "code", "message", "help"]
-ROBOT = '<robot name="mine" version="1"><actuator name="Arm"><procedure name="Up"/></actuator></robot>'
+ROBOT = (
+    '<robot name="mine" version="1"><actuator name="Bell" device="music"><procedure name="Stop"/></actuator></robot>'
+)
 WORLD = '<world version="1" name="small" width="900" height="900"/>'
 CONSTRUCTORS = (
     '<constructors version="1"><group name="G" colour="loop"><constructor name="Forever"><flow name="body" loop="yes"/>'
@@ -53,6 +56,67 @@ def test_the_example_has_no_errors(kitrobot):
 def test_a_good_file_of_each_kind_of_xml_has_no_errors(kitrobot, write, name, content):
     said = kitrobot("check", write(name, content))
     assert (said.status, said.out) == (0, "")
+
+
+DEVICES = """\
+<robot name="mine" version="1">
+  <actuator name="Wheel" device="driv" speed="200"><procedure name="Stop"/></actuator>
+  <actuator name="Motor"
+            device="turn">
+    <procedure name="Stop"/>
+    <procedure name="Spin"/>
+  </actuator>
+  <actuator name="Bell" device="gong"><procedure name="Ring"/></actuator>
+  <sensor name="Heat" device="thermometer" min="0" max="50"><operation name="Value" value="yes"/></sensor>
+  <sensor name="Eye" device="range" reech="5"><operation name="Value" value="yes"/></sensor>
+</robot>
+"""
+
+
+def test_every_device_of_a_robot_that_the_simulator_or_a_board_lacks_is_told_at_its_line(kitrobot, write, here):
+    write("gong.driver.py", 'PROCEDURES = "Ring"\n')
+    said = kitrobot("check", write("mine.robot.xml", DEVICES), "--json")
+    assert said.status == 1
+    assert [(one["line"], one["column"], one["code"]) for one in said.json] == [
+        (2, 34, "run-device"),
+        (4, 21, "robot-no-driver"),
+        (6, 22, "run-device"),
+        (8, 33, "robot-not-simulated"),
+        (9, 31, "run-device"),
+        (10, 30, "robot-no-driver"),
+        (10, 30, "run-device"),
+    ]
+    assert [one["help"] for one in said.json if "did you mean" in one["help"]] == [
+        "did you mean drive?",
+        "did you mean reach?",
+    ]
+
+
+def test_a_device_that_nobody_knows_is_told_at_its_line_also_where_a_mission_needs_it(kitrobot, write, here):
+    assert kitrobot("convert", write("p.lll", "Wheel.Stop();"), "p.krt", "--robot", "mini-robot").status == 0
+    (here / "p.krt").write_text((here / "p.krt").read_text().replace('robot="mini-robot"', 'robot="mine"'))
+    write("mine.robot.xml", DEVICES)
+    found = kitrobot("check", "p.krt", "--json").json
+    assert [(Path(one["file"]).name, one["line"]) for one in found] == [
+        ("mine.robot.xml", line) for line in (2, 6, 8, 9, 10)
+    ]
+
+
+def test_the_robot_of_the_documentation_runs_as_it_says(kitrobot, here):
+    page = (Path(__file__).parents[2] / "docs" / "xml.md").read_text(encoding="utf-8")
+    robot = re.search(r"```xml\n(<robot .*?)```", page, re.DOTALL)
+    assert robot is not None
+    told = re.search(r"```lll\n(.*?)```.*?```\n(.*?)```", page[robot.end() :], re.DOTALL)
+    assert told is not None
+    program, commands = told.groups()
+    (here / "digger.robot.xml").write_text(robot[1], encoding="utf-8")
+    (here / "digger.lll").write_text(program, encoding="utf-8")
+    checked = kitrobot("check", "digger.robot.xml", "--json")
+    assert (checked.status, {one["code"] for one in checked.json}) == (0, {"robot-no-driver"})
+    for command in commands.splitlines():
+        said = kitrobot(*command.split()[1:])
+        assert said.status == 0, said.err
+    assert "every program has ended" in said.out
 
 
 def test_a_mistake_in_the_code_of_a_tutorial_is_shown_at_its_place(kitrobot, write):

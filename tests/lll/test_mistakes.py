@@ -55,7 +55,9 @@ MISTAKES = [
     ("two marks around nothing", "°°;  #! syntax@2 expected a call, found `°`"),
     ("a mark around a loop", "°2*()°;  #! syntax@2 expected a call, found a number `2`"),
     ("a mark without partner", "°a.b();  #! not-closed@1 this `°` has no partner"),
-    ("a loop without number", "*(a.b(););  #! syntax@2 expected `[`, found `(`"),
+    ("a loop without brackets", "*a.b();  #! syntax@2 expected `[` or `(` after `*`, found a call"),
+    ("a mistake in a loop without end", "*(a.b(; c.d(););  #! syntax@7 expected a parameter, found `;`"),
+    ("a loop without end or body", "*;  #! syntax@2 expected `[` or `(` after `*`, found `;`"),
     ("a number alone", "3;  #! syntax@2 expected `*` after the number of times, found `;`"),
     ("a loop without body", "3*;  #! syntax@3 expected `(`, found `;`"),
     ("a while without condition", "*[]();  #! syntax@3 expected a condition, found `]`"),
@@ -84,6 +86,7 @@ MISTAKES = [
     ("a quote", 'a.b("x");  #! syntax@5 expected a parameter, found `"x"`'),
     ("a mistake in the parameters of a test", "[a.b(]();  #! syntax@6 expected a parameter, found `]`"),
     ("a mistake in the parameters of an event's test", "<a.b(1,>();  #! syntax@8 expected a parameter, found `>`"),
+    ("a loop without end that is never closed", "*(a.b();  #! not-closed@2 this `(` is never closed"),
     ("a body that is never closed", "2*(a.b();  #! not-closed@3 this `(` is never closed"),
     ("two bodies that are never closed", "2*(a.b();\n3*(c.d();  #! not-closed@3 this `(` is never closed"),
     ("a condition that is never closed", "[a.b()  #! not-closed@1 this `[` is never closed"),
@@ -97,7 +100,9 @@ def test_a_mistake_is_told_once_at_its_place(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", [row[1] for row in MISTAKES if "never closed" not in row[1]], ids=[row[0] for row in MISTAKES[:-4]]
+    "text",
+    [row[1] for row in MISTAKES if "never closed" not in row[1]],
+    ids=[row[0] for row in MISTAKES if "never closed" not in row[1]],
 )
 def test_what_stands_before_and_behind_a_mistake_is_read(text: str) -> None:
     program = parse(f"first.one();\n{text}\n;last.one();").program

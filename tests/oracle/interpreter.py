@@ -247,7 +247,7 @@ class Oracle:
         return False
 
     def do_while(self, loop: While, branch: Branch) -> Thread:
-        while self.holds(loop.condition):
+        while loop.condition is None or self.holds(loop.condition):
             left_by_break = yield from self.do_all(loop.body, branch)
             if left_by_break:
                 break

@@ -6,8 +6,9 @@ import pytest
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.lll import Break, Conditional, Seq, While
-from kitrobot.primitives import Catalogue, load_catalogue, shape
+from kitrobot.primitives import Catalogue, Constructor, load_catalogue, read_constructors, shape
 from kitrobot.primitives.catalogue import config_folder
+from kitrobot.primitives.unfilling import is_more_specific
 from tests.primitives.samples import CONSTRUCTORS, ROBOT, constructors
 
 
@@ -177,7 +178,7 @@ def test_the_inverse_is_found_from_the_template_and_the_first_wins(folder: Path)
 
 def test_a_template_bigger_than_one_construct_has_no_inverse(folder: Path) -> None:
     inverse = load_catalogue().inverse
-    assert not {"Forever", "Repeat Until", "Wait Until", "Unless"} & {found.name for found in inverse.values()}
+    assert not {"Repeat Until", "Wait Until", "Unless"} & {found.name for found in inverse.values()}
     codes = ["3*({b})", "{n}*(BREAK; )", "//({b},{c})", "//({b},BREAK)"]
     slots = ['<flow name="b"/>', '<number name="n"/>', '<flow name="b"/><flow name="c"/>', '<flow name="b"/>']
     inside = "".join(
@@ -188,6 +189,84 @@ def test_a_template_bigger_than_one_construct_has_no_inverse(folder: Path) -> No
     catalogue = load_catalogue([folder])
     assert len(names(catalogue)["G"]) == 4
     assert not [found for found in catalogue.inverse.values() if found.name.startswith("X")]
+
+
+SPECIAL = [
+    ("{n}*({b})", "2*({b})"),
+    ("*[{c}]({b})", "*[!({c})]({b})"),
+    ("*[!({c})]({b})", "*[!({c} & {d})]({b})"),
+    ("*[{c}]({b})", "*[{c}]({b}; WAIT(1))"),
+    ("*[{c}]({b}; WAIT(1))", "*[{c}](WAIT(2); {b}; WAIT(1))"),
+    ("&lt;{c}&gt;({b})", "&lt;{c}&gt;()"),
+    ("//({r})", "//({b}, {e})"),
+    ("//({r})", "//({b}, °{a}°)"),
+    ("*(A.b({v}); {b})", "*(A.b({n}); {b})"),
+    ("*(A.b({n}); {b})", "*(A.b(7); {b})"),
+    ("!({c})", "!({c} | {d})"),
+]
+"""A template and a special case of it."""
+
+STRANGERS = [
+    ("*[{c} & Run.IsTrue()]({b})", "*[!({c})]({b})"),
+    ("*(WAIT(1); {b})", "*({b}; WAIT(1))"),
+    ("{n}*({b})", "{n}*({b})"),
+    ("//({b})", "//({b}, {e})"),
+    ("*({b})", "*[{c}]({b})"),
+]
+"""Neither is a special case of the other."""
+
+SLOTS = {"n": "number", "v": "value", "c": "condition", "d": "condition", "b": "flow", "e": "flow", "a": "action"}
+
+
+def made_of(code: str, name: str) -> str:
+    used = {hole for hole in (*SLOTS, "r") if f"{{{hole}}}" in code}
+    slots = "".join(f'<{SLOTS[one]} name="{one}"/>' for one in SLOTS if one in used)
+    slots += '<flow name="r" repeat="yes"/>' if "r" in used else ""
+    return f'<constructor name="{name}">{slots}<code>{code.replace(" & ", " &amp; ")}</code></constructor>'
+
+
+def both(one: str, other: str) -> tuple[Constructor, Constructor]:
+    groups, problems = read_constructors(constructors(made_of(one, "One") + made_of(other, "Other")).encode(), "c.xml")
+    assert problems == []
+    first, second = groups[0].constructors
+    return first, second
+
+
+@pytest.mark.parametrize(("wide", "special"), SPECIAL)
+def test_a_template_that_another_would_read_is_the_more_specific(wide: str, special: str) -> None:
+    one, other = both(wide, special)
+    assert is_more_specific(other, one)
+    assert not is_more_specific(one, other)
+
+
+@pytest.mark.parametrize(("one", "other"), STRANGERS)
+def test_templates_that_do_not_read_each_other_or_both_do_are_not_ordered(one: str, other: str) -> None:
+    first, second = both(one, other)
+    assert not is_more_specific(first, second)
+    assert not is_more_specific(second, first)
+
+
+def test_the_more_specific_is_tried_first_and_then_what_stands_first_in_the_palette(folder: Path) -> None:
+    codes = ["*[{c}](WAIT(1); {b})", "*[{c}]({b})", "*[!({c})]({b})", "*[!({c} & {d})]({b})"]
+    inside = "".join(made_of(code, f"X{n}") for n, code in enumerate(codes))
+    (folder / "c.xml").write_text(constructors(inside))
+    found = [one.name for one in load_catalogue([folder]).drawn[shape(While(Break(), Seq()))]]  # type: ignore[arg-type]
+    assert found == ["X3", "Repeat Until", "X0", "X2", "While", "X1"]
+
+
+READS = [
+    ("<code>*({b})</code><reads>*[{x}]({b})</reads>", "the hole {x} has no slot"),
+    ("<code>*({b})</code><reads>*[a.b()]()</reads>", "expected a hole {b} for the slot b, found none"),
+    ("<code>*({b})</code><reads>WAIT(1); *({b})</reads>", "expected one construct to read"),
+]
+
+
+@pytest.mark.parametrize(("inside", "message"), READS)
+def test_other_code_that_is_read_must_be_one_construct_around_the_same_slots(inside: str, message: str) -> None:
+    text = constructors(f'<constructor name="X"><flow name="b"/>{inside}</constructor>')
+    groups, problems = read_constructors(text.encode(), "c.xml")
+    assert [one for group in groups for one in group.constructors] == []
+    assert message in problems[0].message
 
 
 def test_the_users_folder_follows_the_platform(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -75,7 +75,18 @@ def test_the_papers_constructors_are_there_in_their_groups(catalogue: Catalogue)
 
 def test_each_construct_of_the_language_has_one_constructor(catalogue: Catalogue) -> None:
     assert sorted(constructor.name for constructor in catalogue.inverse.values()) == sorted(
-        {"Repetition", "While", "Break", "If Then", "If Then Else", "When", "Wait", "Parallelism", "Interrupt"}
+        {
+            "Repetition",
+            "While",
+            "Forever",
+            "Break",
+            "If Then",
+            "If Then Else",
+            "When",
+            "Wait",
+            "Parallelism",
+            "Interrupt",
+        }
         | {"And", "Or", "No"}
     )
 

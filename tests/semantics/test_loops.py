@@ -51,6 +51,34 @@ REPEATS = [
 
 WHILES = [
     Fact(
+        "*( ) goes on once a tick where its body does not block",
+        "*(Wheel.Advance(1)); Light.LightOn();",
+        every(range(30), "Wheel.Advance(1)"),
+    ),
+    Fact(
+        "*( ) around a wait has a period of exactly the wait",
+        "*(Wheel.Advance(1); WAIT(1));",
+        every(range(0, 30, 5), "Wheel.Advance(1)"),
+    ),
+    Fact(
+        "BREAK leaves *( ), and what follows runs in the same tick",
+        "*(WAIT(1); BREAK); Light.LightOn();",
+        {5: "Light.LightOn()"},
+        ended=5,
+    ),
+    Fact(
+        "*( ) makes the loop around it pass once a tick, as a *[c] whose c is always true does",
+        "3*(*(WAIT(1); BREAK); Wheel.Advance(1));",
+        every(range(5, 18, 6), "Wheel.Advance(1)"),
+        ended=17,
+    ),
+    Fact(
+        "what was written for *( ) before takes the same ticks",
+        "3*(*[Fault.IsRaised() | !(Fault.IsRaised())](WAIT(1); BREAK); Wheel.Advance(1));",
+        every(range(5, 18, 6), "Wheel.Advance(1)"),
+        ended=17,
+    ),
+    Fact(
         "*[c] tests before the first pass, and what follows runs in the tick that finds c false",
         "*[Button.IsPressed()](Wheel.Advance(1)); Light.LightOn();",
         {0: "Light.LightOn()"},

@@ -73,7 +73,7 @@ class _Maker:
         while self.left > 0:
             seq.items += self.seq(0, in_loop=False, in_parallel=False, least=1).items
         if self.rng.random() < 0.3:
-            return Seq([While(self.always(), seq)])
+            return Seq([While(self.always() if self.rng.random() < 0.7 else None, seq)])
         return seq
 
     # ---- bodies -----------------------------------------------------------------------------------------
@@ -134,7 +134,8 @@ class _Maker:
         return Repeat(count, self.seq(depth, in_loop=True, in_parallel=in_parallel, least=0))
 
     def loop(self, depth: int, in_loop: bool, in_parallel: bool) -> Instr:
-        condition = self.always() if self.rng.random() < 0.4 else self.condition(depth)
+        kind = self.rng.random()
+        condition = None if kind < 0.2 else self.always() if kind < 0.5 else self.condition(depth)
         return While(condition, self.seq(depth, in_loop=True, in_parallel=in_parallel, least=0))
 
     def choice(self, depth: int, in_loop: bool, in_parallel: bool) -> Instr:

@@ -62,6 +62,9 @@ def _simplify(node: object, change: int) -> bool:
         case Wait() if change == 0 and isinstance(node.duration, int) and node.duration > 0:
             node.duration -= 1
             return True
+        case While() if change == 0 and node.condition is not None:
+            node.condition = None
+            return True
         case While() | Conditional() | Event() if change in (1, 2):
             inner = node.condition
             if isinstance(inner, And | Or):

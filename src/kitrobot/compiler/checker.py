@@ -99,7 +99,8 @@ class _Checker:
                     self.report(rules.NEVER_RUNS, "a loop of 0 times never runs its body", node.body.items[0])
                 self.seq(node.body, in_loop=True, in_parallel=in_parallel)
             case While():
-                self.condition(node.condition)
+                if node.condition is not None:
+                    self.condition(node.condition)
                 self.seq(node.body, in_loop=True, in_parallel=in_parallel)
             case Conditional():
                 self.condition(node.condition)

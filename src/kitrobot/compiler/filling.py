@@ -225,7 +225,7 @@ _BUILDERS: dict[type[Node], Callable[[_Filling, Any], Any]] = {
     Call: lambda f, t: f.call(t),
     Interrupt: lambda f, t: Interrupt(f.action(t.call)),
     Repeat: lambda f, t: Repeat(f.number(t.count), f.body(t.body)),
-    While: lambda f, t: While(f.condition(t.condition), f.body(t.body)),
+    While: lambda f, t: While(None if t.condition is None else f.condition(t.condition), f.body(t.body)),
     Conditional: lambda f, t: Conditional(
         f.condition(t.condition), f.body(t.then), None if t.orelse is None else f.body(t.orelse)
     ),

@@ -123,7 +123,7 @@ class _Matching:
             self.calls([old.call], [new.call])
         elif isinstance(old, Parallel):
             self.row(old.branches, new.branches)
-        elif isinstance(old, While | Event | Conditional):
+        elif isinstance(old, While | Event | Conditional) and None not in (old.condition, new.condition):
             self.condition(old.condition, new.condition)
         for name in _BODIES.get(type(old), ()):
             one, other = getattr(old, name), getattr(new, name)
@@ -197,6 +197,8 @@ def _own(node: Any) -> tuple[object, ...]:
             return (node.duration,)
         case Conditional():
             return (node.orelse is not None,)
+        case While():
+            return (node.condition is not None,)
         case _:
             return ()
 

@@ -1,7 +1,9 @@
 """LLL → graph: templates run backwards.
 
-A construct becomes a vertex of the constructor whose template is that very construct around distinct holes; matching
-the template against the node says which part of the node fills which slot. Ids are v1, v2, … in reading order.
+A construct becomes a vertex of the most specific constructor whose template it is made from (`Catalogue.drawn`);
+matching the template against the node says which part of the node fills which slot. Where a number is outside the range
+of its slot, the constructor is the one whose template is that very construct around distinct holes. Ids are v1, v2, …
+in reading order.
 
 Drawn beside the graph that the text came from (`keep`), an instruction that is still there keeps its vertex, also one
 of a constructor whose template is more than one construct, as long as the text is still made from that template.
@@ -14,17 +16,25 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+from kitrobot.compiler.anew import write_anew
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.keeping import Before, Branch, Old, Origin, Row, lines_of, note, nothing_before
-from kitrobot.compiler.unfilling import Bound, unfill, unfill_all, unfill_row
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
 from kitrobot.lll import Call, Instruction, Node, Number, Seq, nodes
-from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind, shape
+from kitrobot.primitives import Bound, Catalogue, Constructor, Robot, SlotKind, shape, unfill, unfill_all, unfill_row
 
 
-def lll_to_graph(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, keep: Program | None = None) -> Program:
-    """The graph of an LLL program. Sets the vertices of its nodes.
+def lll_to_graph(
+    seq: Seq,
+    robot: Robot,
+    catalogue: Catalogue,
+    name: str,
+    keep: Program | None = None,
+    *,
+    apart_from: str = "",
+) -> Program:
+    """The graph of an LLL program. Sets the vertices of its nodes, and writes anew what is written differently today.
 
     Args:
         seq: the program; its places do not matter.
@@ -32,18 +42,21 @@ def lll_to_graph(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, keep: 
         catalogue: the constructors to draw with.
         name: the name of the graph.
         keep: the graph to take over as much from as can be; the same text gives this very graph back.
+        apart_from: the constructor that is not drawn, as long as there is another.
 
     Raises KitRobotError when no constructor at hand is the inverse of a construct the program uses, or the catalogue
     lacks the robot that `keep` is for.
     """
     if keep is not None:
         return redraw(seq, robot, catalogue, name, Before(graph_to_lll(keep, catalogue)))[0]
+    write_anew(seq, catalogue)
     old = Old(nothing_before(robot, catalogue), {})
-    return Drawing(Program(name, robot.name), robot, catalogue, old).whole(seq)
+    return Drawing(Program(name, robot.name), robot, catalogue, old, apart_from=apart_from).whole(seq)
 
 
 def redraw(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, before: Before) -> tuple[Program, Translation]:
     """`lll_to_graph` with a graph to keep: the graph, and its translation back."""
+    write_anew(seq, catalogue)
     tree = before.translation.program
     if tree == seq:
         for node, was in zip(nodes(seq), nodes(tree), strict=True):
@@ -83,13 +96,21 @@ class Drawing:
     """A program being drawn from its text: `whole`, or by `chain` a stretch of it."""
 
     def __init__(
-        self, program: Program, robot: Robot, catalogue: Catalogue, old: Old, *, notes_anew: bool = False
+        self,
+        program: Program,
+        robot: Robot,
+        catalogue: Catalogue,
+        old: Old,
+        *,
+        notes_anew: bool = False,
+        apart_from: str = "",
     ) -> None:
         self.program = program
         self.robot = robot
         self.catalogue = catalogue
         self.old = old
         self.notes_anew = notes_anew
+        self.apart_from = apart_from
         self.number = old.highest_number
         self.used: set[str] = set()
         self.title: list[str] = []
@@ -184,15 +205,20 @@ class Drawing:
             element = f"{node.object}.{node.method}"
             same = origin is not None and origin.vertex.element == element and isinstance(origin.nodes[0], Call)
             return _Choice(element, origin=origin, before=origin.nodes[0] if origin is not None and same else None)
-        constructor = self.catalogue.inverse.get(shape(node))
-        if constructor is None:
+        kind = shape(node)
+        for constructor in self.catalogue.drawn.get(kind, ()):
+            assert constructor.template is not None, "only what has a template is drawn"
+            bound = unfill(constructor, constructor.template, node)
+            if bound is not None and constructor.name != self.apart_from:
+                return _Choice(constructor.name, constructor, bound, origin)
+        inverse = self.catalogue.inverse.get(kind)
+        if inverse is None:
             raise KitRobotError(
                 f"no constructor at hand draws the LLL construct {type(node).__name__}",
                 "bring back the constructors' XML that was shipped",
             )
-        assert constructor.template is not None, "only what has a template is an inverse"
-        bound = unfill(constructor, constructor.template, node, any_number=True)
-        return _Choice(constructor.name, constructor, bound, origin)
+        assert inverse.template is not None, "only what has a template is an inverse"
+        return _Choice(inverse.name, inverse, unfill(inverse, inverse.template, node, any_number=True), origin)
 
     def still(self, origin: Origin, node: Node, body: Seq, at: int) -> _Choice | None:
         """The constructor that the vertex was of, where its template still stands in the text."""

@@ -151,7 +151,8 @@ class _Lowering:
                 self.repeat(node)
             case While():
                 top, done = code.here(), code.label()
-                self.jump_if(node.condition, False, done)
+                if node.condition is not None:
+                    self.jump_if(node.condition, False, done)
                 self.loop_body(node.body, done)
                 code.jump(ops.JMP if self.flow.back_edge_is_free(node.body) else ops.LOOP, top)
                 code.place(done)

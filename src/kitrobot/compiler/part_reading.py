@@ -155,7 +155,7 @@ def draw_template(constructor: Constructor, robot: Robot, catalogue: Catalogue) 
     seq = template if isinstance(template, Seq) else Seq([Event(template, Seq()) if is_condition else template])
     for node in nodes(seq):
         _stand_in(node, numbers)
-    program = lll_to_graph(seq, robot, catalogue, constructor.name)
+    program = lll_to_graph(seq, robot, catalogue, constructor.name, apart_from=constructor.name)
     for vertex in program.vertices:
         if vertex.element.startswith("{"):
             vertex.element = vertex.element.removesuffix(".")

@@ -12,6 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from kitrobot.compiler.anew import write_anew
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.identity import same_nodes
 from kitrobot.compiler.keeping import Before, Old, lines_of
@@ -40,6 +41,7 @@ def redraw_edited(seq: Seq, robot: Robot, catalogue: Catalogue, before: Before) 
     Raises KitRobotError when no constructor at hand draws a construct of the text.
     """
     name = before.program.name
+    write_anew(seq, catalogue)
     drawn = None if before.translation.program == seq else _with_stretch(seq, robot, catalogue, before)
     if drawn is not None:
         translation = graph_to_lll(drawn, catalogue)

@@ -229,7 +229,12 @@ class _Parser(Expressions):
 
     def while_(self) -> While:
         start = self.take()[1]
-        condition = self.guard("[")
+        if not self.is_symbol("[") and not self.is_symbol("("):
+            raise self.mistake(
+                "`[` or `(` after `*`",
+                "write *[test]( … ) to repeat while a test is true, or *( … ) to repeat for ever",
+            )
+        condition = self.guard("[") if self.is_symbol("[") else None
         body = self.body()
         return While(condition, body, start=start, end=self.last_end)
 

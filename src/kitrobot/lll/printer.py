@@ -100,7 +100,12 @@ class _Printer:
                 self.body(node.body, level)
                 self.write(")")
             case While():
-                self.guarded("*[", node.condition, "](", node.body, level)
+                if node.condition is not None:
+                    self.guarded("*[", node.condition, "](", node.body, level)
+                else:
+                    self.write("*(")
+                    self.body(node.body, level)
+                    self.write(")")
             case Event():
                 self.guarded("<", node.condition, ">(", node.body, level)
             case Conditional():

@@ -84,9 +84,9 @@ class Repeat(Instruction):
 
 @dataclass(slots=True)
 class While(Instruction):
-    """`*[condition](body)`."""
+    """`*[condition](body)` or, without a condition, `*(body)`, which goes on for ever."""
 
-    condition: Condition
+    condition: Condition | None
     body: Seq
 
 

@@ -65,7 +65,7 @@ _INSIDE: dict[type, Callable[[Any], list[Any]]] = {
     Call: lambda node: list(node.params),
     Interrupt: lambda node: [node.call],
     Repeat: lambda node: [node.body],
-    While: lambda node: [node.condition, node.body],
+    While: lambda node: [node.condition, node.body] if node.condition is not None else [node.body],
     Event: lambda node: [node.condition, node.body],
     Conditional: lambda node: [node.condition, node.then, *([node.orelse] if node.orelse is not None else [])],
     Parallel: lambda node: list(node.branches),

@@ -30,6 +30,7 @@ from kitrobot.primitives.robot import (
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.template_xml import Template, read_template
 from kitrobot.primitives.templates import Shape, holes, shape
+from kitrobot.primitives.unfilling import Bound, fill_with, unfill, unfill_all, unfill_row
 from kitrobot.primitives.xml import MAX_DEPTH, TEXT, TEXTS, Reader
 from kitrobot.primitives.xml_decoding import MAX_BYTES
 from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, nearest, one_of, shown
@@ -48,6 +49,7 @@ __all__ = [
     "TEXT",
     "TEXTS",
     "Board",
+    "Bound",
     "Catalogue",
     "Category",
     "Constructor",
@@ -74,6 +76,7 @@ __all__ = [
     "did_you_mean",
     "escape_text",
     "escape_value",
+    "fill_with",
     "holes",
     "load_catalogue",
     "nearest",
@@ -85,6 +88,9 @@ __all__ = [
     "shape",
     "shown",
     "text_element",
+    "unfill",
+    "unfill_all",
+    "unfill_row",
     "write_constructor",
     "write_constructors",
     "write_variable",

@@ -19,13 +19,15 @@ from functools import cached_property
 from pathlib import Path
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place
+from kitrobot.lll import Condition, Instr
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group
 from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.own_xml import OWN_GROUP, OWN_LABEL, OwnVariable
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.robot_xml import read_robot
-from kitrobot.primitives.templates import Shape, inverse_shape
+from kitrobot.primitives.templates import Shape, inverse_shape, shape, shape_drawn
+from kitrobot.primitives.unfilling import is_more_specific
 from kitrobot.primitives.xml_decoding import MAX_BYTES
 from kitrobot.primitives.xml_element import did_you_mean
 
@@ -65,6 +67,30 @@ class Catalogue:
             shape = inverse_shape(constructor)
             if shape is not None:
                 table.setdefault(shape, constructor)
+        return table
+
+    @cached_property
+    def drawn(self) -> Mapping[Shape, Sequence[Constructor]]:
+        """The constructors that an LLL construct of a shape may be drawn as, in the order in which they are tried.
+
+        A template comes before each that it is a special case of; otherwise they are in the order of the palette.
+        """
+        table: dict[Shape, list[Constructor]] = {}
+        for constructor in self.constructors.values():
+            shape = shape_drawn(constructor)
+            if shape is not None:
+                row = table.setdefault(shape, [])
+                wider = (at for at, other in enumerate(row) if is_more_specific(constructor, other))
+                row.insert(next(wider, len(row)), constructor)
+        return table
+
+    @cached_property
+    def reads(self) -> Mapping[Shape, Sequence[tuple[Constructor, Instr | Condition]]]:
+        """By their shape, the templates that are only read, and whose they are."""
+        table: dict[Shape, list[tuple[Constructor, Instr | Condition]]] = {}
+        for constructor in self.constructors.values():
+            for template in constructor.reads:
+                table.setdefault(shape(template), []).append((constructor, template))
         return table
 
     def extended(self, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]) -> Catalogue:

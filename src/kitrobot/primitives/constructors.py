@@ -51,7 +51,10 @@ class Slot:
 
 @dataclass(frozen=True)
 class Constructor:
-    """A building block. `template` is None exactly for one that only adds a branch (`adds`: constructor, slot)."""
+    """A building block. `template` is None exactly for one that only adds a branch (`adds`: constructor, slot).
+
+    `reads` are other templates with the same slots: LLL made from one is drawn as this constructor too.
+    """
 
     name: str
     group: str
@@ -64,6 +67,7 @@ class Constructor:
     icon: str = ""
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
+    reads: tuple[Instr | Condition, ...] = ()
 
     def slot(self, name: str) -> Slot | None:
         """The slot of that name, or None."""

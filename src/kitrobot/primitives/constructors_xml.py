@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import And, Not, Or, is_name, print_template, without_comments
+from kitrobot.lll import And, Call, Not, Or, Seq, is_name, print_template, without_comments
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
 from kitrobot.primitives.robot import LARGEST_VALUE
@@ -44,6 +44,12 @@ class _Code(NamedTuple):
     """What `<code>` gave; the template is None when it is not LLL."""
 
     text: str
+    template: Template | None
+
+
+class _Reads(NamedTuple):
+    """What `<reads>` gave; the template is None when it is not LLL."""
+
     template: Template | None
 
 
@@ -102,6 +108,13 @@ def _code(element: Element) -> _Code:
     return _Code(" ".join(text.split()), template)
 
 
+def _reads(element: Element) -> _Reads:
+    template = read_template(element)
+    if isinstance(template, Seq | Call):
+        element.report(rules.TEMPLATE, "expected one construct to read, found several instructions or a call")
+    return _Reads(template)
+
+
 def _check_holes(constructor: Element, element: Element, template: Template) -> None:
     """Each slot of the constructor has one hole, each hole one slot, of a kind that fits."""
     offsets = element.reader.offsets_of_text(element)
@@ -153,6 +166,10 @@ def _constructor(element: Element) -> Constructor | None:
     for code, around in element.found_at(_Code):
         if code.template is not None and not element.faulty:
             _check_holes(element, around, code.template)
+    reads = [template for (template,) in element.found(_Reads) if template is not None]
+    for also, around in element.found_at(_Reads):
+        if also.template is not None and not element.faulty:
+            _check_holes(element, around, also.template)
     picture = icon(element)
     if element.faulty:
         return None
@@ -166,6 +183,7 @@ def _constructor(element: Element) -> Constructor | None:
         template=template,
         role=_role(template),
         adds=(added[0].constructor, added[0].slot) if added else None,
+        reads=tuple(template for template in reads if not isinstance(template, Seq)),
         icon=picture,
         label=element.texts.get("label", {}),
         help=element.texts.get("help", {}),
@@ -217,5 +235,6 @@ CONSTRUCTOR = Tag(
 )
 """One constructor; its group is the element around it."""
 
-_GROUP = Tag(_group, ("name", "colour"), {**TEXTS, "constructor": CONSTRUCTOR})
+_IN_FILE = replace(CONSTRUCTOR, children={**CONSTRUCTOR.children, "reads": Tag(_reads, text=True)})
+_GROUP = Tag(_group, ("name", "colour"), {**TEXTS, "constructor": _IN_FILE})
 _CONSTRUCTORS = Tag(None, ("version",), {"group": _GROUP}, open=lambda element: element.version(VERSION))

@@ -15,6 +15,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
+from kitrobot.diagnostics import Place
+
 LARGEST_VALUE = 2**29 - 1
 """How far from zero a number of a robot may lie: the sum of two still fits the word of the smallest board (31 bits)."""
 
@@ -72,7 +74,8 @@ class Method:
 
     `action` says what a procedure of a variable or of the system does: set, add, sub, clear ("" for a device command).
     `test` is equal, less or greater for a test; `to` is the number it compares with when that is not a parameter.
-    `stop` names the procedure that ends the effect of this one (for a marked action), or None.
+    `stop` names the procedure that ends the effect of this one (for a marked action), or None. `place` is where it
+    stands in the robot's file, None where it stands in none.
     """
 
     name: str
@@ -87,6 +90,7 @@ class Method:
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
     phrase: Texts = field(default_factory=dict)
+    place: Place | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -108,7 +112,7 @@ class RobotObject:
     """A part of the robot: `minimum`…`maximum` is the range of a sensor's or variable's value.
 
     `settings` are those of the simulator's device; `board` is what the driver of a real robot is told. Variables and
-    the system have no driver.
+    the system have no driver. `place` is where an actuator or a sensor stands in the robot's file.
     """
 
     name: str
@@ -125,6 +129,7 @@ class RobotObject:
     icon: str = ""
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
+    place: Place | None = field(default=None, compare=False, repr=False)
 
     def method(self, name: str) -> Method | None:
         """The method of that name, or None."""

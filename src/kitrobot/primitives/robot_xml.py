@@ -130,6 +130,7 @@ def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
         label=_text(element, "label"),
         help=_text(element, "help"),
         phrase=given or phrase,
+        place=element.place("name"),
     )
 
 
@@ -190,6 +191,7 @@ def _device(element: Element, category: Category, known: tuple[str, ...]) -> Rob
         icon=icon(element),
         label=_text(element, "label"),
         help=_text(element, "help"),
+        place=element.place("device"),
     )
 
 

@@ -1,8 +1,8 @@
 """What a constructor's template says about itself: its holes, and whether it can be run backwards.
 
 A template that is one LLL construct around distinct holes and nothing else is the *inverse* for that construct: LLL
-of that shape becomes a vertex of that constructor. The shape of a node is its class and, for a conditional, whether
-it has an `orelse`. Both are read off the tree's classes, so no constructor is named here.
+of that shape becomes a vertex of that constructor. The shape of a node is its class and which of its optional parts
+are there. Both are read off the tree's classes, so no constructor is named here.
 """
 
 from __future__ import annotations
@@ -10,17 +10,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import fields
 
-from kitrobot.lll import Call, Hole, Interrupt, Node, Parallel, Seq, children, nodes
+from kitrobot.lll import Call, Conditional, Hole, Interrupt, Node, Parallel, Seq, While, children, nodes
 from kitrobot.primitives.constructors import Constructor, SlotKind
 
 Shape = tuple[type[Node], bool]
-"""Class of a node, and whether its optional part is there."""
+"""Class of a node, and whether its optional part (`condition`, `orelse`) is there."""
 
 _NUMBER = (SlotKind.NUMBER,)
 _CONDITION = (SlotKind.CONDITION,)
 _FLOW = (SlotKind.FLOW,)
 _ACTION = (SlotKind.ACTION,)
 _PARAMETER = (SlotKind.NUMBER, SlotKind.VALUE, SlotKind.TEXT)
+_OPTIONAL: dict[type[Node], str] = {While: "condition", Conditional: "orelse"}
 _PLAIN = frozenset(("start", "end", "vertex", "above", "after", "method_start"))
 
 
@@ -43,13 +44,22 @@ def holes(template: Node) -> Iterator[tuple[Hole, tuple[SlotKind, ...], bool]]:
 
 def shape(node: Node) -> Shape:
     """What decides which constructor an LLL construct becomes."""
-    return type(node), getattr(node, "orelse", None) is not None
+    part = _OPTIONAL.get(type(node))
+    return type(node), part is not None and getattr(node, part) is not None
+
+
+def shape_drawn(constructor: Constructor) -> Shape | None:
+    """The shape that LLL must have to be drawn as this constructor; None where its template is not one construct."""
+    template = constructor.template
+    if template is None or isinstance(template, Seq | Call | Hole) or getattr(template, "above", None):
+        return None
+    return shape(template)
 
 
 def inverse_shape(constructor: Constructor) -> Shape | None:
     """The shape that this constructor's template is the inverse for, or None."""
-    template = constructor.template
-    if template is None or isinstance(template, Seq | Call) or getattr(template, "above", None):
+    template, drawn = constructor.template, shape_drawn(constructor)
+    if template is None or drawn is None:
         return None
     names: list[str] = []
     for part in fields(template):
@@ -63,4 +73,4 @@ def inverse_shape(constructor: Constructor) -> Shape | None:
             names.append(hole.name)
     if isinstance(template, Parallel) and [slot.repeat for slot in constructor.slots] != [True]:
         return None
-    return shape(template) if len(set(names)) == len(names) else None
+    return drawn if len(set(names)) == len(names) else None

@@ -35,6 +35,12 @@ _SHOWN = 40
 _COMPARED = 1000
 """Words that a misspelt one is compared with, at most."""
 
+_LONGEST_GUESS = 100
+"""Characters of a misspelt word that are compared, at most."""
+
+_GUESSES = 5
+"""Words that are alike enough to be looked at closely, at most."""
+
 
 @dataclass(frozen=True, slots=True)
 class Tag:
@@ -245,12 +251,30 @@ def one_of(options: Iterable[str]) -> str:
 
 
 def nearest(word: str, words: Iterable[str]) -> str:
-    """The known word that a misspelt one is most like, or ""."""
+    """The known word that a misspelt one is most like, or "" where none is a near spelling.
+
+    Near are words that become one another by few changes: one, and one more for each three letters beyond five.
+    """
     known = list(islice(words, _COMPARED))
     for candidate in known:
         if candidate.casefold() == word.casefold():
             return candidate
-    return next(iter(difflib.get_close_matches(word[:100], known, 1, 0.6)), "")
+    word = word[:_LONGEST_GUESS]
+    alike = difflib.get_close_matches(word, known, _GUESSES, 0.6)
+    return next((one for one in alike if _changes(word.casefold(), one.casefold()) <= max(1, len(word) // 3)), "")
+
+
+def _changes(one: str, other: str) -> int:
+    """How many letters are changed, put in, taken out, or swapped with the next, from one word to the other."""
+    before, row = [0] * (len(other) + 1), list(range(len(other) + 1))
+    for i, letter in enumerate(one, 1):
+        last, row, before = before, [i], row
+        for j, wanted in enumerate(other, 1):
+            least = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (letter != wanted))
+            if i > 1 and j > 1 and letter == other[j - 2] and one[i - 2] == wanted:
+                least = min(least, last[j - 2] + 1)
+            row.append(least)
+    return row[-1]
 
 
 def did_you_mean(word: str, words: Iterable[str]) -> str:

@@ -3,6 +3,7 @@
 from kitrobot.sim.hurry import expect_run
 from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
 from kitrobot.sim.sayings import Event
+from kitrobot.sim.settings import device_problems, simulated_devices
 from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Outcome, Simulation
 from kitrobot.sim.staging import MAX_AGENTS, SimulationError
 
@@ -20,7 +21,9 @@ __all__ = [
     "Recorder",
     "Simulation",
     "SimulationError",
+    "device_problems",
     "expect_run",
     "record_again",
     "simulate",
+    "simulated_devices",
 ]

@@ -3,11 +3,32 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import Category, Robot, RobotObject, did_you_mean, one_of, shown
 from kitrobot.sim import rules
 from kitrobot.sim.devices import Actuator, Device, Sensor, Setting, Values, actuators, sensors
+
+_OTHER_DEVICE = "give it one of these, or let the robot run on a board only"
+
+
+def simulated_devices(category: Category) -> Collection[str]:
+    """The names of the simulator's devices for actuators, or for sensors."""
+    return (actuators() if category is Category.ACTUATOR else sensors()).keys()
+
+
+def device_problems(robot: Robot, apart_from: Collection[tuple[Category, str]] = ()) -> list[Diagnostic]:
+    """All that keeps a robot's actuators and sensors, but for some, from being simulated, whatever world it is in."""
+    problems: list[Diagnostic] = []
+    for part in (*robot.actuators, *robot.sensors):
+        if (part.category, part.name) in apart_from:
+            continue
+        device, found = find_device(robot, part)
+        problems += found
+        if device is not None:
+            problems += read_settings(robot, part, device)[1]
+    return problems + read_conflicts(robot)
 
 
 def find_device(robot: Robot, part: RobotObject) -> tuple[type[Device] | None, list[Diagnostic]]:
@@ -17,7 +38,8 @@ def find_device(robot: Robot, part: RobotObject) -> tuple[type[Device] | None, l
     where = f"{robot.name}.{part.name}"
     if device is None:
         message = f"{where}: expected a device of the simulator ({one_of(sorted(known))}), found {shown(part.device)}"
-        return None, [rules.DEVICE(message, help=did_you_mean(part.device, known))]
+        help = did_you_mean(part.device, known) or _OTHER_DEVICE
+        return None, [rules.DEVICE(message, part.place, help=help)]
     problems = []
     if issubclass(device, Actuator):
         for method in part.methods:
@@ -25,7 +47,8 @@ def find_device(robot: Robot, part: RobotObject) -> tuple[type[Device] | None, l
                 message = (
                     f"{where}: the device {part.device} does {one_of(sorted(device.procedures))}, not {method.name}"
                 )
-                problems.append(rules.DEVICE(message, help=did_you_mean(method.name, device.procedures)))
+                help = did_you_mean(method.name, device.procedures)
+                problems.append(rules.DEVICE(message, method.place or part.place, help=help))
     assert issubclass(device, Actuator | Sensor)
     return device, problems
 
@@ -40,12 +63,12 @@ def read_settings(robot: Robot, part: RobotObject, device: type[Device]) -> tupl
         setting = known.get(name)
         if setting is None:
             message = f"{where}: the device {part.device} has no setting {shown(name)}"
-            problems.append(rules.DEVICE(message, help=did_you_mean(name, known)))
+            problems.append(rules.DEVICE(message, part.place, help=did_you_mean(name, known)))
             continue
         value = _value(setting, text)
         if value is None:
             message = f"{where}: expected {_expected(setting)} in {name}, found {shown(text)}"
-            problems.append(rules.DEVICE(message, help=f"{name}: {setting.help}"))
+            problems.append(rules.DEVICE(message, part.place, help=f"{name}: {setting.help}"))
         else:
             values[name] = value
     return Values(values), problems
@@ -66,14 +89,17 @@ def read_conflicts(robot: Robot) -> list[Diagnostic]:
                 f"{where}: a robot with the device {part.device} cannot have {other.name}, "
                 f"the device {other.device}, too"
             )
-            problems.append(rules.DEVICE(message, help=f"take {part.name} or {other.name} out of the robot's XML"))
+            help = f"take {part.name} or {other.name} out of the robot's XML"
+            problems.append(rules.DEVICE(message, part.place, help=help))
         if device.differs_in:
             default = next(str(one.default) for one in device.settings if one.name == device.differs_in)
             value = part.settings.get(device.differs_in, default)
             first = taken.setdefault((part.device, value), part.name)
             if first != part.name:
                 message = f"{where}: expected another {device.differs_in} than that of {first}, found {shown(value)}"
-                problems.append(rules.DEVICE(message, help=f"give each of them its own {device.differs_in}"))
+                problems.append(
+                    rules.DEVICE(message, part.place, help=f"give each of them its own {device.differs_in}")
+                )
     return problems
 
 

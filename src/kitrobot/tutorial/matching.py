@@ -165,6 +165,9 @@ class _Matching:
                 yield from self.ways(pattern.call, value.call)
             case Repeat():
                 yield from self.all([(pattern.count, value.count), (pattern.body, value.body)])
+            case While() if pattern.condition is None or value.condition is None:
+                if pattern.condition is value.condition:
+                    yield from self.ways(pattern.body, value.body)
             case While() | Event():
                 for _ in self.condition(pattern.condition, value.condition):
                     yield from self.ways(pattern.body, value.body)

@@ -20,6 +20,7 @@ from kitrobot.workspace.files import FileError, decode, read_bytes
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.opening import open_mission
 from kitrobot.workspace.problems import ProblemsError
+from kitrobot.workspace.robot_devices import robot_problems
 from kitrobot.world import read_world
 
 UNKNOWN_KIND = rule(
@@ -154,7 +155,8 @@ def _xml(path: Path) -> FileReport:
     found: list[Diagnostic]
     # A name such as `x.robot.xml` promises a kind; its reader says best what stands there instead.
     if kind == "robot" or (kind not in _READERS and lower.endswith(".robot.xml")):
-        _, found = read_robot(data, name)
+        robot, found = read_robot(data, name)
+        found += robot_problems(robot, path.parent) if robot is not None else []
     elif kind == "world" or (kind not in _READERS and lower.endswith(".world.xml")):
         _, found = read_world(data, name)
     elif kind == "tutorial" or (kind not in _READERS and lower.endswith(".tutorial.xml")):

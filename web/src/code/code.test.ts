@@ -12,6 +12,9 @@ function painted(text: string): string {
 
 describe("the colours of LLL", () => {
   it("give a loop's marks and closers one colour, its condition another", () => {
+    expect(painted("*(a.b(););")).toBe(
+      "*:loop (:loop a:action .:action b:action (:action ):action ;:quiet ):loop ;:quiet",
+    );
     expect(painted("*[Run.IsTrue()](a.b(5););")).toBe(
       "*:loop [:loop Run:test .:test IsTrue:test (:test ):test ]:loop (:loop a:action .:action b:action (:action 5:number ):action ;:quiet ):loop ;:quiet",
     );

@@ -56,6 +56,7 @@ describe("what may stand at a place", () => {
   it.each([
     ["", "instruction"],
     ["*[", "condition"],
+    ["*(", "instruction"],
     ["*[a.b()](", "instruction"],
     ["*[(", "condition"],
     ["[a.b() & !(", "condition"],

@@ -89,7 +89,7 @@ export function lllMarks(text: string): Mark[] {
       add(from, to, "choice");
       body = "choice";
     } else if (word === "(") {
-      const look: MarkClass = body ?? (inCondition() ? "test" : "action");
+      const look: MarkClass = wasStarred ? "loop" : (body ?? (inCondition() ? "test" : "action"));
       add(from, to, look);
       stack.push({
         close: ")",

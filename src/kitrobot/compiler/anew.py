@@ -1,0 +1,38 @@
+"""What constructors read besides their own LLL (`<reads>`), written as they write it today."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Any
+
+from kitrobot.lll import Instruction, Node, Seq, nodes
+from kitrobot.primitives import Catalogue, fill_with, shape, unfill
+
+
+def write_anew(program: Seq, catalogue: Catalogue) -> None:
+    """Changes a program in place; what is written anew keeps its place in the text and its comments."""
+    found = nodes(program)
+    kinds = {kind for kind, _ in catalogue.reads}
+    if not any(type(node) in kinds and _anew(node, catalogue) is not node for node in found):
+        return
+    for node in reversed(found):  # what is inside comes first
+        for part in fields(node):
+            value = getattr(node, part.name)
+            if isinstance(value, list):
+                value[:] = [_anew(item, catalogue) for item in value]
+            elif isinstance(value, Node):
+                setattr(node, part.name, _anew(value, catalogue))
+
+
+def _anew(node: Any, catalogue: Catalogue) -> Any:
+    if not isinstance(node, Node) or isinstance(node, Seq):
+        return node
+    for constructor, template in catalogue.reads.get(shape(node), ()):
+        bound = unfill(constructor, template, node)
+        if bound is not None:
+            made = fill_with(constructor.template, bound)
+            made.start, made.end = node.start, node.end
+            if isinstance(made, Instruction) and isinstance(node, Instruction):
+                made.above, made.after = node.above, node.after
+            return made
+    return node
