@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitrobot.image import Command, Machine
 from kitrobot.primitives import Robot
-from kitrobot.sim.columns import A_FRESH, CAUSE, DOWN, ENDED, FAILED, SINCE, TICK, WELL, WIRES
+from kitrobot.sim.columns import A_FRESH, CAUSE, DOWN, ENDED, FAILED, MUTED, SINCE, TICK, WELL, WIRES
 from kitrobot.sim.commanding import busy
 from kitrobot.sim.devices import actuators
 from kitrobot.sim.failures import CAUSES
@@ -100,8 +100,10 @@ class Agent:
 
     @property
     def downfall(self) -> str:
-        """In words: what befell it, when, and how that came about; it must be down."""
+        """In words: what befell it, when, and how that came about; "" for one that is well."""
         state, i = self.state, self.index
+        if self.down == WELL:
+            return f"{self.name} has no radio" if state.whole[MUTED][i] else ""
         seconds = state.whole[SINCE][i] * state.fixed_real[0]
         cause = CAUSES[state.whole[CAUSE][i]]
         if self.down == FAILED:

@@ -144,8 +144,9 @@ ACTUATOR_REALS = 6
     LIVING,  # programs that have not ended, of robots that have not failed
     PLANNED,  # how much of the schedule of failures has been
     REVIVALS,  # how many revivals are still to come on schedule
-) = range(18)
-CLOCKS = 18
+    SOUND,  # programs that have not ended, of robots that have not failed, stalled or lost their radio
+) = range(19)
+CLOCKS = 19
 
 # ---- what happens, as five numbers: kind, agent, what, how much, tick
 

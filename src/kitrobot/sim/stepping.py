@@ -29,6 +29,7 @@ from kitrobot.sim.columns import (
     S_ROBOT,
     S_STORE,
     S_VALUE,
+    SOUND,
     STUCK,
     TICK,
     TOUCHING,
@@ -76,8 +77,9 @@ TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY = range(4)
 def advance(state: State, steps: int) -> int:
     """Runs up to so many steps and gives how many.
 
-    It runs fewer when every program has ended, when nothing can change any more (STUCK), or when there is no room for
-    what may happen in one more step. What happens is written behind the EVENTS that are in `events` already.
+    It runs fewer when every program has ended, when all goals hold and only robots that something befell go on, when
+    nothing can change any more (STUCK), or when there is no room for what may happen in one more step. What happens is written
+    behind the EVENTS that are in `events` already.
     """
     (
         fixed,
@@ -136,6 +138,7 @@ def advance(state: State, steps: int) -> int:
         dock_road,
         stock,
         capacity,
+        goals,
         walls,
         wall_frame,
         wall_shape,
@@ -170,7 +173,7 @@ def advance(state: State, steps: int) -> int:
     sensor_values = sensor[S_VALUE]
     turn = real[TURN]
     done = 0
-    while done < steps and is_going_on(clock):
+    while done < steps and is_going_on(clock) and not is_reached(clock, goals, stock):
         if 5 * (clock[EVENTS] + most_events) > len(events):
             break
         step = clock[TICK]
@@ -465,6 +468,18 @@ def advance(state: State, steps: int) -> int:
 def is_going_on(clock: list[int]) -> bool:
     """Whether the run has not come to its end: somebody goes on, or failed and is to be revived."""
     return clock[STUCK] == 0 and clock[RUNNING] > 0 and (clock[LIVING] > 0 or clock[REVIVALS] > 0)
+
+
+def is_reached(clock: list[int], goals: list[list[int]], stock: list[int]) -> bool:
+    """Whether every goal holds and nobody is left who could say so by ending its program: those whose programs have not
+    ended failed, stalled or lost their radio, and none is to be revived. `goals` are the storehouses and their stock.
+    """
+    if clock[SOUND] > 0 or clock[REVIVALS] > 0 or len(goals[0]) == 0:
+        return False
+    n = 0
+    while n < len(goals[0]) and stock[goals[0][n]] == goals[1][n]:
+        n += 1
+    return n == len(goals[0])
 
 
 def is_stirring(

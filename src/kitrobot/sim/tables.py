@@ -72,6 +72,8 @@ class Tables:
         self._turning: set[int] = set()
         self.fates = Fates()
         """What is to befall the robots; set before `state`."""
+        self.goals: list[list[int]] = [[], []]
+        """The storehouses of goals, and how many boxes each is to hold; set before `state`."""
 
     # -- robots
 
@@ -164,7 +166,7 @@ class Tables:
         most_events = count + pairs + 2 * len(self._actuators) + variables
         most_events += self.fates.most_events(count, variables)
         clock = [0] * c.CLOCKS
-        clock[c.RUNNING] = clock[c.LIVING] = count
+        clock[c.RUNNING] = clock[c.LIVING] = clock[c.SOUND] = count
         clock[c.REVIVALS] = self.fates.revivals
         clock[c.MOVED] = 1
         clock[c.CYCLE] = math.lcm(*whole[c.PERIOD])
@@ -237,6 +239,7 @@ class Tables:
             dock_road=world.dock_road,
             stock=[house.stock for house in self.world.storehouses],
             capacity=[house.capacity for house in self.world.storehouses],
+            goals=self.goals,
             walls=world.walls,
             wall_frame=world.wall_grid.frame,
             wall_shape=world.wall_grid.shape,
