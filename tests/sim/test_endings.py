@@ -254,6 +254,45 @@ def test_a_goal_that_holds_for_a_moment_on_the_way_ends_nothing() -> None:
     assert run.sentence == "Every program has ended, but B holds 12 boxes instead of 3."
 
 
+def test_a_team_whose_storehouse_is_full_is_stuck_and_the_sentence_names_it() -> None:
+    run = transport(1)
+    houses = tuple(replace(house, capacity=5) if house.name == "B" else house for house in run.world.storehouses)
+    world = replace(run.world, storehouses=houses)
+    run = gone_on(Simulation(run.mission, world, example_images(), catalogue(), 1, 600))
+    assert run.outcome == "stuck"
+    assert "wait for something that will not come; storehouse B is full; B holds 5 of 12 boxes." in run.sentence
+
+
+LEAVING = "leaves the world: only walls hold robots at its edge"
+
+
+def test_who_drives_over_the_edge_of_the_world_is_told_once_and_named_in_the_end() -> None:
+    mini = catalogue().robots[MINI]
+    run = run_of({"a": (mini, "Wheel.Advance(50); WAIT(900);")}, replace(ROOM, walls=()), seconds=20)
+    told: list[tuple[int, str, str]] = []
+    while run.outcome is None:
+        run.advance(100)
+        told += [(event.tick, event.agent, event.text) for event in run.events]
+    assert told == [(756, "a", LEAVING)], "3000 mm at 200 mm/s, and the gaining of speed"
+    assert run.outcome == "time"
+    assert run.sentence == (
+        "The time of 20 s ran out: the program had not ended; a left the world, which has no wall there."
+    )
+
+
+def test_who_comes_back_into_the_world_is_not_named_in_the_end() -> None:
+    mini = catalogue().robots[MINI]
+    room = replace(empty_world(a=(3990, 1000, 0)), walls=())
+    out_and_in = "Wheel.Advance(50); WAIT(10); Wheel.Reverse(50); WAIT(20); Wheel.Advance(50); WAIT(15);"
+    run = run_of({"a": (mini, out_and_in + "Wheel.Reverse(50); WAIT(20);")}, room)
+    texts = []
+    while run.outcome is None:
+        run.step()
+        texts += [event.text for event in run.events]
+    assert texts == [LEAVING, "its program has ended"]
+    assert run.sentence == f"Done after {run.seconds:.1f} s: every program has ended."
+
+
 @pytest.mark.parametrize(
     ("names", "said"),
     [

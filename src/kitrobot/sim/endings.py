@@ -27,8 +27,8 @@ class Goals:
 
     def __init__(self, rows: Sequence[Sequence[int]], stage: Stage) -> None:
         self._stage = stage
-        houses = stage.world.storehouses
-        self._goals = [(houses[house].name, int(house), int(wanted)) for house, wanted in zip(*rows, strict=True)]
+        self._names = [house.name for house in stage.world.storehouses]
+        self._goals = [(self._names[house], int(house), int(wanted)) for house, wanted in zip(*rows, strict=True)]
 
     def __bool__(self) -> bool:
         return bool(self._goals)
@@ -40,6 +40,11 @@ class Goals:
     def say(self) -> str:
         """`B holds 7 of 12 boxes` for each goal; "" without goals."""
         return _listed([self._said(name, self._stage.stock[house], wanted) for name, house, wanted in self._goals])
+
+    def say_full(self, agents: Sequence[Agent]) -> str:
+        """The storehouses in which arms wait for room; "" for none."""
+        waited_for = dict.fromkeys(agent.full_house for agent in agents)
+        return _listed([f"storehouse {self._names[house]} is full" for house in waited_for if house >= 0])
 
     def _said(self, name: str, stock: int, wanted: int) -> str:
         if stock > wanted:
@@ -55,7 +60,8 @@ class Goals:
 
 def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """All goals hold; or there are none, and every program has ended."""
-    what, lost = goals.say() or "every program has ended", _casualties(agents)
+    what = _joined(goals.say() or "every program has ended", _left(agents))
+    lost = _casualties(agents)
     if not lost and not all(agent.ended for agent in agents):
         lost = _unfinished(agents)
     return f"Done after {seconds:.1f} s, although {lost}: {what}." if lost else f"Done after {seconds:.1f} s: {what}."
@@ -63,7 +69,7 @@ def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
 
 def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
     """Every program that could has ended, and some goal does not hold or somebody failed."""
-    why = _joined(_casualties(agents), goals.say())
+    why = _joined(_casualties(agents), goals.say(), goals.say_full(agents), _left(agents))
     if all(agent.ended for agent in agents):
         return f"Every program has ended, but {why}."
     if any(agent.ended for agent in agents):
@@ -73,7 +79,8 @@ def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
 
 def say_time(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """The time ran out."""
-    return f"The time of {seconds:g} s ran out: {_joined(goals.say() or _unfinished(agents), _casualties(agents))}."
+    why = (goals.say() or _unfinished(agents), _casualties(agents), goals.say_full(agents), _left(agents))
+    return f"The time of {seconds:g} s ran out: {_joined(*why)}."
 
 
 def say_stuck(goals: Goals, agents: Sequence[Agent]) -> str:
@@ -85,7 +92,8 @@ def say_stuck(goals: Goals, agents: Sequence[Agent]) -> str:
         waiting = f"{names[0]} waits for something that will not come"
     else:
         waiting = f"{_listed(names)} wait for something that will not come"
-    return f"Nothing can change any more: {_joined(waiting, _casualties(agents), goals.say())}."
+    why = (waiting, goals.say_full(agents), _casualties(agents), goals.say(), _left(agents))
+    return f"Nothing can change any more: {_joined(*why)}."
 
 
 def _unfinished(agents: Sequence[Agent]) -> str:
@@ -101,6 +109,12 @@ def _unfinished(agents: Sequence[Agent]) -> str:
 def _casualties(agents: Sequence[Agent]) -> str:
     """Who failed, stalled or lost its radio before its program had ended, when and why; "" for nobody."""
     return _listed([downfall for agent in agents if not agent.ended and (downfall := agent.downfall)])
+
+
+def _left(agents: Sequence[Agent]) -> str:
+    """Who is beyond the edge of the world; "" for nobody."""
+    names = [agent.name for agent in agents if agent.is_outside]
+    return f"{_listed(names)} left the world, which has no wall there" if names else ""
 
 
 def _joined(*clauses: str) -> str:

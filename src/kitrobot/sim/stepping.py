@@ -16,6 +16,7 @@ from kitrobot.sim.columns import (
     A_FRESH,
     DOWN,
     EVENTS,
+    LEFT,
     LIVING,
     LOAD,
     LOW_X,
@@ -55,7 +56,7 @@ from kitrobot.sim.devices.turn import TURN_DEVICE, move_turns
 from kitrobot.sim.devices.wheel import WHEEL_DEVICE, move_wheels
 from kitrobot.sim.grids import fill
 from kitrobot.sim.harming import harm_by_chance, harm_on_schedule
-from kitrobot.sim.physics import CLOSED, move_robots
+from kitrobot.sim.physics import CLOSED, move_robots, tell_leaving
 from kitrobot.sim.reacting import react
 from kitrobot.sim.sampling import sample, sample_done
 from kitrobot.sim.sharing import exchange
@@ -70,7 +71,7 @@ from kitrobot.sim.standstill import (
 from kitrobot.sim.state import State
 
 # What does not change in a run: state.fixed_real and state.fixed.
-DT, WIDEST, FAILS = range(3)
+DT, WIDEST, FAILS, WIDTH, HEIGHT = range(5)
 TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY = range(4)
 
 
@@ -78,8 +79,8 @@ def advance(state: State, steps: int) -> int:
     """Runs up to so many steps and gives how many.
 
     It runs fewer when every program has ended, when all goals hold and only robots that something befell go on, when
-    nothing can change any more (STUCK), or when there is no room for what may happen in one more step. What happens is written
-    behind the EVENTS that are in `events` already.
+    nothing can change any more (STUCK), or when there is no room for what may happen in one more step. What happens is
+    written behind the EVENTS that are in `events` already.
     """
     (
         fixed,
@@ -436,6 +437,10 @@ def advance(state: State, steps: int) -> int:
             events,
             clock,
         )
+        if clock[ROLLING] > 0 and len(free_solid) > 0:
+            tell_leaving(
+                free_solid, real[X], real[Y], fixed_real[WIDTH], fixed_real[HEIGHT], whole[LEFT], events, clock
+            )
         if len(mine) > 0 and ran > 0:
             exchange(
                 step,
@@ -457,7 +462,9 @@ def advance(state: State, steps: int) -> int:
         if clock[ROLLING] == 0:
             stirs = is_stirring(step, actuator, actuator_real, real, whole)
         else:
-            stirs = not looks or is_at_work(step, actuator, whole) or not is_held(real, actuator_real, held)
+            stirs = (
+                not looks or is_at_work(step, actuator, actuator_real, whole) or not is_held(real, actuator_real, held)
+            )
         if stirs or clock[EVENTS] > events_before:
             stirred(clock)
         elif clock[RUNNING] > 0:

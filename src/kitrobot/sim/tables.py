@@ -163,7 +163,7 @@ class Tables:
         while buckets < 2 * pairs:
             buckets *= 2
         variables = len(shared.variables)
-        most_events = count + pairs + 2 * len(self._actuators) + variables
+        most_events = count + pairs + len(free_solid) + 2 * len(self._actuators) + variables
         most_events += self.fates.most_events(count, variables)
         clock = [0] * c.CLOCKS
         clock[c.RUNNING] = clock[c.LIVING] = clock[c.SOUND] = count
@@ -184,7 +184,7 @@ class Tables:
         room = max(4 * max(len(self.world.walls), FEW), 2 * in_grid) + 32
         state = State(
             fixed=[1 if together else 0, 1 if sees else 0, most_events, self.fates.every],
-            fixed_real=[self.dt, widest, self.fates.probability],
+            fixed_real=[self.dt, widest, self.fates.probability, self.world.width_mm, self.world.height_mm],
             clock=clock,
             events=[0] * (c.EVENT * (2 * most_events + BY_HAND_AT_ONCE + variables)),
             real=real,
