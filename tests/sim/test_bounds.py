@@ -43,7 +43,7 @@ def test_a_mission_whose_programs_never_end_runs_out_of_time() -> None:
     moving = "*[Run.IsTrue()]( Wheel.Advance(50); WAIT(10); Wheel.Reverse(50); WAIT(10); );"
     run = run_of({"a": (MINI, moving)}, empty_world(a=(1000, 1000, 0)), seconds=30)
     assert run.advance(10**9) == 1500
-    assert run.sentence == "The time of 30 s ran out: 1 of 1 programs had not ended."
+    assert run.sentence == "The time of 30 s ran out: the program had not ended."
 
 
 def test_a_call_for_ever_so_many_steps_comes_back_when_very_much_has_happened() -> None:

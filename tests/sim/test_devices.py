@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.sim import ALARM, LAMP, Simulation, SimulationError
+from kitrobot.sim import ALARM, ARM, LAMP, Simulation, SimulationError
 from kitrobot.sim.angles import direction
 from kitrobot.sim.chance import drawn, gauss, keys
 from kitrobot.sim.devices import Actuator, Sensor, actuators, sensors
@@ -381,10 +381,50 @@ def test_an_arm_that_cannot_load_says_so_and_moves_no_box(at: float, load: int, 
     assert run.stage.bodies.load[0] == load
 
 
-@pytest.mark.parametrize(
-    ("load", "stock", "words"),
-    [(0, 0, "no loaded carrier stands in dock out"), (1, 1, "storehouse B is full")],
-)
+def over_a_full_storehouse(program: str = "Arm.Unload();") -> Simulation:
+    """A loaded carrier in the dock of a storehouse that has room for one box and holds it."""
+    carrier, unloader = catalogue().robots["carrier"], catalogue().robots["unloader"]
+    world = lane(a=1500)
+    world = replace(world, storehouses=(world.storehouses[0], replace(world.storehouses[1], stock=1)))
+    run = run_of({"a": (carrier, "WAIT(90); Wheel.Advance(50); WAIT(900);"), "unloader": (unloader, program)}, world)
+    run.stage.bodies.load[0] = 1
+    run.stage.total += 1
+    return run
+
+
+def test_an_arm_over_a_full_storehouse_says_so_once_and_waits_until_there_is_room() -> None:
+    run = over_a_full_storehouse()
+    texts: list[str] = []
+
+    def go(count: int) -> None:
+        for _ in range(count):
+            run.step()
+            texts.extend(event.text for event in run.events if event.kind == "message")
+
+    go(300)
+    assert texts == ["storehouse B is full"]
+    assert (run.stage.stock[1], run.stage.bodies.load[0]) == (1, 1)
+    assert run.view(1).flags & ARM
+    assert run.view(1).state == "waiting"
+    run.stage.stock[1] = 0
+    go(1)
+    assert (run.stage.stock[1], run.stage.bodies.load[0]) == (1, 0)
+    go(2)
+    assert run.members[1].ended
+    assert texts == ["storehouse B is full"]
+
+
+def test_an_arm_over_a_full_storehouse_comes_back_when_the_carrier_leaves() -> None:
+    run = over_a_full_storehouse()
+    texts: list[str] = []
+    while not run.members[1].ended:
+        run.step()
+        texts += [event.text for event in run.events if event.kind == "message"]
+    assert texts == ["storehouse B is full", "no loaded carrier stands in dock out"]
+    assert (run.stage.stock[1], run.stage.bodies.load[0]) == (1, 1)
+
+
+@pytest.mark.parametrize(("load", "stock", "words"), [(0, 0, "no loaded carrier stands in dock out")])
 def test_an_arm_that_cannot_unload_says_so_and_moves_no_box(load: int, stock: int, words: str) -> None:
     carrier, unloader = catalogue().robots["carrier"], catalogue().robots["unloader"]
     world = lane(a=1500)

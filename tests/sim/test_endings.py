@@ -75,7 +75,7 @@ def test_a_goal_that_does_not_hold_makes_it_failed_and_is_named() -> None:
 def test_waiting_for_what_cannot_come_is_stuck(text: str) -> None:
     run = ended(text)
     assert run.outcome == "stuck", run.sentence
-    assert run.sentence == "Nothing can change any more: a wait for something that will not come."
+    assert run.sentence == "Nothing can change any more: a waits for something that will not come."
     assert run.seconds < 20
 
 
@@ -202,6 +202,115 @@ def test_a_team_whose_carriers_wait_for_a_loader_that_is_not_there_is_stuck() ->
     assert run.seconds < 60
     assert "B holds 0 of 12 boxes" in run.sentence
     assert "carrier-1" in run.sentence
+
+
+@pytest.mark.parametrize(
+    ("agent", "kind", "why"),
+    [
+        ("store-manager-B", FailureKind.FAIL, "store-manager-B failed after 20.0 s (on schedule)"),
+        ("store-manager-B", FailureKind.STALL, "store-manager-B stalled after 20.0 s (on schedule)"),
+        ("store-manager-A", FailureKind.STALL, "store-manager-A stalled after 20.0 s (on schedule)"),
+        ("store-manager-A", FailureKind.MUTE, "store-manager-A has no radio"),
+        ("unloader", FailureKind.MUTE, "unloader has no radio"),
+        ("loader", FailureKind.MUTE, "loader has no radio"),
+    ],
+)
+def test_a_goal_that_holds_is_done_whoever_failed(agent: str, kind: FailureKind, why: str) -> None:
+    run = gone_on(transport(1, failures=[Failure(agent, 20.0, kind)]))
+    assert run.outcome == "done", run.sentence
+    assert run.sentence == f"Done after {run.seconds:.1f} s, although {why}: B holds all 12 boxes."
+    assert run.seconds < 70
+
+
+def test_many_steps_at_once_and_one_by_one_end_a_run_whose_goal_holds_at_the_same_tick() -> None:
+    failures = [Failure("loader", 20.0, FailureKind.MUTE)]
+    single = transport(1, failures=failures)
+    while single.outcome is None:
+        single.step()
+    assert single.tick == gone_on(transport(1, failures=failures)).tick
+
+
+def test_who_is_to_be_revived_may_still_end_its_program() -> None:
+    failures = [Failure("loader", 20.0, FailureKind.MUTE), Failure("loader", 80.0, FailureKind.REVIVE)]
+    run = gone_on(transport(1, failures=failures))
+    assert (run.outcome, run.sentence) == ("done", f"Done after {run.seconds:.1f} s: B holds all 12 boxes.")
+    assert run.seconds > 80
+
+
+def test_a_goal_that_holds_when_the_time_is_over_is_done() -> None:
+    manager = catalogue().robots["store-manager"]
+    agents = {"store-manager-A": (manager, "WAIT(9);"), "store-manager-B": (manager, "WAIT(99);")}
+    run = gone_on(run_of(agents, shipped_world("ring"), [Goal("A", "12")], seconds=2))
+    assert run.outcome == "done"
+    assert run.sentence == "Done after 2.0 s, although 1 of 2 programs had not ended: A holds all 12 boxes."
+
+
+def test_a_goal_that_holds_for_a_moment_on_the_way_ends_nothing() -> None:
+    run = transport(1)
+    mission = run.mission
+    mission.team.goals = [Goal("B", "3")]
+    run = gone_on(Simulation(mission, run.world, example_images(), catalogue(), 1, 600))
+    assert (run.outcome, run.stock["B"]) == ("failed", 12)
+    assert run.sentence == "Every program has ended, but B holds 12 boxes instead of 3."
+
+
+def test_a_team_whose_storehouse_is_full_is_stuck_and_the_sentence_names_it() -> None:
+    run = transport(1)
+    houses = tuple(replace(house, capacity=5) if house.name == "B" else house for house in run.world.storehouses)
+    world = replace(run.world, storehouses=houses)
+    run = gone_on(Simulation(run.mission, world, example_images(), catalogue(), 1, 600))
+    assert run.outcome == "stuck"
+    assert "wait for something that will not come; storehouse B is full; B holds 5 of 12 boxes." in run.sentence
+
+
+LEAVING = "leaves the world: only walls hold robots at its edge"
+
+
+def test_who_drives_over_the_edge_of_the_world_is_told_once_and_named_in_the_end() -> None:
+    mini = catalogue().robots[MINI]
+    run = run_of({"a": (mini, "Wheel.Advance(50); WAIT(900);")}, replace(ROOM, walls=()), seconds=20)
+    told: list[tuple[int, str, str]] = []
+    while run.outcome is None:
+        run.advance(100)
+        told += [(event.tick, event.agent, event.text) for event in run.events]
+    assert told == [(756, "a", LEAVING)], "3000 mm at 200 mm/s, and the gaining of speed"
+    assert run.outcome == "time"
+    assert run.sentence == (
+        "The time of 20 s ran out: the program had not ended; a left the world, which has no wall there."
+    )
+
+
+def test_who_comes_back_into_the_world_is_not_named_in_the_end() -> None:
+    mini = catalogue().robots[MINI]
+    room = replace(empty_world(a=(3990, 1000, 0)), walls=())
+    out_and_in = "Wheel.Advance(50); WAIT(10); Wheel.Reverse(50); WAIT(20); Wheel.Advance(50); WAIT(15);"
+    run = run_of({"a": (mini, out_and_in + "Wheel.Reverse(50); WAIT(20);")}, room)
+    texts = []
+    while run.outcome is None:
+        run.step()
+        texts += [event.text for event in run.events]
+    assert texts == [LEAVING, "its program has ended"]
+    assert run.sentence == f"Done after {run.seconds:.1f} s: every program has ended."
+
+
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [
+        (["a"], "a waits"),
+        (["a", "b"], "a and b wait"),
+        (["a", "b", "c"], "a, b and c wait"),
+        (list("abcdefg"), "a, b, c, d, e and 2 more wait"),
+    ],
+)
+def test_one_waits_and_many_wait(names: list[str], said: str) -> None:
+    mini = catalogue().robots[MINI]
+    room = empty_world(**{name: (300 + 400 * n, 1000, 0) for n, name in enumerate(names)})
+    run = gone_on(run_of(dict.fromkeys(names, (mini, "<Flag.IsTrue()>();")), room))
+    assert run.sentence == f"Nothing can change any more: {said} for something that will not come."
+
+
+def test_the_one_program_of_a_run_is_not_counted() -> None:
+    assert ended("WAIT(99);", seconds=1).sentence == "The time of 1 s ran out: the program had not ended."
 
 
 # ---- what keeps a run from beginning

@@ -300,7 +300,7 @@ def test_who_waits_for_a_failed_one_is_stuck_and_the_sentence_names_it() -> None
     run.harm("b", "fail")
     run.advance(5000)
     assert run.outcome == "stuck"
-    assert "a wait for something that will not come; b failed after 0.2 s (by hand)." in run.sentence
+    assert "a waits for something that will not come; b failed after 0.2 s (by hand)." in run.sentence
 
 
 def test_a_run_that_ended_goes_on_when_somebody_is_revived() -> None:

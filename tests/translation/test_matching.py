@@ -42,6 +42,8 @@ def french() -> Table:
         ("The program has ended.", "Le programme est fini."),
         ("Done after 1.5 s: the program has ended.", "Fini en 1,5 s : le programme est fini."),
         ("Done after 2 s: A holds 1 and B holds 2.", "Fini en 2 s : A contient 1 et B contient 2."),
+        ("Done after 2 s: the program has ended; A holds 1.", "Fini en 2 s : le programme est fini ; A contient 1."),
+        ("Done after 2 s: A holds 1; who knows.", "Fini en 2 s : A contient 1; who knows."),
         ("the robot `While` has no `box`", "`box` manque au robot `Tant que`"),
         ("expected “a, b or c”, found “x”", "attendu “a, b or c”, trouvé “x”"),
         ("Box-1 holds  after box", "Box-1 contient  après caisse"),

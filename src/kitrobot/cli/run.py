@@ -84,7 +84,7 @@ def _summary(run: Run) -> str:
         f"  outcome     {run.outcome}",
         *([f"  delivered   {sum(run.delivered.values())} of {run.total}"] if run.total else []),
         f"  collisions  {run.collisions}",
-        f"  simulated   {run.seconds:.2f} s in {run.ticks} ticks",
+        f"  simulated   {run.seconds:.2f} s in {run.ticks} tick{'' if run.ticks == 1 else 's'}",
         f"  real time   {real:.2f} s" + (f", {run.seconds / real:.0f} times as fast" if real > 0 else ""),
     ]
     return "\n".join(lines) + "\n"

@@ -4,11 +4,30 @@ from __future__ import annotations
 
 from kitrobot.image import Command, Machine
 from kitrobot.primitives import Robot
-from kitrobot.sim.columns import A_FRESH, CAUSE, DOWN, ENDED, FAILED, SINCE, TICK, WELL, WIRES
+from kitrobot.sim.columns import (
+    A_FRESH,
+    A_KIND,
+    A_R,
+    A_STORE,
+    CAUSE,
+    DOWN,
+    ENDED,
+    FAILED,
+    LEFT,
+    MUTED,
+    SINCE,
+    TICK,
+    WELL,
+    WIRES,
+    X,
+    Y,
+)
 from kitrobot.sim.commanding import busy
 from kitrobot.sim.devices import actuators
+from kitrobot.sim.devices.arm import ARM_DEVICE
 from kitrobot.sim.failures import CAUSES
 from kitrobot.sim.state import State, numbers
+from kitrobot.sim.stepping import HEIGHT, WIDTH
 from kitrobot.trace import Threads
 
 
@@ -100,13 +119,33 @@ class Agent:
 
     @property
     def downfall(self) -> str:
-        """In words: what befell it, when, and how that came about; it must be down."""
+        """In words: what befell it, when, and how that came about; "" for one that is well."""
         state, i = self.state, self.index
+        if self.down == WELL:
+            return f"{self.name} has no radio" if state.whole[MUTED][i] else ""
         seconds = state.whole[SINCE][i] * state.fixed_real[0]
         cause = CAUSES[state.whole[CAUSE][i]]
         if self.down == FAILED:
             return f"{self.name} failed after {seconds:.1f} s ({cause})"
         return f"{self.name} stalled after {seconds:.1f} s ({cause})"
+
+    @property
+    def is_outside(self) -> bool:
+        """Whether it has left the world and is beyond its edge still."""
+        state, i = self.state, self.index
+        x, y = state.real[X][i], state.real[Y][i]
+        width, height = state.fixed_real[WIDTH], state.fixed_real[HEIGHT]
+        return bool(state.whole[LEFT][i]) and not (0.0 <= x <= width and 0.0 <= y <= height)
+
+    @property
+    def full_house(self) -> int:
+        """The number of the storehouse in which its arm waits for room; -1 when it waits for none."""
+        state = self.state
+        for at in self._actuators():
+            k = state.wires[at]
+            if state.actuator[A_KIND][k] == ARM_DEVICE and state.actuator_real[A_R][k] and self.down != FAILED:
+                return int(state.actuator[A_STORE][k])
+        return -1
 
     @property
     def active(self) -> Threads:

@@ -36,7 +36,7 @@ def _names(first: str, last: str) -> dict[str, int]:
 
 
 _REAL = _names("X", "TOLD")
-_WHOLE = _names("SOLID", "CAUSE")
+_WHOLE = _names("SOLID", "LEFT")
 
 
 class Stage:

@@ -62,8 +62,9 @@ REALS = 17
     MUTED,  # 1: it has lost its radio
     SINCE,  # the step in which DOWN became what it is
     CAUSE,  # what brought that about
-) = range(23)
-WHOLES = 23
+    LEFT,  # 1: it was beyond the edge of the world once
+) = range(24)
+WHOLES = 24
 
 WELL, STALLED, FAILED = range(3)
 
@@ -144,8 +145,9 @@ ACTUATOR_REALS = 6
     LIVING,  # programs that have not ended, of robots that have not failed
     PLANNED,  # how much of the schedule of failures has been
     REVIVALS,  # how many revivals are still to come on schedule
-) = range(18)
-CLOCKS = 18
+    SOUND,  # programs that have not ended, of robots that have not failed, stalled or lost their radio
+) = range(19)
+CLOCKS = 19
 
 # ---- what happens, as five numbers: kind, agent, what, how much, tick
 
@@ -161,7 +163,8 @@ CLOCKS = 18
     WRITTEN,  # what: the shared variable, how much: its value
     LOST,  # what: the actuator that a command did not reach
     HARMED,  # what: what befell the robot, how much: its cause
-) = range(11)
+    LEAVING,
+) = range(12)
 EVENT = 5
 
 

@@ -212,4 +212,7 @@ def busy(
         return actuator_real[A_Q][k] != 0.0 or actuator_real[A_R][k] != 0.0
     if kind == DRIVE:
         return real[SPEED][i] != 0.0 or real[TARGET][i] != 0.0
+    if kind == ARM_DEVICE and actuator_real[A_R][k] != 0.0:
+        # It waits for room in a storehouse.
+        return False
     return actuator[A_DONE][k] == 0

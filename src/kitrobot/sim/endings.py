@@ -1,16 +1,19 @@
 """How a run ends, and why, in a sentence.
 
-*done*: every program has ended and every goal holds. *failed*: every program has ended and a goal does not hold; or
-nobody is left to go on. When there are goals and they hold, a robot that failed on the way does not matter: what was
-to be done is done. The sentence names who failed or stalled.
-*time*: the time given ran out. *stuck*: nothing can ever change again; said only when it is certain (standstill).
+*done*: all goals of the mission hold, whoever failed on the way; without goals, every program has ended. *failed*:
+every program has ended and a goal does not hold; or nobody is left to go on. *time*: the time given ran out. *stuck*:
+nothing can ever change again; said only when it is certain (standstill).
+
+Goals are judged when the run comes to an end of its own: every program has ended, nobody is left to go on, nothing can
+change any more, the time is over, or every program has ended but those of robots that failed, stalled or lost their
+radio. They are not judged before, for a goal may hold for a moment on the way to another stock. A sentence names who
+failed, stalled or lost its radio.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.mission import ALL, Goal
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.bodies import Stage
 from kitrobot.sim.columns import WELL
@@ -20,15 +23,12 @@ SHOWN = 5
 
 
 class Goals:
-    """The mission's goals against the stock."""
+    """The mission's goals against the stock; `rows`: the numbers of storehouses, and how many boxes each is to hold."""
 
-    def __init__(self, goals: Sequence[Goal], stage: Stage) -> None:
+    def __init__(self, rows: Sequence[Sequence[int]], stage: Stage) -> None:
         self._stage = stage
-        names = [house.name for house in stage.world.storehouses]
-        self._goals = [
-            (goal.storehouse, names.index(goal.storehouse), stage.total if goal.stock == ALL else int(goal.stock))
-            for goal in goals
-        ]
+        self._names = [house.name for house in stage.world.storehouses]
+        self._goals = [(self._names[house], int(house), int(wanted)) for house, wanted in zip(*rows, strict=True)]
 
     def __bool__(self) -> bool:
         return bool(self._goals)
@@ -39,64 +39,92 @@ class Goals:
 
     def say(self) -> str:
         """`B holds 7 of 12 boxes` for each goal; "" without goals."""
-        parts = []
-        for name, house, wanted in self._goals:
-            stock = self._stage.stock[house]
-            boxes = "box" if wanted == 1 else "boxes"
-            if stock == wanted:
-                parts.append(f"{name} holds {'all ' if wanted == self._stage.total else ''}{wanted} {boxes}")
-            else:
-                parts.append(f"{name} holds {stock} of {wanted} {boxes}")
-        return " and ".join(parts)
+        return _listed([self._said(name, self._stage.stock[house], wanted) for name, house, wanted in self._goals])
+
+    def say_full(self, agents: Sequence[Agent]) -> str:
+        """The storehouses in which arms wait for room; "" for none."""
+        waited_for = dict.fromkeys(agent.full_house for agent in agents)
+        return _listed([f"storehouse {self._names[house]} is full" for house in waited_for if house >= 0])
+
+    def _said(self, name: str, stock: int, wanted: int) -> str:
+        if stock > wanted:
+            return f"{name} holds {stock} box{'' if stock == 1 else 'es'} instead of {wanted}"
+        if wanted == 1:
+            return f"{name} holds 1 box" if stock == 1 else f"{name} does not hold its box"
+        if stock < wanted:
+            return f"{name} holds {stock} of {wanted} boxes"
+        if 0 < wanted == self._stage.total:
+            return f"{name} holds all {wanted} boxes"
+        return f"{name} holds {wanted} boxes"
 
 
 def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
-    """Every program that could has ended and every goal holds."""
-    what, lost = goals.say() or "every program has ended", _casualties(agents)
+    """All goals hold; or there are none, and every program has ended."""
+    what = _joined(goals.say() or "every program has ended", _left(agents))
+    lost = _casualties(agents)
+    if not lost and not all(agent.ended for agent in agents):
+        lost = _unfinished(agents)
     return f"Done after {seconds:.1f} s, although {lost}: {what}." if lost else f"Done after {seconds:.1f} s: {what}."
 
 
 def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
     """Every program that could has ended, and some goal does not hold or somebody failed."""
-    lost, rest = _casualties(agents), goals.say()
-    if not lost:
-        return f"Every program has ended, but {rest}."
+    why = _joined(_casualties(agents), goals.say(), goals.say_full(agents), _left(agents))
+    if all(agent.ended for agent in agents):
+        return f"Every program has ended, but {why}."
     if any(agent.ended for agent in agents):
-        if rest:
-            return f"Every other program has ended, but {lost}; {rest}."
-        return f"Every other program has ended, but {lost}."
-    return f"Nobody is left to go on: {lost}; {rest}." if rest else f"Nobody is left to go on: {lost}."
+        return f"Every other program has ended, but {why}."
+    return f"Nobody is left to go on: {why}."
 
 
 def say_time(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """The time ran out."""
-    running = sum(not agent.ended for agent in agents)
-    rest = goals.say() or f"{running} of {len(agents)} programs had not ended"
-    lost = _casualties(agents)
-    if lost:
-        return f"The time of {seconds:g} s ran out: {rest}; {lost}."
-    return f"The time of {seconds:g} s ran out: {rest}."
+    why = (goals.say() or _unfinished(agents), _casualties(agents), goals.say_full(agents), _left(agents))
+    return f"The time of {seconds:g} s ran out: {_joined(*why)}."
 
 
 def say_stuck(goals: Goals, agents: Sequence[Agent]) -> str:
     """Nothing can change any more."""
-    waiting = _listed([agent.name for agent in agents if not agent.ended and agent.down == WELL])
-    lost, goal = _casualties(agents), goals.say()
-    if not lost:
-        rest = f" {goal}." if goal else ""
-        return f"Nothing can change any more: {waiting} wait for something that will not come.{rest}"
-    if not waiting:
-        return f"Nothing can change any more: {lost}; {goal}." if goal else f"Nothing can change any more: {lost}."
-    if goal:
-        return f"Nothing can change any more: {waiting} wait for something that will not come; {lost}; {goal}."
-    return f"Nothing can change any more: {waiting} wait for something that will not come; {lost}."
+    names = [agent.name for agent in agents if not agent.ended and agent.down == WELL]
+    if not names:
+        waiting = ""
+    elif len(names) == 1:
+        waiting = f"{names[0]} waits for something that will not come"
+    else:
+        waiting = f"{_listed(names)} wait for something that will not come"
+    why = (waiting, goals.say_full(agents), _casualties(agents), goals.say(), _left(agents))
+    return f"Nothing can change any more: {_joined(*why)}."
+
+
+def _unfinished(agents: Sequence[Agent]) -> str:
+    """How many programs go on."""
+    running = sum(not agent.ended for agent in agents)
+    if len(agents) == 1:
+        return "the program had not ended"
+    if running == 1:
+        return f"1 of {len(agents)} programs had not ended"
+    return f"{running} of {len(agents)} programs had not ended"
 
 
 def _casualties(agents: Sequence[Agent]) -> str:
-    """Who failed or stalled before its program had ended, when and why; "" for nobody."""
-    return _listed([agent.downfall for agent in agents if agent.down != WELL and not agent.ended])
+    """Who failed, stalled or lost its radio before its program had ended, when and why; "" for nobody."""
+    return _listed([downfall for agent in agents if not agent.ended and (downfall := agent.downfall)])
+
+
+def _left(agents: Sequence[Agent]) -> str:
+    """Who is beyond the edge of the world; "" for nobody."""
+    names = [agent.name for agent in agents if agent.is_outside]
+    return f"{_listed(names)} left the world, which has no wall there" if names else ""
+
+
+def _joined(*clauses: str) -> str:
+    """The clauses that say something, one after another."""
+    return "; ".join(clause for clause in clauses if clause)
 
 
 def _listed(names: Sequence[str]) -> str:
-    """The first few of them."""
-    return ", ".join(names[:SHOWN]) + (f" and {len(names) - SHOWN} more" if len(names) > SHOWN else "")
+    """`a`, `a and b`, `a, b and c`: the first few of them."""
+    shown = list(names[:SHOWN])
+    if len(names) > SHOWN:
+        shown.append(f"{len(names) - SHOWN} more")
+    return " and ".join(filter(None, (", ".join(shown[:-1]), *shown[-1:])))

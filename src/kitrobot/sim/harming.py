@@ -25,6 +25,7 @@ from kitrobot.sim.columns import (
     PLANNED,
     REVIVALS,
     SINCE,
+    SOUND,
     STALLED,
     TARGET,
     TICK,
@@ -66,6 +67,7 @@ def harm(
     down = whole[DOWN]
     muted = whole[MUTED]
     was_deaf = muted[i] != 0 or down[i] == FAILED
+    was_sound = muted[i] == 0 and down[i] == WELL
     if kind == FAIL:
         if down[i] == FAILED:
             return
@@ -98,6 +100,11 @@ def harm(
         whole[CAUSE][i] = cause
     stirred(clock)
     tell(events, clock, HARMED, i, kind, cause)
+    if whole[ENDED][i] == 0:
+        if was_sound:
+            clock[SOUND] -= 1
+        if muted[i] == 0 and down[i] == WELL:
+            clock[SOUND] += 1
     is_deaf = muted[i] != 0 or down[i] == FAILED
     if is_deaf and not was_deaf:
         leave(i, shared, apart, mine_first, mine)

@@ -18,6 +18,7 @@ from kitrobot.sim.columns import (
     GAP_BEHIND,
     HEADING,
     LEADER,
+    LEAVING,
     LENGTH,
     LOW_X,
     LOW_Y,
@@ -221,3 +222,21 @@ def tell_contacts(
         if pairs[k] >= 0:
             touching[pairs[k]] = 1
     clock[CONTACTS] = count
+
+
+def tell_leaving(
+    who: list[int],
+    x: list[float],
+    y: list[float],
+    width: float,
+    height: float,
+    left: list[int],
+    events: list[int],
+    clock: list[int],
+) -> None:
+    """Says of each robot, once, that its middle is beyond the edge of the world, which is no wall."""
+    for k in range(len(who)):
+        i = who[k]
+        if left[i] == 0 and (x[i] < 0.0 or y[i] < 0.0 or x[i] > width or y[i] > height):
+            left[i] = 1
+            tell(events, clock, LEAVING, i, 0, 0)

@@ -6,7 +6,7 @@ everything as it found it, the next would do the same, and the machine sleeps un
 
 from __future__ import annotations
 
-from kitrobot.sim.columns import ASLEEP, DOWN, END, ENDED, LIVING, PERIOD, PROGRAM, RUNNING, WIRES, tell
+from kitrobot.sim.columns import ASLEEP, DOWN, END, ENDED, LIVING, MUTED, PERIOD, PROGRAM, RUNNING, SOUND, WIRES, tell
 from kitrobot.sim.commanding import give
 from kitrobot.sim.rows import copy_row, same
 from kitrobot_onboard.interpreter import tick
@@ -86,6 +86,8 @@ def react(
             ended[i] = 1
             clock[RUNNING] -= 1
             clock[LIVING] -= 1
+            if whole[MUTED][i] == 0:
+                clock[SOUND] -= 1
             tell(events, clock, END, i, 0, 0)
         elif quiet and same(its_threads, was_threads) and same(its_cells, was_cells) and same(its_pars, was_pars):
             asleep[i] = 1

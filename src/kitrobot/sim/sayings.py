@@ -83,6 +83,8 @@ class Sayings:
             return "message", f"storehouse {self._houses[what]} has no box"
         if kind == c.NO_ROOM:
             return "message", f"storehouse {self._houses[what]} is full"
+        if kind == c.LEAVING:
+            return "message", "leaves the world: only walls hold robots at its edge"
         if kind == c.LOST:
             return "message", f"a command did not reach {self._actuators[what]}"
         if kind == c.HARMED:

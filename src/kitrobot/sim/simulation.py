@@ -54,7 +54,7 @@ from kitrobot.sim.shared import SharedTables
 from kitrobot.sim.staging import SimulationError, Staging
 from kitrobot.sim.standstill import stirred
 from kitrobot.sim.state import Packing, State, as_arrays, numbers
-from kitrobot.sim.stepping import advance
+from kitrobot.sim.stepping import advance, is_reached
 from kitrobot.trace import Threads
 from kitrobot.world import World, normalised, write_world
 
@@ -74,7 +74,7 @@ _LIGHTS = (columns.LAMP, columns.ALARM, columns.ARM)
 _STATES = (columns.DOWN, columns.MUTED)
 _MOTION = (columns.SPEED, columns.TURN)
 
-SNAPSHOT_VERSION = 3
+SNAPSHOT_VERSION = 4
 SNAPSHOT_MARK = b"KRSNAP\n" + bytes([SNAPSHOT_VERSION])
 
 
@@ -157,7 +157,7 @@ class Simulation:
         """Where the instructions of each program came from."""
         self._variables = shared.variables
         self._sayings = Sayings(world, self.members, shared.variables, self.state)
-        self._goals = Goals(mission.team.goals, self.stage)
+        self._goals = Goals(self.state.goals, self.stage)
         self._sensors = sensor_names(self.state, self.members)
         self._sensors_of = [[self._sensors[one.index, s] for s in one.machine.layout.sensors] for one in self.members]
         self._show(self.state)
@@ -221,20 +221,21 @@ class Simulation:
         return self._hurry.wait()
 
     def _look_for_an_end(self) -> None:
-        clock = self.state.clock
+        clock, goals, members = self.state.clock, self._goals, self.members
         if clock[RUNNING] == 0 or (clock[LIVING] == 0 and clock[REVIVALS] == 0):
-            lost = [agent for agent in self.members if agent.down and not agent.ended]
-            if self._goals.hold() and (self._goals or not lost):
-                self._end("done", say_done(self._goals, self.seconds, self.members))
-            else:
-                self._end("failed", say_failed(self._goals, self.members))
+            self._end("failed", say_failed(goals, members))
+        elif is_reached(clock, self.state.goals, self.state.stock):
+            self._end("done", say_done(goals, self.seconds, members))
         elif self._last_tick is not None and clock[TICK] >= self._last_tick:
             assert self.seconds_limit is not None
-            self._end("time", say_time(self._goals, self.seconds_limit, self.members))
+            self._end("time", say_time(goals, self.seconds_limit, members))
         elif clock[STUCK]:
-            self._end("stuck", say_stuck(self._goals, self.members))
+            self._end("stuck", say_stuck(goals, members))
 
     def _end(self, outcome: Outcome, sentence: str) -> None:
+        """The run is over: so, unless what was to be done is done."""
+        if self._goals.hold() if self._goals else all(agent.ended for agent in self.members):
+            outcome, sentence = "done", say_done(self._goals, self.seconds, self.members)
         self.outcome, self.sentence = outcome, sentence
 
     def watch_programs(self) -> None:

@@ -14,8 +14,8 @@ from functools import reduce
 from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.image import Machine
+from kitrobot.mission import ALL, Mission
 from kitrobot.mission import Agent as Member
-from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, Robot, RobotObject, did_you_mean, shown
 from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
@@ -94,11 +94,15 @@ class Staging:
             robot = robots[member.program]
             if robot is not None:
                 self._member(member, robot)
+        houses = [house.name for house in self.world.storehouses]
+        total = sum(house.stock for house in self.world.storehouses)
         for goal in self.mission.team.goals:
-            if self.world.storehouse(goal.storehouse) is None:
+            if goal.storehouse in houses:
+                self.tables.goals[0].append(houses.index(goal.storehouse))
+                self.tables.goals[1].append(total if goal.stock == ALL else int(goal.stock))
+            else:
                 message = f"the goal's storehouse {shown(goal.storehouse)} is not in the world {self.world.name}"
-                known = [house.name for house in self.world.storehouses]
-                self.problems.append(rules.GOAL(message, help=did_you_mean(goal.storehouse, known)))
+                self.problems.append(rules.GOAL(message, help=did_you_mean(goal.storehouse, houses)))
         if not self.problems:
             self._nobody_overlaps()
         names = [agent.name for agent in self.agents]

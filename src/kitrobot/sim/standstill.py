@@ -45,6 +45,7 @@ from kitrobot.sim.columns import (
     X,
     Y,
 )
+from kitrobot.sim.devices.arm import ARM_DEVICE
 from kitrobot.sim.devices.drive import DRIVE
 from kitrobot.sim.devices.turn import TURN_DEVICE
 from kitrobot.sim.devices.wheel import WHEEL_DEVICE
@@ -96,10 +97,11 @@ def is_held(real: list[list[float]], actuator_real: list[list[float]], held: lis
     return same(actuator_real[A_R], held[9]) and same(actuator_real[A_S], held[10])
 
 
-def is_at_work(step: int, actuator: list[list[int]], whole: list[list[int]]) -> bool:
+def is_at_work(step: int, actuator: list[list[int]], actuator_real: list[list[float]], whole: list[list[int]]) -> bool:
     """Whether a device was told something new in this step, has a command on its way, or does something that ends.
 
-    What wheels do is not asked: that is in the numbers that `is_held` compares.
+    What wheels do is not asked: that is in the numbers that `is_held` compares. An arm that waits for room does
+    nothing.
     """
     for k in range(len(actuator[A_FRESH])):
         if actuator[A_FRESH][k] == step + 1:
@@ -109,6 +111,8 @@ def is_at_work(step: int, actuator: list[list[int]], whole: list[list[int]]) -> 
         if actuator[A_QUEUED][k] > 0:
             return True
         kind = actuator[A_KIND][k]
+        if kind == ARM_DEVICE and actuator_real[A_R][k] != 0.0:
+            continue
         if kind != DRIVE and kind != WHEEL_DEVICE and kind != TURN_DEVICE and actuator[A_DONE][k] == 0:
             return True
     return False

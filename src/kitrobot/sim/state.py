@@ -87,6 +87,7 @@ class State(NamedTuple):
     dock_road: Wholes
     stock: Wholes
     capacity: Wholes
+    goals: WholeRows
     walls: RealRows
     wall_frame: Reals
     wall_shape: Wholes

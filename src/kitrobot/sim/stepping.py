@@ -16,6 +16,7 @@ from kitrobot.sim.columns import (
     A_FRESH,
     DOWN,
     EVENTS,
+    LEFT,
     LIVING,
     LOAD,
     LOW_X,
@@ -29,6 +30,7 @@ from kitrobot.sim.columns import (
     S_ROBOT,
     S_STORE,
     S_VALUE,
+    SOUND,
     STUCK,
     TICK,
     TOUCHING,
@@ -54,7 +56,7 @@ from kitrobot.sim.devices.turn import TURN_DEVICE, move_turns
 from kitrobot.sim.devices.wheel import WHEEL_DEVICE, move_wheels
 from kitrobot.sim.grids import fill
 from kitrobot.sim.harming import harm_by_chance, harm_on_schedule
-from kitrobot.sim.physics import CLOSED, move_robots
+from kitrobot.sim.physics import CLOSED, move_robots, tell_leaving
 from kitrobot.sim.reacting import react
 from kitrobot.sim.sampling import sample, sample_done
 from kitrobot.sim.sharing import exchange
@@ -69,15 +71,16 @@ from kitrobot.sim.standstill import (
 from kitrobot.sim.state import State
 
 # What does not change in a run: state.fixed_real and state.fixed.
-DT, WIDEST, FAILS = range(3)
+DT, WIDEST, FAILS, WIDTH, HEIGHT = range(5)
 TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY = range(4)
 
 
 def advance(state: State, steps: int) -> int:
     """Runs up to so many steps and gives how many.
 
-    It runs fewer when every program has ended, when nothing can change any more (STUCK), or when there is no room for
-    what may happen in one more step. What happens is written behind the EVENTS that are in `events` already.
+    It runs fewer when every program has ended, when all goals hold and only robots that something befell go on, when
+    nothing can change any more (STUCK), or when there is no room for what may happen in one more step. What happens is
+    written behind the EVENTS that are in `events` already.
     """
     (
         fixed,
@@ -136,6 +139,7 @@ def advance(state: State, steps: int) -> int:
         dock_road,
         stock,
         capacity,
+        goals,
         walls,
         wall_frame,
         wall_shape,
@@ -170,7 +174,7 @@ def advance(state: State, steps: int) -> int:
     sensor_values = sensor[S_VALUE]
     turn = real[TURN]
     done = 0
-    while done < steps and is_going_on(clock):
+    while done < steps and is_going_on(clock) and not is_reached(clock, goals, stock):
         if 5 * (clock[EVENTS] + most_events) > len(events):
             break
         step = clock[TICK]
@@ -433,6 +437,10 @@ def advance(state: State, steps: int) -> int:
             events,
             clock,
         )
+        if clock[ROLLING] > 0 and len(free_solid) > 0:
+            tell_leaving(
+                free_solid, real[X], real[Y], fixed_real[WIDTH], fixed_real[HEIGHT], whole[LEFT], events, clock
+            )
         if len(mine) > 0 and ran > 0:
             exchange(
                 step,
@@ -454,7 +462,9 @@ def advance(state: State, steps: int) -> int:
         if clock[ROLLING] == 0:
             stirs = is_stirring(step, actuator, actuator_real, real, whole)
         else:
-            stirs = not looks or is_at_work(step, actuator, whole) or not is_held(real, actuator_real, held)
+            stirs = (
+                not looks or is_at_work(step, actuator, actuator_real, whole) or not is_held(real, actuator_real, held)
+            )
         if stirs or clock[EVENTS] > events_before:
             stirred(clock)
         elif clock[RUNNING] > 0:
@@ -465,6 +475,18 @@ def advance(state: State, steps: int) -> int:
 def is_going_on(clock: list[int]) -> bool:
     """Whether the run has not come to its end: somebody goes on, or failed and is to be revived."""
     return clock[STUCK] == 0 and clock[RUNNING] > 0 and (clock[LIVING] > 0 or clock[REVIVALS] > 0)
+
+
+def is_reached(clock: list[int], goals: list[list[int]], stock: list[int]) -> bool:
+    """Whether every goal holds and nobody is left who could say so by ending its program: those whose programs have not
+    ended failed, stalled or lost their radio, and none is to be revived. `goals` are the storehouses and their stock.
+    """
+    if clock[SOUND] > 0 or clock[REVIVALS] > 0 or len(goals[0]) == 0:
+        return False
+    n = 0
+    while n < len(goals[0]) and stock[goals[0][n]] == goals[1][n]:
+        n += 1
+    return n == len(goals[0])
 
 
 def is_stirring(

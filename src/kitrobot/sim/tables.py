@@ -72,6 +72,8 @@ class Tables:
         self._turning: set[int] = set()
         self.fates = Fates()
         """What is to befall the robots; set before `state`."""
+        self.goals: list[list[int]] = [[], []]
+        """The storehouses of goals, and how many boxes each is to hold; set before `state`."""
 
     # -- robots
 
@@ -161,10 +163,10 @@ class Tables:
         while buckets < 2 * pairs:
             buckets *= 2
         variables = len(shared.variables)
-        most_events = count + pairs + 2 * len(self._actuators) + variables
+        most_events = count + pairs + len(free_solid) + 2 * len(self._actuators) + variables
         most_events += self.fates.most_events(count, variables)
         clock = [0] * c.CLOCKS
-        clock[c.RUNNING] = clock[c.LIVING] = count
+        clock[c.RUNNING] = clock[c.LIVING] = clock[c.SOUND] = count
         clock[c.REVIVALS] = self.fates.revivals
         clock[c.MOVED] = 1
         clock[c.CYCLE] = math.lcm(*whole[c.PERIOD])
@@ -182,7 +184,7 @@ class Tables:
         room = max(4 * max(len(self.world.walls), FEW), 2 * in_grid) + 32
         state = State(
             fixed=[1 if together else 0, 1 if sees else 0, most_events, self.fates.every],
-            fixed_real=[self.dt, widest, self.fates.probability],
+            fixed_real=[self.dt, widest, self.fates.probability, self.world.width_mm, self.world.height_mm],
             clock=clock,
             events=[0] * (c.EVENT * (2 * most_events + BY_HAND_AT_ONCE + variables)),
             real=real,
@@ -237,6 +239,7 @@ class Tables:
             dock_road=world.dock_road,
             stock=[house.stock for house in self.world.storehouses],
             capacity=[house.capacity for house in self.world.storehouses],
+            goals=self.goals,
             walls=world.walls,
             wall_frame=world.wall_grid.frame,
             wall_shape=world.wall_grid.shape,

@@ -3,8 +3,9 @@
 A table's key is a sentence with numbered holes, "the robot `{1}` has no `{2}`"; its value the same in the other
 language, the holes in any order, as often as needed or not at all. A sentence belongs to the key with the most letters
 of its own that fits; between two stretches of the key a hole takes as little as it can. What stood in a hole is said
-in the other language too when it is itself a sentence, a word of the table or a list of such, and stays as it is
-otherwise: names, numbers, code. Between back quotes only the names of parts are translated, as the canvas shows them.
+in the other language too when it is itself a sentence, a word of the table, a list of such, or such clauses with
+semicolons between them, and stays as it is otherwise: names, numbers, code. Between back quotes only the names of parts
+are translated, as the canvas shows them.
 
 A table has four sections: "sentences", which the rooms say; "phrases", which are never said alone; "words", single
 ones and what holds them together; "parts", names of constructors and their slots.
@@ -37,6 +38,8 @@ REMEMBERED = 2048
 
 _STOPS = {ENGLISH: ".", "fr": ".", "ur": "۔"}
 _COMMAS = {ENGLISH: ", ", "fr": ", ", "ur": "، "}
+_CLAUSES = {ENGLISH: "; ", "fr": " ; ", "ur": "؛ "}
+_MOST_CLAUSES = 10
 _HOLE = re.compile(r"\{([0-9]+)\}")
 _JOINTS = re.compile(r"(, | and | or )")
 _NUMBER = re.compile(r"-?[0-9]+(\.[0-9]+)?")
@@ -154,9 +157,22 @@ class Table:
             whole = self._sentence(hole, depth) if bare != hole else None
             if whole is not None:
                 return whole
-            found = self._whole.get(bare) or self._list(bare, depth) or self._sentence(bare, depth)
+            found = self._whole.get(bare) or self._clauses(bare, depth)
+            found = found or self._list(bare, depth) or self._sentence(bare, depth)
         begin = hole.index(bare)
         return hole[:begin] + (found or self._apart(bare)) + hole[begin + len(bare) :]
+
+    def _clauses(self, text: str, depth: int) -> str | None:
+        """`a waits; b has no box`, when each clause is known."""
+        clauses = text.split("; ")
+        if len(clauses) == 1 or len(clauses) > _MOST_CLAUSES:
+            return None
+        made = [
+            self._whole.get(one) or self._list(one, depth) or self._sentence(one, depth) if " " in one else None
+            for one in clauses
+        ]
+        known = [one for one in made if one is not None]
+        return _CLAUSES[self.language].join(known) if len(known) == len(made) else None
 
     def _list(self, text: str, depth: int) -> str | None:
         """`a, b or c`, when each of them is one word, quoted, or known."""

@@ -1,8 +1,9 @@
 """An arm at a dock: moves one box between the storehouse of the dock and the carrier that stands there.
 
 The box changes hands in one moment, at the end of the swing, and only when everything is as it should be: a carrier
-stands still in the dock, with room (or a box), and the storehouse has a box (or room). Else the arm comes back empty
-and says so. Boxes are never made or lost.
+stands still in the dock, with room (or a box), and the storehouse has a box. Else the arm comes back empty and says so.
+Over a storehouse that is full it says so once, stays out, and puts the box down as soon as there is room. Boxes are
+never made or lost.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from kitrobot.sim.columns import (
     A_NOISE,
     A_P,
     A_Q,
+    A_R,
     A_ROBOT,
     A_STORE,
     A_WAY,
@@ -38,7 +40,7 @@ _LOAD, _UNLOAD = range(2)
 
 
 class Arm(Actuator):
-    """`Load()` takes a box from the storehouse to the carrier, `Unload()` back."""
+    """`Load()` takes a box from the storehouse to the carrier, `Unload()` back; it waits while the storehouse is full."""
 
     name = "arm"
     kind = ARM_DEVICE
@@ -64,11 +66,12 @@ def take_arm(
     actuator_real: list[list[float]],
     arm: list[int],
 ) -> None:
-    """Begins to do what a command says. P is the seconds a box takes, Q those that are left."""
+    """Begins to do what a command says. P is the seconds a box takes, Q those left, R 1 if it waits for room."""
     factor = 1.0 + deviate * actuator_real[A_NOISE][k]
     if factor < 0.1:
         factor = 0.1
     actuator_real[A_Q][k] = actuator_real[A_P][k] * factor
+    actuator_real[A_R][k] = 0.0
     actuator[A_WAY][k] = procedure
     actuator[A_DONE][k] = 0
     arm[actuator[A_ROBOT][k]] = 1
@@ -98,13 +101,12 @@ def move_arms(
     for k in range(first, last):
         if done[k] or down[actuator[A_ROBOT][k]] == FAILED:
             continue
-        left = actuator_real[A_Q][k] - dt
-        actuator_real[A_Q][k] = left
-        if left > 1e-9:
-            continue
+        if actuator_real[A_R][k] == 0.0:
+            left = actuator_real[A_Q][k] - dt
+            actuator_real[A_Q][k] = left
+            if left > 1e-9:
+                continue
         robot = actuator[A_ROBOT][k]
-        done[k] = 1
-        whole[ARM][robot] = 0
         house = actuator[A_STORE][k]
         dock = actuator[A_DOCK][k]
         load = whole[LOAD]
@@ -121,9 +123,15 @@ def move_arms(
         elif carrier < 0 or load[carrier] == 0:
             tell(events, clock, NO_LOADED_CARRIER, robot, dock, 0)
         elif stock[house] >= capacity[house]:
-            tell(events, clock, NO_ROOM, robot, house, 0)
+            if actuator_real[A_R][k] == 0.0:
+                actuator_real[A_R][k] = 1.0
+                tell(events, clock, NO_ROOM, robot, house, 0)
+            continue
         else:
             stock[house] += 1
             load[carrier] = 0
             whole[DELIVERED][carrier] += 1
             tell(events, clock, UNLOADED, robot, house, 0)
+        actuator_real[A_R][k] = 0.0
+        done[k] = 1
+        whole[ARM][robot] = 0
