@@ -103,6 +103,30 @@ def test_a_damaged_file_is_refused_with_its_problems(page, data):
     assert failure["problems"][0]["line"] >= 1
 
 
+NO_MISSIONS = [
+    b"<html><body>hello</body></html>",
+    b'<robot name="r" version="1"/>',
+    b'<kitrobot version="1"/>',
+    b'<kitrobot version="1"><later/></kitrobot>',
+    b'<kitrobot version="1"><team><agent name="a" program="p"/></team></kitrobot>',
+    b'<kitrobot version="1"><program/></kitrobot>',
+    b'<world version="1" name="w" width="100" height="100"/>',
+    b"\xff\xd8\xff\xe0 a photo",
+]
+
+
+@pytest.mark.parametrize("data", NO_MISSIONS)
+def test_a_file_that_gives_no_program_is_refused_with_a_sentence(page, folder, data):
+    (folder / "odd.krt").write_bytes(data)
+    for answer in (
+        page.get("/api/mission", params={"path": "odd.krt"}),
+        page.post("/api/mission/read", params={"name": "odd.krt"}, content=data),
+    ):
+        assert answer.status_code == 422
+        assert "odd.krt" in answer.json()["message"]
+        assert answer.json()["help"] or answer.json()["problems"]
+
+
 def test_saving_writes_what_was_sent_and_gives_the_new_revision(page, folder):
     file = opened(page)
     file["mission"]["programs"][0]["vertices"][2]["settings"]["duration"] = "7"

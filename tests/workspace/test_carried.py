@@ -51,6 +51,33 @@ def test_a_picture_of_somebody_else_is_refused(data: bytes) -> None:
         carried_mission(data, "cat.png")
 
 
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        (b"\xff\xd8\xff\xe0\0\x10JFIF\0", "a photo (JPEG)"),
+        (b"GIF89a\1\0\1\0", "a picture (GIF)"),
+        (b"RIFF\x24\0\0\0WEBPVP8 ", "a picture (WebP)"),
+        (b"RIFF\x24\0\0\0WAVEfmt ", "a sound (WAV)"),
+        (b"BM\x36\0\0\0\0\0\0\0\x36\0", "a picture (BMP)"),
+        (b"PK\3\4\x14\0", "a packed file (ZIP)"),
+        (b"\0\0\0\x20ftypisom\0\0\2\0", "a film (MP4)"),
+        (b"\0\0\0\x18ftypheic\0\0\0\0", "a photo (HEIC)"),
+        (b"\x1f\x8b\x08\0", "a packed file (gzip)"),
+    ],
+)
+@pytest.mark.parametrize("name", ["holiday.jpg", "holiday.krt", "holiday.png", "holiday"])
+def test_a_file_of_another_kind_is_told_what_it_is_whatever_its_name(data: bytes, words: str, name: str) -> None:
+    with pytest.raises(CarriedError) as caught:
+        carried_mission(data, name)
+    assert caught.value.message == f"`{name}` is {words}: there is no mission inside"
+    assert "KitRobot exported" in caught.value.help
+
+
+@pytest.mark.parametrize("data", [b"RIFF", b"BM", b"BM xyz mission", b"xxxxWEBP", b"<kitrobot", b"\xff\xfe<\0k\0"])
+def test_what_only_looks_a_little_like_it_is_left_to_the_reader(data: bytes) -> None:
+    assert carried_mission(data, "a.krt") == (data, "a.krt")
+
+
 @pytest.mark.parametrize("length", range(8, len(OURS) - len(KRT) - 100))
 def test_a_png_that_was_cut_before_its_mission_ended_is_refused(length: int) -> None:
     with pytest.raises(CarriedError, match="damaged"):
@@ -88,7 +115,7 @@ def test_ten_thousand_comments_before_nothing_cost_nothing() -> None:
     assert carried_mission(data, "a.krt") == (data, "a.krt")
 
 
-@pytest.mark.parametrize("data", [b"", KRT, b"<!---->" * 10_000, b"GIF89a", b"%PDX-1.7"])
+@pytest.mark.parametrize("data", [b"", KRT, b"<!---->" * 10_000, b"GIF", b"%PDX-1.7"])
 @pytest.mark.parametrize("name", ["a.svg", "folder/a.PNG", "a.pdf"])
 def test_what_only_calls_itself_a_picture_is_refused(data: bytes, name: str) -> None:
     with pytest.raises(CarriedError, match=r"not the picture|is empty"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import zlib
 
@@ -9,7 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.workspace import FileError, Journal, JournalError, read_journal, write_journal
+from kitrobot.workspace import FileError, Journal, JournalError, journal, read_journal, write_journal
+from kitrobot.workspace.files import LARGEST_FILE_BYTES
 from kitrobot.workspace.journal import FORMAT, append_records
 
 RECORDS = ("first", "зwei ☂", '{"kind":"do"}', "", "x" * 300)
@@ -20,11 +22,15 @@ def file(tmp_path):
     return tmp_path / "0123456789abcdef.journal"
 
 
+def append(file, records, first):
+    return append_records(file, first, Journal("a.krt", "a", tuple(records), True))
+
+
 def written(file, *batches):
     write_journal(file, Journal("a.krt", "a", tuple(batches[0]), True))
     count = len(batches[0])
     for batch in batches[1:]:
-        append_records(file, batch, count, True)
+        append(file, batch, count)
         count += len(batch)
     return file.read_bytes()
 
@@ -57,16 +63,108 @@ def test_cut_at_any_byte_the_first_records_come_back_and_nothing_else(tmp_path_f
 
 
 @given(st.data())
-def test_a_bent_byte_leaves_the_records_before_it_and_is_noticed(tmp_path_factory, data):
+def test_a_bent_byte_costs_one_record_and_is_noticed(tmp_path_factory, data):
     file = tmp_path_factory.mktemp("bent") / "0123456789abcdef.journal"
     whole = bytearray(written(file, RECORDS))
-    at = data.draw(st.integers(len(FORMAT), len(whole) - 1))
+    at = data.draw(st.integers(0, len(whole) - 1))
     whole[at] ^= data.draw(st.integers(1, 255))
     file.write_bytes(whole)
+    journal = found(file)
+    assert (journal.path, journal.name) == ("a.krt", "a")
+    assert journal.cut
+    expected = [(one, journal.records[number]) for number, one in enumerate(RECORDS[: len(journal.records)])]
+    assert sum(one != there for one, there in expected) + len(RECORDS) - len(journal.records) <= 1
+    assert all(there in (one, "") for one, there in expected)
+
+
+def frames(data):
+    """Where the frames begin and end."""
+    at = len(FORMAT)
+    while at < len(data):
+        end = at + 8 + int.from_bytes(data[at : at + 4], "big")
+        yield at, end
+        at = end
+
+
+@given(st.lists(st.text(min_size=1, max_size=40), min_size=1, max_size=12), st.data())
+def test_damages_cost_at_most_the_records_that_they_touch(tmp_path_factory, records, data):
+    """Anywhere, of any length, several of them: noise, zeros, or bytes that are missing or too many."""
+    file = tmp_path_factory.mktemp("damaged") / "0123456789abcdef.journal"
+    whole = written(file, records[:1], records[1:]) if len(records) > 1 else written(file, records)
+    touched, bent, most = set(), whole, len(whole)
+    places = st.tuples(st.integers(0, len(whole) - 1), st.integers(1, 200))
+    for begin, length in sorted(data.draw(st.lists(places, min_size=1, max_size=3)), reverse=True):
+        length, most = min(length, most - begin), begin
+        noise = data.draw(st.one_of(st.binary(min_size=length, max_size=length), st.just(bytes(length)), st.binary()))
+        bent = bent[:begin] + noise + bent[begin + length :]
+        touched |= {at for at, (one, end) in enumerate(frames(whole)) if one < begin + length and begin < end}
+    file.write_bytes(bent)
     journal = read_journal(file)
-    if journal is not None:
-        assert journal.records == RECORDS[: len(journal.records)]
-        assert len(journal.records) < len(RECORDS)
+    untouched = {number - 1: records[number - 1] for number in range(1, len(records) + 1) if number not in touched}
+    if journal is None:
+        assert not untouched
+        return
+    assert {number: journal.records[number] for number in untouched} == untouched
+    assert all(there in (one, "") for one, there in zip(records, journal.records, strict=False))
+    assert journal.path == "a.krt" or not untouched
+    if bent != whole and journal.records != tuple(records):
+        assert journal.cut
+
+
+def test_without_its_beginning_a_journal_has_all_its_records(file):
+    whole = written(file, RECORDS[:2], RECORDS[2:])
+    begins = next(frames(whole))[1]
+    file.write_bytes(b"\0" * begins + whole[begins:])
+    assert found(file) == Journal("a.krt", "a", RECORDS, True, cut=True, damaged=True)
+
+
+@pytest.mark.parametrize("tail", [b"\0" * 5000, b"\0" * 3, b"\xff" * 5000])
+def test_a_tail_that_was_never_written_costs_nothing(file, tail):
+    file.write_bytes(written(file, RECORDS) + tail)
+    assert (found(file).records, found(file).cut) == (RECORDS, True)
+
+
+@pytest.mark.parametrize("record", ["x" * 11_000_000, "é" * 5_500_000, "\ud800", "\0" * 1_000_000])
+def test_what_is_taken_comes_back_however_large_or_odd(file, record):
+    written(file, [record], [record])
+    assert found(file).records == (record, record)
+
+
+def test_a_record_at_the_limit_comes_back_and_one_over_it_is_refused_before_anything_is_written(file, monkeypatch):
+    monkeypatch.setattr(journal, "LARGEST_RECORD_BYTES", 1000)
+    whole = written(file, ["base"])
+    room = 1000 - len(
+        json.dumps({"format": 1, "path": "a.krt", "name": "a", "unsaved": True, "number": 1, "record": ""})
+    )
+    for write in (lambda one: append(file, [one], 1), lambda one: written(file, ["base", one])):
+        with pytest.raises(JournalError, match="too large") as caught:
+            write("x" * (room + 1))
+        assert "save" in caught.value.help
+        assert file.read_bytes() == whole
+        write("x" * room)
+        assert found(file).records == ("base", "x" * room)
+        file.write_bytes(whole)
+
+
+def test_a_journal_that_would_be_too_large_to_be_read_is_refused(file, monkeypatch):
+    whole = written(file, ["base"])
+    monkeypatch.setattr(journal, "LARGEST_JOURNAL_BYTES", len(whole) + 50)
+    for write in (lambda one: append(file, [one], 1), lambda one: written(file, ["base", one])):
+        with pytest.raises(JournalError, match="full"):
+            write("".join(map(chr, range(300))))
+        assert file.read_bytes() == whole
+    assert journal.LARGEST_JOURNAL_BYTES <= LARGEST_FILE_BYTES
+
+
+def test_a_version_that_is_only_damaged_is_not_taken_for_a_later_one(file):
+    file.write_bytes(written(file, RECORDS).replace(FORMAT, FORMAT.replace(b"1", b"9"), 1))
+    assert found(file).records == RECORDS
+
+
+def test_bytes_that_look_like_many_frames_are_given_up_soon(file):
+    length = 400_000
+    file.write_bytes(FORMAT + (length.to_bytes(4, "big") + b"sums" + b"\x78\x01") * 100_000)
+    assert read_journal(file) is None
 
 
 def test_frames_in_another_order_are_not_believed(file):
@@ -76,10 +174,10 @@ def test_frames_in_another_order_are_not_believed(file):
     head = file.read_bytes()
     file.write_bytes(head + written_again[len(head) :][::-1])
     assert found(file).records == ()
-    append_records(file, ["a"], 0, True)
+    append(file, ["a"], 0)
     file.write_bytes(head)
-    append_records(file, ["b"], 1, True)
-    assert found(file).records == ()
+    append(file, ["b"], 1)
+    assert found(file).records == ("", "b")
     assert found(file).damaged
 
 
@@ -111,5 +209,5 @@ def test_a_full_disk_leaves_the_journal_as_it_was(file, monkeypatch):
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(FileError, match="no space left"):
-        append_records(file, ["more"], len(RECORDS), True)
+        append(file, ["more"], len(RECORDS))
     assert file.read_bytes() == whole

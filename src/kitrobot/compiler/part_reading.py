@@ -156,11 +156,11 @@ def draw_template(constructor: Constructor, robot: Robot, catalogue: Catalogue) 
     for node in nodes(seq):
         _stand_in(node, numbers)
     program = lll_to_graph(seq, robot, catalogue, constructor.name, apart_from=constructor.name)
+    holes = {str(number): hole for number, hole in numbers.items()}
     for vertex in program.vertices:
         if vertex.element.startswith("{"):
             vertex.element = vertex.element.removesuffix(".")
-        for name, text in vertex.settings.items():
-            vertex.settings[name] = numbers.get(int(text), text) if text.isdigit() else text
+        vertex.settings |= {name: holes.get(text, text) for name, text in vertex.settings.items()}
     return _without_chain(program) if is_condition else program
 
 

@@ -24,7 +24,7 @@ ALWAYS = frozenset({"limit"})
 
 _NAMES = ("SETTINGS", "PROCEDURES")
 _KIND = re.compile(
-    r"(?P<kind>pin|text|(?P<least>-?\d+)\.\.(?P<most>-?\d+)|(?P<words>[^\s|?=]+(\|[^\s|?=]+)+))"
+    r"(?P<kind>pin|text|(?P<least>-?[0-9]{1,9})\.\.(?P<most>-?[0-9]{1,9})|(?P<words>[^\s|?=]+(\|[^\s|?=]+)+))"
     r"(?P<optional>\s*\?|\s*=\s*\S+)?"
 )
 

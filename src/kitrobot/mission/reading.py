@@ -23,8 +23,12 @@ class _Where(NamedTuple):
     """How many diagnostics there were when the world had been read."""
 
 
+class _Version(int):
+    """The version that a mission's file says, as far as it is one."""
+
+
 def _open(element: Element) -> None:
-    element.version(VERSION)
+    element.values.append((_Version(element.version(VERSION)), element))
 
 
 def _agent(element: Element) -> Agent:
@@ -102,8 +106,8 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
     root = reader.read(_ROOTS)
     if root is None:
         return None, reader.diagnostics
-    version = int(root.attributes["version"]) if root.attributes.get("version", "").isdigit() else VERSION
-    mission = Mission(max(1, version), root.distinct(Program, lambda program: program.name, "program"))
+    version = next(iter(root.found(_Version)), VERSION)
+    mission = Mission(int(version), root.distinct(Program, lambda program: program.name, "program"))
     for team in root.found(Team):
         mission.team.agents += team.agents
         mission.team.goals += team.goals

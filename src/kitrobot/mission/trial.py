@@ -84,7 +84,7 @@ def _breakpoint(element: Element) -> Breakpoint | None:
 
 def _failure(element: Element) -> Failure | None:
     agent = element.required("agent")
-    at_s = element.decimal("at", 0.0, LONGEST_S)
+    at_s = round(element.decimal("at", 0.0, LONGEST_S), 3)
     kind = FailureKind(element.choice("kind", [kind.value for kind in FailureKind], FailureKind.FAIL.value))
     return None if element.faulty else Failure(agent, at_s, kind)
 

@@ -117,7 +117,7 @@ class Reader:
     def offsets_of_text(self, element: Element) -> list[int]:
         """For each character of an element's text, and its end, the offset in `text` (entities and CDATA are followed).
 
-        The element has no elements inside.
+        What follows an element inside, which is reported as unknown, is said to stand where that one begins.
         """
         at = self.offset(element.line, element.column)
         at += len(self._start_tag(at))
@@ -128,7 +128,7 @@ class Reader:
             elif not piece.group().startswith(("<!", "<?")):
                 offsets.append(at)
             at = piece.end()
-        return [*offsets, at]
+        return [*offsets, *[at] * max(1, len(element.text) + 1 - len(offsets))]
 
     def _start_tag(self, start: int) -> str:
         match = _START_TAG.match(self.text, start)

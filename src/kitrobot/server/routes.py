@@ -31,7 +31,7 @@ from kitrobot.server.shapes import (
 from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
-from kitrobot.workspace import OpenMission, carried_mission, is_picture, new_mission, revision_of
+from kitrobot.workspace import OpenMission, ProblemsError, carried_mission, is_picture, new_mission, revision_of
 
 _FAILURES: dict[int | str, dict[str, object]] = {
     "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
@@ -83,8 +83,9 @@ def mission(studio: StudioOf, path: Name) -> MissionFileShape:
     data, revision = studio.folder.read(path)
     if is_picture(path):
         data, name = carried_mission(data, path)
-        return mission_file(studio, studio.read(data, name, ""), "", "")
-    return mission_file(studio, studio.read(data, path, path), path, revision)
+        return mission_file(studio, _read(studio, data, name, ""), "", "")
+    data, _ = carried_mission(data, path)
+    return mission_file(studio, _read(studio, data, path, path), path, revision)
 
 
 @routes.get("/mission/new")
@@ -99,7 +100,20 @@ def mission_read(
 ) -> MissionFileShape:
     """A mission from the bytes of a file that is not in the folder: a `.krt`, or a picture that holds one."""
     data, name = carried_mission(data, name)
-    return mission_file(studio, studio.read(data, name, ""), "", "")
+    return mission_file(studio, _read(studio, data, name, ""), "", "")
+
+
+def _read(studio: Studio, data: bytes, name: str, path: str) -> OpenMission:
+    """A file opened, of which there is something to show.
+
+    Raises:
+        ProblemsError: it holds no program; what is wrong with it is told.
+    """
+    opened = studio.read(data, name, path)
+    if not any(program.vertices for program in opened.mission.programs):
+        message = f"`{name}` is no mission that can be shown: there is no program in it"
+        raise ProblemsError(message, "open the `.krt` of a mission", opened.diagnostics, opened.sources)
+    return opened
 
 
 @routes.put("/mission", responses=_CONFLICT)

@@ -20,6 +20,7 @@ from defusedxml import DefusedXmlException
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import MAX_BYTES
 from kitrobot.workspace.carried_pdf import MAGIC, PdfError, mission_in_pdf
+from kitrobot.workspace.recognition import recognised
 
 KEYWORD = "kitrobot-mission"
 PICTURES = (".pdf", ".png", ".svg")
@@ -29,12 +30,13 @@ _SVG = re.compile(
     rb"\A(?:\xef\xbb\xbf)?(?>\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>)*<svg[\s>/]", re.DOTALL
 )
 """Atomic, so that a hostile file cannot make it try every way to split its comments."""
+_OURS = "a picture that KitRobot exported has its mission inside; so has a `.krt`"
 _LOOKED_AT = 4096
 """Bytes at the beginning in which an SVG shows that it is one."""
 
 
 class CarriedError(KitRobotError):
-    """A picture that holds no mission, or is damaged."""
+    """A picture or another file that holds no mission, or is damaged."""
 
 
 def is_picture(name: str) -> bool:
@@ -43,10 +45,10 @@ def is_picture(name: str) -> bool:
 
 
 def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
-    """The `.krt` inside a picture, and its name as a mission; anything else comes back as it is.
+    """The `.krt` inside a picture, and its name as a mission; what may be a mission comes back as it is.
 
     Raises:
-        CarriedError: it is a picture, but there is no mission to be had from it.
+        CarriedError: it is a picture or of another kind that is known, and there is no mission to be had from it.
     """
     if data.startswith(_PNG):
         found = _in_png(data, name)
@@ -54,6 +56,8 @@ def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
         found = _in_pdf(data, name)
     elif _SVG.match(data[:_LOOKED_AT]):
         found = _in_svg(data, name)
+    elif (kind := recognised(data)) is not None:
+        raise CarriedError(f"`{name}` is {kind}: there is no mission inside", _OURS)
     elif is_picture(name):
         raise CarriedError(
             f"`{name}` is not the picture that its name promises" if data else f"`{name}` is empty",
@@ -62,9 +66,7 @@ def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
     else:
         return data, name
     if not found:
-        raise CarriedError(
-            f"`{name}` is a picture without a mission inside", "pictures that the studio exports hold their mission"
-        )
+        raise CarriedError(f"`{name}` is a picture without a mission inside", _OURS)
     return found, PurePath(name).stem + ".krt"
 
 

@@ -28,7 +28,6 @@ from kitrobot.workspace.folder import EXAMPLE, RECORDING, MissionFolder
 from kitrobot.workspace.journal import Journal, JournalError, append_records, read_journal, write_journal
 
 ENDING = ".journal"
-LARGEST_JOURNAL_BYTES = 48 * 1024 * 1024
 _NAME = re.compile(r"[0-9a-f]{16}")
 
 
@@ -65,6 +64,7 @@ class News:
 @dataclass
 class _Tab:
     path: str = ""
+    name: str = ""
     journal: str = ""
     lock: FileLock | None = None
     count: int = 0
@@ -128,7 +128,7 @@ class Journals:
                     if found.cut:
                         self._mend(file, found)
                     mine.journal, mine.lock, mine.count = file.stem, lock, len(found.records)
-                    mine.path = found.path
+                    mine.path, mine.name = found.path, found.name
                     return Claimed(file.stem, found.path, found.name, found.records, found.damaged)
             mine.journal, mine.count = secrets.token_hex(8), 0
             return Claimed(mine.journal, path, "", (), False)
@@ -137,14 +137,14 @@ class Journals:
         """Puts a whole journal in the place of the tab's; without records there is none any more. Gives its length.
 
         Raises:
-            JournalError: the tab has no journal.
+            JournalError: the tab has no journal, or this one is too large.
             FileError: it cannot be written; what was there is still there.
         """
         with self._lock:
             mine = self._tab(tab)
             if not mine.journal:
                 raise JournalError("this page has no journal yet", "load the page again")
-            mine.path = journal.path
+            mine.path, mine.name = journal.path, journal.name
             before = self._file(mine.journal)
             if not journal.records:
                 _remove(before)
@@ -168,7 +168,7 @@ class Journals:
         """Writes records behind those of the tab's journal; gives its length.
 
         Raises:
-            JournalError: they do not follow what is there; a whole journal does.
+            JournalError: they do not follow what is there, a whole journal does; or they are too large.
             FileError: they cannot be written.
         """
         with self._lock:
@@ -176,9 +176,7 @@ class Journals:
             file = self._file(mine.journal)
             if file is None or mine.lock is None or first != mine.count:
                 raise JournalError("these records do not follow the journal", "send the whole journal")
-            if file.stat().st_size > LARGEST_JOURNAL_BYTES:
-                raise JournalError("the journal is full", "send the whole journal, or save")
-            length = append_records(file, records, first, unsaved)
+            length = append_records(file, first, Journal(mine.path, mine.name, tuple(records), unsaved))
             mine.count += len(records)
             return length
 

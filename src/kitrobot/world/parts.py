@@ -41,12 +41,12 @@ SECTION_SLACK_MM = 1.0
 
 
 def length(element: Element, name: str, least: float = 0.0, default: float | None = None) -> float:
-    """An attribute in mm, `least` or more."""
-    return element.decimal(name, least, MAX_SIZE_MM, default)
+    """An attribute in mm, `least` or more, to the thousandth that is written."""
+    return round(element.decimal(name, least, MAX_SIZE_MM, default), 3)
 
 
 def _coordinate(element: Element, name: str) -> float:
-    return element.decimal(name, -MAX_SIZE_MM, MAX_SIZE_MM)
+    return round(element.decimal(name, -MAX_SIZE_MM, MAX_SIZE_MM), 3)
 
 
 def mm(value: float) -> str:
@@ -172,7 +172,7 @@ def _start(element: Element) -> Start:
         return Start(name, dock=element.required("dock"))
     if ways == ["storehouse"]:
         return Start(name, storehouse=element.required("storehouse"))
-    heading = math.radians(element.decimal("heading", -360.0, 360.0, 0.0))
+    heading = math.radians(round(element.decimal("heading", -360.0, 360.0, 0.0), 3))
     return Start(name, pose=Pose(_coordinate(element, "x"), _coordinate(element, "y"), normalised(heading)))
 
 

@@ -33,7 +33,8 @@ export async function takeFiles(files: readonly File[]): Promise<void> {
   const others: File[] = [];
   for (const file of files) ((await holdsParts(file)) ? parts : others).push(file);
   if (parts.length > 0) await takeParts(parts);
-  const [first] = others;
+  // One mission is open at a time: the first file that may be one.
+  const first = others.find((file) => /\.(krt|krtrace|svg|png|pdf)$/i.test(file.name)) ?? others[0];
   if (first !== undefined) openFromComputer(first);
 }
 

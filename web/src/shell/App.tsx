@@ -30,7 +30,7 @@ import { Banner } from "./Banner";
 import { Brand } from "./Brand";
 import { keepChecking } from "./checking";
 import { hearOfDisk, watchDisk } from "./disk";
-import { begin, complain, show, useDocument } from "./document";
+import { begin, complain, complainOfJournal, show, useDocument } from "./document";
 import { EventStrip } from "./EventStrip";
 import { Examples } from "./Examples";
 import { isKept, keepJournal } from "./journal";
@@ -66,7 +66,7 @@ let begun = false;
 /** Opens the first mission once, and keeps the report fresh while the page is there. */
 function useDocumentFlow(): void {
   useEffect(() => {
-    const offJournal = keepJournal(complain, hearOfDisk);
+    const offJournal = keepJournal(complainOfJournal, hearOfDisk);
     const offDisk = watchDisk();
     const offWorld = keepWorld();
     const offTeam = keepTeamView();

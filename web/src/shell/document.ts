@@ -77,6 +77,16 @@ export function complain(cause: unknown, again?: () => void): void {
   set({ banner: { kind: "error", message, help, actions } });
 }
 
+/** Says that changes are in no journal at the moment: what is not saved would be lost with the page. */
+export function complainOfJournal(cause: unknown, again: () => void): void {
+  const why = cause instanceof ApiError ? [cause.message, cause.help] : [];
+  const choices: [Key, () => void][] = [
+    ["banner.save", () => void save()],
+    ["banner.retry", again],
+  ];
+  question(t("journal.failed"), choices, "error", [...why, t("journal.failed-help")].join(" "));
+}
+
 /** Asks, without standing in the way; each answer takes the question away. */
 export function question(message: string, choices: [Key, () => void][], kind: Banner["kind"] = "question", help = "") {
   const actions = choices.map(([key, run]) => ({
@@ -132,7 +142,13 @@ function resume(file: MissionFile, claimed: Claimed | null): void {
   holdParts(file.parts ?? "");
   set({ ready: true, banner: null, overlay: null, fileProblems: file.problems });
   if (!unsaved) return;
-  const help = t(claimed?.damaged === true ? "journal.back-damaged" : "journal.back-help");
+  const help = t(
+    found.lost === "steps"
+      ? "journal.back-steps"
+      : claimed?.damaged === true
+        ? "journal.back-damaged"
+        : "journal.back-help",
+  );
   question(t("journal.back", { name: fileName() }), [["journal.discard", discard]], "note", help);
 }
 

@@ -252,6 +252,29 @@ describe("records", () => {
     },
   );
 
+  it("of which some are lost give the newest state that is known, and say what is missing", async () => {
+    const seen = new Set([JSON.stringify(MISSION)]);
+    for (let step = 0; step < 65; step++) {
+      edit();
+      seen.add(JSON.stringify(useStudio.getState().mission));
+      await flush();
+    }
+    const { records } = kept;
+    const last = JSON.stringify(useStudio.getState().mission);
+    const bases = records.flatMap((one, at) => (one.startsWith('{"kind":"base"') ? [at] : []));
+    expect(bases.length).toBeGreaterThan(2);
+    for (let lost = 0; lost < records.length; lost++) {
+      const found = recover(records.with(lost, ""));
+      expect(seen).toContain(JSON.stringify(found?.history.mission));
+      if (lost < (bases.at(-1) ?? 0)) {
+        expect(JSON.stringify(found?.history.mission)).toBe(last);
+        expect(found?.lost).toBe("steps");
+        expect(found !== null && isUnsaved(found.history)).toBe(true);
+      } else expect(found?.lost).toBe("last");
+    }
+    expect(recover(records)?.lost).toBeNull();
+  });
+
   it("that do not fit are where it ends", async () => {
     edit();
     await flush();

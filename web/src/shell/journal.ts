@@ -12,11 +12,13 @@ import { type News, openWatch } from "../api/watch";
 import { follow, type History, historyOf, isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
-import { type Entry, recordOf, recordsOf, shortened } from "./journal-records";
+import { baseOf, type Entry, recordOf, recordsOf, shortened } from "./journal-records";
 
 export const QUIET_MS = 250;
 const HELLO_WITHIN_MS = 4000;
 const LARGEST = 4_000_000;
+/** Changes after which a whole mission is written once more: a damage of the journal costs no change behind the next. */
+const BASE_EVERY = 20;
 const KEY = "kitrobot.journal";
 
 /** How the journal reaches the server; tests bring their own. */
@@ -41,6 +43,8 @@ let waiting: Entry[] = [];
 let sent = 0;
 /** How often everything was asked for: what is on its way meanwhile says nothing about how far the server is. */
 let asked = 0;
+/** Changes since the last whole mission. */
+let sinceBase = 0;
 let timer: ReturnType<typeof setTimeout> | undefined;
 let sending: Promise<void> | null = null;
 /** Between the claim and the opening nothing may go out: it would be the old mission's, in the new one's journal. */
@@ -177,10 +181,17 @@ async function send({ store, fail }: Keeping): Promise<void> {
       const records = empty ? [] : recordsOf(kept, file.revision);
       waiting = [];
       await store.api.replace(tab, file.path, file.name, records, isUnsaved(kept));
+      sinceBase = records.length;
       if (asked === asking) sent = records.length;
     } else {
       const records = batch.map(recordOf);
       waiting = [];
+      sinceBase += batch.length;
+      const base = sinceBase < BASE_EVERY ? "" : baseOf(batch.at(-1)?.after ?? history.mission, file.revision);
+      if (base !== "" && base.length < LARGEST / 4) {
+        records.push(base);
+        sinceBase = 0;
+      }
       const { bytes } = await store.api.append(tab, first, records, isUnsaved(history));
       if (asked === asking) sent = bytes > LARGEST ? -1 : first + records.length;
     }

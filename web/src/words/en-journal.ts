@@ -3,6 +3,8 @@ export const JOURNAL_EN = {
   "journal.back": "Your unsaved work on {name} is back.",
   "journal.back-help": "Undo works as before.",
   "journal.back-damaged": "The journal was damaged: the last steps may be missing.",
+  "journal.back-steps": "Your work is all there, but the journal was damaged: older steps cannot be undone any more.",
+  "journal.failed-help": "Save your work now: in the file it is safe.",
   "journal.discard": "Discard it",
   "journal.left": "Unsaved work on {name} is kept.",
   "journal.open": "Open it",

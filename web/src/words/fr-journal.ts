@@ -5,6 +5,9 @@ export const JOURNAL_FR = {
   "journal.back": "Votre travail non enregistré sur {name} est de retour.",
   "journal.back-help": "Annuler fonctionne comme avant.",
   "journal.back-damaged": "Le journal était abîmé : les derniers pas manquent peut-être.",
+  "journal.back-steps":
+    "Tout votre travail est là, mais le journal était abîmé : les étapes plus anciennes ne peuvent plus être annulées.",
+  "journal.failed-help": "Enregistrez votre travail maintenant : dans le fichier, il est en sûreté.",
   "journal.discard": "L'abandonner",
   "journal.left": "Du travail non enregistré sur {name} est gardé.",
   "journal.open": "L'ouvrir",

@@ -5,6 +5,8 @@ export const JOURNAL_UR = {
   "journal.back": "{name} پر آپ کا غیر محفوظ کام واپس آ گیا ہے۔",
   "journal.back-help": "«واپس کریں» پہلے کی طرح کام کرتا ہے۔",
   "journal.back-damaged": "روزنامچہ خراب تھا: شاید آخری قدم موجود نہ ہوں۔",
+  "journal.back-steps": "آپ کا سارا کام موجود ہے، مگر روزنامچہ خراب تھا: پرانے قدم اب واپس نہیں لیے جا سکتے۔",
+  "journal.failed-help": "اپنا کام ابھی محفوظ کریں: فائل میں وہ محفوظ رہے گا۔",
   "journal.discard": "اسے چھوڑ دیں",
   "journal.left": "{name} پر غیر محفوظ کام رکھا ہوا ہے۔",
   "journal.open": "اسے کھولیں",

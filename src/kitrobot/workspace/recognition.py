@@ -1,0 +1,47 @@
+"""What a file is that is no mission, by its first bytes: whoever drops a photo is told so, and nothing of encodings."""
+
+from __future__ import annotations
+
+LOOKED_AT = 16
+"""Bytes at the beginning that say it."""
+_KINDS = (
+    (0, b"\xff\xd8\xff", "a photo (JPEG)"),
+    (0, b"\x89PNG\r\n\x1a\n", "a picture (PNG)"),
+    (0, b"GIF8", "a picture (GIF)"),
+    (8, b"WEBP", "a picture (WebP)"),
+    (0, b"II*\0", "a picture (TIFF)"),
+    (0, b"MM\0*", "a picture (TIFF)"),
+    (6, b"\0\0\0\0", "a picture (BMP)"),
+    (4, b"ftypheic", "a photo (HEIC)"),
+    (4, b"ftypmif1", "a photo (HEIC)"),
+    (4, b"ftypavif", "a picture (AVIF)"),
+    (4, b"ftypM4A", "a sound (MP4)"),
+    (4, b"ftyp", "a film (MP4)"),
+    (0, b"\x1a\x45\xdf\xa3", "a film (WebM)"),
+    (8, b"AVI ", "a film (AVI)"),
+    (8, b"WAVE", "a sound (WAV)"),
+    (0, b"ID3", "a sound (MP3)"),
+    (0, b"OggS", "a sound (Ogg)"),
+    (0, b"%PDF-", "a document (PDF)"),
+    (0, b"\xd0\xcf\x11\xe0", "a document of an office program"),
+    (0, b"{\\rtf", "a document (RTF)"),
+    (0, b"PK\x03\x04", "a packed file (ZIP)"),
+    (0, b"PK\x05\x06", "a packed file (ZIP)"),
+    (0, b"\x1f\x8b", "a packed file (gzip)"),
+    (0, b"7z\xbc\xaf", "a packed file (7z)"),
+    (0, b"Rar!", "a packed file (RAR)"),
+    (0, b"\x7fELF", "a program of this computer"),
+    (0, b"MZ", "a program of this computer"),
+    (0, b"KRTRACE\n", "a recording of a run (`.krtrace`)"),
+)
+_BEGIN_WITH = {8: b"RIFF", 6: b"BM"}
+"""What stands at the beginning of those whose own mark comes later."""
+
+
+def recognised(data: bytes) -> str | None:
+    """What the bytes are, with an article; None for text and for what is not known."""
+    head = data[:LOOKED_AT]
+    for at, mark, words in _KINDS:
+        if head.startswith(mark, at) and head.startswith(_BEGIN_WITH.get(at, b"")):
+            return words
+    return None
