@@ -50,7 +50,7 @@ MISTAKES = [
     ("a comma too many", "a.b(1,);  #! syntax@7 expected a parameter, found `)`"),
     ("a parameter left out", "a.b(,1);  #! syntax@5 expected a parameter, found `,`"),
     ("a negative parameter", "a.b(-1);  #! syntax@5 expected a parameter, found `-1`"),
-    ("a decimal parameter", "a.b(1.5);  #! syntax@6 expected `,` or `)` after a parameter, found `.`"),
+    ("a decimal parameter", "a.b(1.5);  #! syntax@5 expected a whole number, found `1.5`"),
     ("a mark alone", "°;  #! syntax@2 expected a call, found `;`"),
     ("two marks around nothing", "°°;  #! syntax@2 expected a call, found `°`"),
     ("a mark around a loop", "°2*()°;  #! syntax@2 expected a call, found a number `2`"),

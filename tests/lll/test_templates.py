@@ -73,7 +73,7 @@ def test_a_template_that_is_one_hole_is_that_hole() -> None:
         ("2*({a}; WAIT(1); {b})", "one hole stands in a body, and `{a}` stands in this one already"),
         ("{a} & ", "expected a condition, found the end of the text"),
         ("*[{c}]({body}", "this `(` is never closed"),
-        ("{1a}*()", "expected an instruction, found `{1a}`"),
+        ("{1a}*()", "expected an instruction, found `{`"),
     ],
 )
 def test_a_template_that_is_not_lll_says_why(text: str, message: str) -> None:

@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from kitrobot.compiler import rules
+from kitrobot.compiler.always import always_holds
 from kitrobot.compiler.flow import FlowAnalysis
+from kitrobot.compiler.giving_way import given_way
 from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule, Source, in_reading_order
 from kitrobot.lll import (
     And,
@@ -27,8 +29,10 @@ from kitrobot.lll import (
     Parallel,
     Repeat,
     Seq,
+    Wait,
     While,
     bodies,
+    nodes,
 )
 from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType, did_you_mean, nearest
 
@@ -40,6 +44,8 @@ def check(program: Seq, robot: Robot, source: Source, program_name: str = "") ->
     """
     checker = _Checker(robot, source, program_name)
     checker.seq(program, in_loop=False, in_parallel=False)
+    if not any(item.is_error for item in checker.found):
+        checker.overwritten(program)
     return in_reading_order(checker.found)
 
 
@@ -56,7 +62,7 @@ class _Checker:
         self.robot = robot
         self.source = source
         self.program_name = program_name
-        self.flow = FlowAnalysis(robot)
+        self.flow = FlowAnalysis(robot, self.is_endless)
         self.found: list[Diagnostic] = []
 
     def report(
@@ -69,13 +75,22 @@ class _Checker:
     def text(self, node: Node) -> str:
         return self.source.text[node.start : node.end]
 
+    def is_endless(self, node: While) -> bool:
+        """Whether only a BREAK leaves a loop."""
+        return always_holds(node.condition, self.robot)
+
     # -- instructions
 
     def seq(self, seq: Seq, *, in_loop: bool, in_parallel: bool) -> None:
         reachable = True
         for node in seq.items:
             if not reachable:
-                self.report(rules.NEVER_RUNS, "this can never run: what stands before it never goes on", node)
+                self.report(
+                    rules.NEVER_RUNS,
+                    "this can never run: what stands before it never goes on",
+                    node,
+                    "take it away, or let a BREAK leave the loop before it",
+                )
             self.instruction(node, in_loop, in_parallel)
             reachable = reachable is not True or self.flow.instruction(node).goes_on
 
@@ -96,11 +111,14 @@ class _Checker:
                     self.action(node.call)
             case Repeat():
                 if node.count == 0 and node.body.items:
-                    self.report(rules.NEVER_RUNS, "a loop of 0 times never runs its body", node.body.items[0])
+                    help = "give the loop a number of times, or take it away"
+                    self.report(rules.NEVER_RUNS, "a loop of 0 times never runs its body", node.body.items[0], help)
                 self.seq(node.body, in_loop=True, in_parallel=in_parallel)
             case While():
                 if node.condition is not None:
                     self.condition(node.condition)
+                if self.is_endless(node):
+                    self.idle(node)
                 self.seq(node.body, in_loop=True, in_parallel=in_parallel)
             case Conditional():
                 self.condition(node.condition)
@@ -117,7 +135,8 @@ class _Checker:
             case Break():
                 if not in_loop:
                     what = "branch" if in_parallel else "program"
-                    self.report(rules.BREAK_OUTSIDE_LOOP, f"BREAK stands in no loop, so it ends the {what}", node)
+                    help = "put it into a loop, or leave it if that is meant"
+                    self.report(rules.BREAK_OUTSIDE_LOOP, f"BREAK stands in no loop, so it ends the {what}", node, help)
 
     def action(self, call: Call) -> None:
         meaning = self.meaning(call)
@@ -129,6 +148,47 @@ class _Checker:
                 f"`{call.object}.{call.method}` only reads something, so as an instruction it does nothing",
                 call,
                 "use it in a condition or as a parameter",
+            )
+
+    def idle(self, node: While) -> None:
+        """A loop without end in which nothing takes time and nothing is looked at."""
+        if not any(self.does_something(one) for one in nodes(node.body)):
+            self.report(
+                rules.IDLE_LOOP,
+                "this loop does nothing for ever: the robot stays as it is, and nothing comes after it",
+                node,
+                "put into it what the robot is to do",
+            )
+        elif node.body.items and all(self.is_blind(item) for item in node.body.items):
+            self.report(
+                rules.IDLE_LOOP,
+                f"nothing in this loop takes time, so it is done every {self.robot.tick_ms} ms for ever",
+                node,
+                "put a WAIT or a test into it, or do it once only",
+            )
+
+    def does_something(self, node: Node) -> bool:
+        """Whether an instruction, whatever it holds, does something, takes time, or leaves a loop."""
+        if isinstance(node, Call):
+            meaning = self.robot.calls.get((node.object, node.method))
+            return meaning is None or meaning[1].kind is Kind.PROCEDURE
+        return isinstance(node, Wait | Parallel | Event | Break)
+
+    def is_blind(self, node: Instr) -> bool:
+        """Whether an instruction is a call that takes no time, whatever the robot senses."""
+        call = node.call if isinstance(node, Interrupt) else node
+        if not isinstance(call, Call) or any(isinstance(param, Call) for param in call.params):
+            return False
+        meaning = self.robot.calls.get((call.object, call.method))
+        return meaning is not None and not meaning[1].completes_later
+
+    def overwritten(self, program: Seq) -> None:
+        for call, later in given_way(program, self.robot):
+            self.report(
+                rules.OVERWRITTEN,
+                f"this has no effect: in the same tick `{later.object}.{later.method}` takes its place",
+                call,
+                "put a WAIT between the two, or take one of them away",
             )
 
     def shared_actuators(self, node: Parallel) -> None:
@@ -145,6 +205,7 @@ class _Checker:
                         rules.SHARED_ACTUATOR,
                         f"`{call.object}` is driven by two branches of one parallel; in one tick the last of them wins",
                         call,
+                        "let one branch alone drive it, unless this is meant",
                     )
 
     # -- conditions and parameters

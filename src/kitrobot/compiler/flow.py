@@ -6,8 +6,10 @@ BREAK inside an inner loop is a way through that loop, so it counts for the loop
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
+from kitrobot.compiler.slots import is_marked
 from kitrobot.lll import Break, Call, Conditional, Event, Instr, Interrupt, Parallel, Repeat, Seq, Wait, While
 from kitrobot.primitives import Robot
 
@@ -29,13 +31,19 @@ class Flow(NamedTuple):
 _NOTHING = Flow(True, False, False, False)
 _BLOCKS = Flow(False, True, False, False)
 _BREAK = Flow(False, False, True, False)
+_NOWHERE = Flow(False, False, False, False)
 
 
 class FlowAnalysis:
-    """Flows of the pieces of one program, each worked out once. The tree must not change meanwhile."""
+    """Flows of the pieces of one program, each worked out once. The tree must not change meanwhile.
 
-    def __init__(self, robot: Robot) -> None:
+    `endless`: which loops go on for ever unless a BREAK leaves them. Without it the flow is the one of the language's
+    definition, by which passes of loops are timed: there every `*[ ]( )` and `*( )` may be passed.
+    """
+
+    def __init__(self, robot: Robot, endless: Callable[[While], bool] | None = None) -> None:
         self._robot = robot
+        self._endless = endless
         self._known: dict[int, Flow] = {}
 
     def seq(self, seq: Seq) -> Flow:
@@ -56,8 +64,10 @@ class FlowAnalysis:
                 return self._call(node)
             case Interrupt():
                 return self._call(node.call) if isinstance(node.call, Call) else _NOTHING
-            case Wait() | Parallel():
+            case Wait():
                 return _BLOCKS
+            case Parallel():
+                return _NOWHERE if self._endless is not None and self._never_ends(node) else _BLOCKS
             case Break():
                 return _BREAK
             case Conditional():
@@ -74,7 +84,18 @@ class FlowAnalysis:
                 blocking = body.passes_blocking or body.breaks_blocking
                 return Flow(body.passes or body.breaks, blocking, False, False)
             case While():
-                return Flow(True, True, False, False)
+                if self._endless is None or not self._endless(node):
+                    return Flow(True, True, False, False)
+                body = self.seq(node.body)
+                return Flow(body.breaks, body.breaks_blocking, False, False)
+
+    def _never_ends(self, node: Parallel) -> bool:
+        """Whether so many branches of a parallel never end that it is never over."""
+        endless = [not any(self.seq(branch)) for branch in node.branches]
+        marked = [is_marked(branch) for branch in node.branches]
+        if all(marked):
+            return sum(endless) > (len(endless) > 1)
+        return any(never and not mark for never, mark in zip(endless, marked, strict=True))
 
     def _call(self, call: Call) -> Flow:
         meaning = self._robot.calls.get((call.object, call.method))

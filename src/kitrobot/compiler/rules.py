@@ -73,7 +73,21 @@ NEVER_RUNS = rule(
     "never-runs",
     Severity.HINT,
     "An instruction can never run",
-    "Nothing leads here: it follows a BREAK, or stands in a loop of 0 times.",
+    "Nothing leads here: it follows a BREAK or something that never ends, or stands in a loop of 0 times.",
+)
+OVERWRITTEN = rule(
+    "overwritten",
+    Severity.HINT,
+    "A command gives way in the tick in which it is given",
+    "An actuator takes one command a tick, and the last one wins. Where nothing that takes time stands between two "
+    "commands of one actuator, the first has no effect.",
+)
+IDLE_LOOP = rule(
+    "idle-loop",
+    Severity.HINT,
+    "A loop without end has nothing in it that takes time",
+    "A loop whose body takes no time makes one pass a tick. Where it does nothing, and nothing leaves it, the robot "
+    "stays as it is for ever; where it looks at nothing, it does the same again in every tick.",
 )
 TOO_LARGE = rule(
     "too-large",

@@ -41,7 +41,7 @@ class SlotTree:
             number = self.number[id(node)] = len(self.parallels)
             self.parallels.append(ParallelRecord(slot, len(self.slots), 0))
             for inner in node.branches:
-                self.add(inner, number, marked=_is_marked(inner))
+                self.add(inner, number, marked=is_marked(inner))
             self.parallels[number] = self.parallels[number]._replace(end=len(self.slots))
         branch.end = len(self.slots)
 
@@ -57,10 +57,10 @@ def _parallels(seq: Seq) -> Iterator[Parallel]:
                 yield from _parallels(body)
 
 
-def _is_marked(seq: Seq) -> bool:
+def is_marked(seq: Seq) -> bool:
     """Whether a branch holds a marked action of its own (those of nested parallels mark their own branches)."""
     return any(
         isinstance(node, Interrupt)
-        or (not isinstance(node, Parallel) and any(_is_marked(body) for body in bodies(node)))
+        or (not isinstance(node, Parallel) and any(is_marked(body) for body in bodies(node)))
         for node in seq.items
     )

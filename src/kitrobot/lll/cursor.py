@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitrobot.diagnostics import Diagnostic, Fix, Rule, Source
 from kitrobot.lll import rules
-from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, SYMBOL, Comment, Token, tokenise
+from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, OTHER, SYMBOL, Comment, Token, tokenise
 from kitrobot.lll.tree import MAX_NESTING, Instr
 
 PARTNER = {"(": ")", "[": "]", "<": ">"}
@@ -12,7 +12,12 @@ _NAMES = {CALL: "a call", NAME: "a name", NUMBER: "a number", HOLE: "a hole", EN
 
 
 class Mistake(Exception):
-    """Leaves the construct being read for the nearest place that recovers; already reported."""
+    """Leaves the construct being read for the nearest place that recovers; already reported.
+
+    `recovered`: what is wrong was gone past already, and reading goes on right here.
+    """
+
+    recovered = False
 
 
 class Cursor:
@@ -22,7 +27,8 @@ class Cursor:
         self.source = Source(name, text)
         self.text = text
         self.template = template
-        self.tokens, self.comments = tokenise(text)
+        self.tokens, self.comments, lookalikes = tokenise(text)
+        self.braces = _braces(self.tokens)
         self.next_comment = 0
         self.comment_at = self.comments[0].before if self.comments else len(self.tokens)
         self.at = 0
@@ -32,6 +38,10 @@ class Cursor:
         self.found_unclosed = False
         self.guard_closer = ""
         self.diagnostics: list[Diagnostic] = []
+        for start, end, meant in lookalikes:
+            message = f"expected `{meant}`, found `{text[start:end]}`"
+            help = f"these are other characters that look like it; write `{meant}`"
+            self.report(rules.SYNTAX, message, start, end, help, Fix(meant))
 
     # -- tokens
 
@@ -61,6 +71,40 @@ class Cursor:
         self.report(rules.SYNTAX, f"expected {expected}, found {self.found()}", start, end, help)
         return Mistake()
 
+    def follows(self, symbol: str) -> bool:
+        """Whether the token after the next one is that symbol."""
+        token = self.tokens[min(self.at + 1, len(self.tokens) - 1)]
+        return token[0] == SYMBOL and token[3] == symbol
+
+    def shown(self) -> str:
+        """The text of the next token."""
+        _, start, end, _ = self.tokens[self.at]
+        return self.text[start:end]
+
+    def go_to(self, offset: int) -> None:
+        """Goes to the first token that does not begin before an offset."""
+        while self.tokens[self.at][0] != END and self.tokens[self.at][1] < offset:
+            self.take()
+
+    def past(self, mistake: Mistake, offset: int | None = None) -> Mistake:
+        """A mistake that is gone past, up to an offset or as far as reading is."""
+        if offset is not None:
+            self.go_to(offset)
+        mistake.recovered = True
+        return mistake
+
+    def go_past_brackets(self) -> None:
+        """Goes behind what the next bracket or brace encloses, or to the end of the text."""
+        level = 0
+        while self.tokens[self.at][0] != END:
+            if self.at in self.braces:
+                self.at = self.braces[self.at]
+            elif self.tokens[self.at][0] == SYMBOL:
+                level += (self.tokens[self.at][3] in "([") - (self.tokens[self.at][3] in ")]")
+            self.take()
+            if level <= 0:
+                return
+
     def expect(self, symbol: str, opened: Token | None = None) -> None:
         token = self.tokens[self.at]
         if token[0] == SYMBOL and token[3] == symbol:
@@ -83,6 +127,8 @@ class Cursor:
             kind, _, _, value = self.tokens[self.at]
             if kind == END:
                 return
+            if self.at in self.braces:
+                self.at = self.braces[self.at]
             if kind == SYMBOL:
                 if level == 0 and (value in stops or value == ")"):
                     return
@@ -169,3 +215,15 @@ class Cursor:
             self.take()
         self.found_unclosed = True  # whatever stays open now was open on the way down here
         raise Mistake
+
+
+def _braces(tokens: list[Token]) -> dict[int, int]:
+    """Each `{` that is closed → the place of its `}` among the tokens."""
+    found: dict[int, int] = {}
+    opened: list[int] = []
+    for at, (kind, _, _, value) in enumerate(tokens):
+        if kind == OTHER and value == "{":
+            opened.append(at)
+        elif kind == OTHER and value == "}" and opened:
+            found[opened.pop()] = at
+    return found

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from kitrobot.lll import rules
-from kitrobot.lll.cursor import PARTNER, Cursor, Mistake
+from kitrobot.lll import habits, rules
+from kitrobot.lll.cursor import PARTNER, Mistake
+from kitrobot.lll.foreign import Foreign
 from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, RESERVED, SYMBOL, Token
 from kitrobot.lll.tree import MAX_NESTING, MAX_NUMBER, And, Call, Condition, Conditional, Hole, Not, Number, Or, Param
 
 _BEHIND_A_CALL = frozenset((";", ",", ")", "]", ">", "&", "|", MARK))
 
 
-class Expressions(Cursor):
+class Expressions(Foreign):
     """Reads what stands in `[ ]`, `< >` and `( )` of calls; each method is a line of the grammar."""
 
     def conditional(self) -> Conditional:
         """The instruction; here only because people write one where a condition belongs."""
         raise NotImplementedError  # given by the parser
+
+    for_ever_at = -1
+    """The token at which the condition of a `*[ ]( )` begins, if one was begun."""
 
     # -- conditions
 
@@ -36,8 +40,9 @@ class Expressions(Cursor):
         try:
             condition = self.condition()
             self.height = 0
-            if not self.is_symbol(closer) and self.tokens[self.at][0] != END:
-                raise self.mistake(f"`&`, `|` or `{closer}`")
+            compared = closer == ">" and self.is_symbol(">") and self.tokens[self.at + 1][0] == NUMBER
+            if compared or (not self.is_symbol(closer) and self.tokens[self.at][0] != END):
+                raise self.behind_a_test(condition, closer)
         except Mistake:
             self.skip_guard(closer, self.depth - depth)
             self.depth, self.height = depth, 0
@@ -49,6 +54,15 @@ class Expressions(Cursor):
         self.expect(closer, opened)
         return condition
 
+    def behind_a_test(self, test: Condition, closer: str) -> Mistake:
+        """Something else than a sign that joins tests or closes the guard."""
+        name = test.object if isinstance(test, Call) and test.object else "Object"
+        found = habits.comparison(name, self.text, self.tokens[self.at][1])
+        help, end = found if found is not None else (habits.joint(self.shown()), 0)
+        mistake = self.mistake(f"`&`, `|` or `{closer}`", help)
+        self.go_to(end)
+        return mistake
+
     def condition(self) -> Condition:
         return self.chain("|")
 
@@ -58,6 +72,9 @@ class Expressions(Cursor):
         height = self.height
         while self.is_symbol(operator):
             opened = self.take()
+            if self.is_symbol(operator):
+                self.mistake("a condition", f"one {operator} is enough")
+                self.take()
             right = self.chain("&") if operator == "|" else self.unary()
             height = max(height, self.height) + 1
             self.height = 0
@@ -81,6 +98,11 @@ class Expressions(Cursor):
     def unary(self) -> Condition:
         self.height = 0
         kind, start, _, value = self.tokens[self.at]
+        if kind == NAME and not self.follows("."):
+            if value.lower() in habits.TRUTH:
+                raise self.mistake("a condition", self.no_condition())
+            if value.lower() in ("not", "non"):
+                raise self.mistake("a condition", "write !( … ) around the test")
         if kind in (CALL, NAME):
             call = self.call()
             self.height = _levels(call)
@@ -92,6 +114,8 @@ class Expressions(Cursor):
                 if value == "!":
                     self.take()
                 opened = self.tokens[self.at]
+                if not self.is_symbol("("):
+                    raise self.mistake("`(`", "write !( … ) around the test")
                 self.expect("(")
                 self.deeper(opened)
                 condition = self.condition()
@@ -103,7 +127,13 @@ class Expressions(Cursor):
                 return Not(condition, start=start, end=self.last_end)
             if value == "[":
                 return self.conditional_as_condition()
-        raise self.mistake("a condition", "a condition is a test such as Button.IsPressed(), joined with & and |")
+        raise self.mistake("a condition", self.no_condition())
+
+    def no_condition(self) -> str:
+        """What to write where no condition stands."""
+        if self.at == self.for_ever_at and self.shown() not in ("0", "false"):
+            return "leave the [ ] out to repeat for ever: *( … )"
+        return "a condition is a test such as Button.IsPressed(), joined with & and |"
 
     def conditional_as_condition(self) -> Condition:
         """Table 1 uses one name for two things, so people may try this; the test inside is what they meant."""
@@ -138,6 +168,13 @@ class Expressions(Cursor):
         if value in RESERVED:
             self.reserved(value, start, end)
         if not self.is_symbol("."):
+            compared = habits.comparison(value, self.text, end)
+            if compared is not None:
+                mistake = self.mistake("`.` and a method", compared[0])
+                self.go_to(compared[1])
+                raise mistake
+            if self.is_symbol("("):
+                raise self.mistake("`.` and a method", f"say whose method it is, as in Object.{value}()")
             raise self.mistake("`.` and a method", f"write {value}.Method()")
         self.take()
         if self.tokens[self.at][0] == CALL:  # `A.B.c()`: what follows the dot was read as a call of its own
@@ -152,6 +189,8 @@ class Expressions(Cursor):
         if after[0] == SYMBOL and after[3] in _BEHIND_A_CALL:  # as if `()` were there
             self.mistake("`(`", f"write {value}.{method}()")
             return Call("", "", start=start, end=self.last_end, method_start=start)
+        if not self.is_symbol("("):
+            raise self.mistake("`(`", f"write {value}.{method}( … )")
         params = self.params()
         if params is None:
             return Call("", "", start=start, end=self.last_end, method_start=start)
@@ -188,6 +227,7 @@ class Expressions(Cursor):
         return 1  # what was meant is not known; this offends no other rule
 
     def number(self) -> int:
+        self.whole()
         kind, start, end, value = self.tokens[self.at]
         if kind != NUMBER:
             raise self.mistake("a number")
@@ -211,7 +251,7 @@ class Expressions(Cursor):
                     break
                 self.take()
             if not self.is_symbol(")") and self.tokens[self.at][0] != END:
-                raise self.mistake("`,` or `)` after a parameter")
+                raise self.mistake("`,` or `)` after a parameter", habits.behind_a_number(self.shown()))
         except Mistake:
             if self.tokens[self.at][0] == END:
                 raise
@@ -223,7 +263,10 @@ class Expressions(Cursor):
         return params
 
     def param(self) -> Param:
+        self.whole()
         kind, start, _, value = self.tokens[self.at]
+        if kind == NAME and not self.follows("."):
+            self.refuse_word(value)
         if kind == NUMBER:
             self.take()
             return self.literal(value, start)
@@ -231,7 +274,8 @@ class Expressions(Cursor):
             return self.call()
         if kind == HOLE:
             return self.hole()
-        raise self.mistake("a parameter", "a parameter is a number from 0 to 65535 or a call such as Captor.Value()")
+        usual = "a parameter is a number from 0 to 65535 or a call such as Captor.Value()"
+        raise self.mistake("a parameter", habits.number_sign(self.shown()) or usual)
 
     def hole(self) -> Hole:
         _, start, end, name = self.take()

@@ -16,11 +16,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from kitrobot.diagnostics import Diagnostic, Fix, Source
-from kitrobot.lll import rules
+from kitrobot.lll import habits, rules
 from kitrobot.lll.collection import collection_paused
 from kitrobot.lll.cursor import Mistake
 from kitrobot.lll.expressions import Expressions
-from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, SYMBOL, Token
+from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, OTHER, SYMBOL, Token
 from kitrobot.lll.tree import (
     Break,
     Call,
@@ -137,9 +137,10 @@ class _Parser(Expressions):
                 above = self.comments_before(self.at)
                 try:
                     node = self.instruction()
-                except Mistake:
+                except Mistake as mistake:
                     self.depth, self.height = depth, 0
-                    self.skip(";" + separators)
+                    if not mistake.recovered:
+                        self.skip(";" + separators)
                     seq.below += [comment.text for comment in above]
                     continue
                 self.finish(node, above)
@@ -165,6 +166,8 @@ class _Parser(Expressions):
         kind, _, _, value = self.tokens[self.at]
         if kind == END or (kind == SYMBOL and value in ";),"):
             return
+        if value == MARK and self.tokens[self.at + 1][0] not in (CALL, NAME, HOLE):
+            return  # one that has no partner
         if kind in (CALL, NAME, NUMBER, HOLE) or value in ("*", "[", "<", "//", MARK):
             self.report(
                 rules.MISSING_SEMICOLON,
@@ -185,6 +188,8 @@ class _Parser(Expressions):
             if value == "BREAK":
                 self.take()
                 return Break(start=start, end=end)
+            if not self.follows("."):
+                return self.without_a_dot()
             return self.call()
         if kind in (NUMBER, HOLE):
             return self.repeat()
@@ -201,10 +206,36 @@ class _Parser(Expressions):
                 return self.parallel()
         if value == "!":
             raise self.mistake("an instruction", "`!( )` follows the body of a conditional: [test]( … )!( … )")
+        if kind == OTHER:
+            self.refuse_sign(start, value)
         raise self.mistake("an instruction", "an instruction begins with a name, a number, or one of * [ < // °")
+
+    def without_a_dot(self) -> Instr:
+        """A name that no method follows: a word of another language, or a variable that is changed."""
+        _, start, end, name = self.tokens[self.at]
+        if habits.is_reserved_in_other_letters(name):
+            word = name.upper()
+            message, help = f"expected `{word}`, found `{name}`", f"words of the language are in capitals: {word}"
+            self.report(rules.SYNTAX, message, start, end, help, Fix(word))
+            if word == "WAIT":
+                return self.wait()
+            self.take()
+            return Break(start=start, end=end)
+        help = habits.keyword(name)
+        if help:
+            self.report(rules.SYNTAX, f"`{name}` is no word of the language", start, end, help)
+            self.go_past_construct()
+            raise self.past(Mistake())
+        changed = habits.change(name, self.text, end)
+        if changed is not None:
+            self.take()
+            raise self.past(self.mistake("`.` and a method", changed[0]), changed[1])
+        return self.call()
 
     def interrupt(self) -> Interrupt:
         opened = self.take()
+        if self.tokens[self.at][0] not in (CALL, NAME, HOLE):
+            raise self.mistake("a call", "write °Object.Method()° around the call")
         action: Call | Hole = self.hole() if self.tokens[self.at][0] == HOLE else self.call()
         if not self.is_symbol(MARK):
             self.report(
@@ -234,6 +265,7 @@ class _Parser(Expressions):
                 "`[` or `(` after `*`",
                 "write *[test]( … ) to repeat while a test is true, or *( … ) to repeat for ever",
             )
+        self.for_ever_at = self.at + 1
         condition = self.guard("[") if self.is_symbol("[") else None
         body = self.body()
         return While(condition, body, start=start, end=self.last_end)
@@ -243,7 +275,11 @@ class _Parser(Expressions):
         condition = self.guard("[")
         then = self.body()
         orelse = None
-        if self.is_symbol("!"):
+        kind, at, end, value = self.tokens[self.at]
+        if kind == NAME and value in ("else", "sinon") and not self.follows("."):
+            help = "write !( … ) right after the body: [test]( … )!( … )"
+            self.report(rules.SYNTAX, f"expected `!`, found `{value}`", at, end, help, Fix("!"))
+        if self.is_symbol("!") or (kind == NAME and value in ("else", "sinon") and not self.follows(".")):
             self.take()
             orelse = self.body()
         return Conditional(condition, then, orelse, start=start, end=self.last_end)
@@ -257,6 +293,10 @@ class _Parser(Expressions):
     def parallel(self) -> Parallel:
         start = self.take()[1]
         opened = self.tokens[self.at]
+        if not self.is_symbol("("):
+            mistake = self.mistake("`(`", "//( … , … ) does things at the same time; a comment begins with #")
+            end = habits.comment_end(self.text, start)
+            raise self.past(mistake, end) if not self.is_symbol(";") else mistake
         self.expect("(")
         self.deeper(opened)
         branches: list[Seq] = []
@@ -279,9 +319,16 @@ class _Parser(Expressions):
     def wait(self) -> Wait:
         start = self.take()[1]
         opened = self.tokens[self.at]
+        if not self.is_symbol("("):
+            raise self.mistake("`(`", "write WAIT(10)")
         self.expect("(")
         if self.tokens[self.at][0] not in (NUMBER, HOLE):
-            self.mistake("a number of time units", "write WAIT(10)")
+            self.mistake("a number of time units", habits.number_sign(self.shown()) or "write WAIT(10)")
+            self.recover(")")
+            return Wait(0, start=start, end=self.last_end)
+        try:
+            self.whole("numbers are whole; on most robots WAIT(10) is one second, and WAIT(1) a tenth")
+        except Mistake:
             self.recover(")")
             return Wait(0, start=start, end=self.last_end)
         duration: int | Hole = self.hole() if self.tokens[self.at][0] == HOLE else self.number()
@@ -293,7 +340,11 @@ class _Parser(Expressions):
         return Wait(duration, start=start, end=self.last_end)
 
     def body(self) -> Seq:
+        if self.at in self.braces:
+            self.mend_braces()
         opened = self.tokens[self.at]
+        if not self.is_symbol("("):
+            raise self.mistake("`(`", "what belongs to it stands in ( ): write ( … )")
         self.expect("(")
         self.deeper(opened)
         seq = self.seq("")

@@ -5,6 +5,8 @@ A token is a tuple (kind, start, end, text): a kind is one of the constants belo
 it has (object, method, where the method starts, numbers or None, where they start). Comments are kept apart, each with
 the index of the token that follows it.
 
+What only looks like signs and digits (`lookalikes`) is read as what it looks like, and listed. A brace is a token.
+
 Left to others: what may follow what (parser).
 """
 
@@ -14,6 +16,8 @@ import re
 import unicodedata
 from functools import cache
 from typing import Any, NamedTuple
+
+from kitrobot.lll.lookalikes import plain
 
 CALL, NAME, NUMBER, HOLE, SYMBOL, OTHER, END = range(7)
 
@@ -32,10 +36,14 @@ class Comment(NamedTuple):
 
 
 class Tokens(NamedTuple):
-    """All tokens of a text, closed by one END token, and its comments."""
+    """All tokens of a text, closed by one END token, its comments, and what stands for other characters.
+
+    Of each of the latter: where it starts and ends, and what it looks like.
+    """
 
     tokens: list[Token]
     comments: list[Comment]
+    lookalikes: list[tuple[int, int, str]]
 
 
 def _pattern(name: str) -> re.Pattern[str]:
@@ -48,7 +56,7 @@ def _pattern(name: str) -> re.Pattern[str]:
         | (?P<comment>\#[^\n]*)
         | (?P<mark>[{_MARKS_READ}])
         | (?P<hole>\{{\s*{name}\s*\}})
-        | (?P<other>[^\s;,()\[\]<>!&|*.{_MARKS_READ}\#]+)
+        | (?P<other>[{{}}]|[^\s{{}};,()\[\]<>!&|*.{_MARKS_READ}\#]+)
         | \Z
         )""",
         re.VERBOSE,
@@ -92,6 +100,7 @@ def tokenise(text: str) -> Tokens:
     """The tokens and comments of a text; never fails: what is no token is one of kind OTHER."""
     tokens: list[Token] = []
     comments: list[Comment] = []
+    lookalikes: list[tuple[int, int, str]] = []
     add = tokens.append
     pattern = _ascii() if _without_marks(text).isascii() else _unicode()
     kinds = {"name": NAME, "number": NUMBER, "other": OTHER}
@@ -110,7 +119,11 @@ def tokenise(text: str) -> Tokens:
             add((SYMBOL, match.start(group), match.end(), MARK))
         elif group == "hole":
             add((HOLE, match.start(group), match.end(), match[group][1:-1].strip()))
+        elif group == "other" and (meant := plain(match[group])) != match[group]:
+            start, end = match.span(group)
+            lookalikes.append((start, end, meant))
+            tokens += [(kind, start + a, start + b, text) for kind, a, b, text in tokenise(meant).tokens[:-1]]
         elif group is not None:
             add((kinds[group], match.start(group), match.end(), match[group]))
     add((END, len(text), len(text), ""))
-    return Tokens(tokens, comments)
+    return Tokens(tokens, comments, lookalikes)

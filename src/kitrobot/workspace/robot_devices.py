@@ -1,7 +1,7 @@
-"""Which devices of a robot the simulator lacks, and for which no board has a driver, at their lines of the robot's file.
+"""Which devices of a robot the simulator lacks, and for which no board has a driver, at their lines of its file.
 
-A device that only one of the two knows is a hint, since the robot runs there; one that neither knows is an error, and so
-is what the simulator's device cannot do as the file says it.
+A device that only one of the two knows is a hint, since the robot runs there; one that neither knows is an error, and
+so is what the simulator's device cannot do as the file says it.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ NO_DRIVER = rule(
     "robot-no-driver",
     Severity.HINT,
     "No board has the driver of a device",
-    "The simulator has the device, so the robot runs there. On a board each actuator and sensor that a program uses needs"
-    " the driver that its `<board>` names, or one with the name of its device.",
+    "The simulator has the device, so the robot runs there. On a board each actuator and sensor that a program uses"
+    " needs the driver that its `<board>` names, or one with the name of its device.",
 )
 
 
@@ -55,5 +55,6 @@ def _not_simulated(robot: Robot, part: RobotObject) -> Diagnostic:
 
 def _no_driver(robot: Robot, part: RobotObject) -> Diagnostic:
     message = f"`{robot.name}.{part.name}`: no board has a driver {shown(part.board.driver)}, only the simulator has it"
-    help = f'to run it on a board, name a driver in it, as in <board driver="…"/>, or write `{part.board.driver}.driver.py`'
+    file = f"{part.board.driver}.driver.py"
+    help = f'to run it on a board, name a driver in it, as in <board driver="…"/>, or write `{file}`'
     return NO_DRIVER(message, part.place, help=help)

@@ -1,0 +1,59 @@
+"""Commands that have no effect, because their actuator gets another one in the same tick.
+
+A command is looked at from where it stands to where its thread may block: an actuator takes one command a tick, and the
+last wins. What only some ways do is not told: a command that a choice takes back may be meant.
+"""
+
+from __future__ import annotations
+
+from kitrobot.compiler.flow import FlowAnalysis
+from kitrobot.lll import Call, Conditional, Instr, Interrupt, Repeat, Seq, While, bodies
+from kitrobot.primitives import Category, Kind, Robot
+
+Pairs = list[tuple[Call, Call]]
+"""Commands, and those to which they give way."""
+
+
+def given_way(program: Seq, robot: Robot) -> Pairs:
+    """Each command that surely gives way, and the one it gives way to, in no order."""
+    flow = FlowAnalysis(robot)
+    found: Pairs = []
+    waiting: list[tuple[Seq, bool]] = [(program, False)]
+    while waiting:
+        seq, goes_round = waiting.pop()
+        given = _row(seq.items, {}, robot, flow, found)
+        if goes_round:
+            told = {id(call) for call, _ in found}
+            more: Pairs = []
+            _row(seq.items, dict(given), robot, flow, more)
+            last = {id(call) for call in given.values()}
+            found += [pair for pair in more if id(pair[0]) in last - told and pair[0] is not pair[1]]
+        for node in seq.items:
+            endless = isinstance(node, While) and node.condition is None and flow.back_edge_is_free(node.body)
+            waiting += [(body, endless) for body in bodies(node)]
+    return found
+
+
+def _row(items: list[Instr], given: dict[str, Call], robot: Robot, flow: FlowAnalysis, found: Pairs) -> dict[str, Call]:
+    """Goes through a body; `given` are the last commands of the tick in which it begins, then of that at its end."""
+    for node in items:
+        call = node.call if isinstance(node, Interrupt) else node
+        if isinstance(call, Call):
+            meaning = robot.calls.get((call.object, call.method))
+            if meaning is None or meaning[1].kind is not Kind.PROCEDURE or meaning[0].category is not Category.ACTUATOR:
+                continue
+            if call.object in given:
+                found.append((given[call.object], call))
+            given[call.object] = call
+            if meaning[1].completes_later:
+                given.clear()
+        elif not _is_immediate(node, flow):
+            given.clear()
+    return given
+
+
+def _is_immediate(node: Instr, flow: FlowAnalysis) -> bool:
+    """Whether what follows surely runs in the tick in which an instruction begins."""
+    if isinstance(node, Repeat):
+        return node.count == 0
+    return isinstance(node, Conditional) and flow.instruction(node) == (True, False, False, False)
