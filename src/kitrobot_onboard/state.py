@@ -15,7 +15,7 @@ TICKS = 6  # milliseconds that begin anew some day
 DIFF = 7  # how much later the first is than the second
 ADD = 8
 READ = 9  # what came over the line, waiting for it at most so many ms
-WRITE = 10
+WRITE = 10  # says bytes; how many still wait, where a line that is not read can hold them up
 
 # The rest of the program file.
 SENSORS = 11  # (read, cell, least, most) for each

@@ -62,7 +62,7 @@ def list_seen(robot, room):
 def tell_news(robot, left):
     """Goes on with looking for what changed, and tells it, as far as the `left` ms allow; how many are left then."""
     since = robot[DIFF](robot[TICKS](), robot[SINCE])
-    if since >= robot[EVERY]:
+    if since >= robot[EVERY] and not robot[WRITE](b""):  # else the line still has what was said before
         # As many bytes as fit the gap, of which 3 ms stay free: a byte takes 87 us, and a look at a number a third of
         # a millisecond. A robot that is late anyhow says a word now and then.
         room = 11 * min(left or since // 250, 8) - 49

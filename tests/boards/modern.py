@@ -111,6 +111,17 @@ class ModernBoard:
         """Takes the power away at once and gives it back: the board starts as when it was switched on."""
         self._ask("cut")
 
+    def deaf(self, on: bool) -> None:
+        """Its host takes nothing any more of what it says, as one that keeps a USB port open and does not read."""
+        self._ask("deaf" if on else "hears")
+
+    def said(self) -> tuple[int, int]:
+        """How often a program was refused room for what it would say, and how often one wrote all the same and was
+        held up.
+        """
+        found = self._ask("said")
+        return found["refused"], found["heldUp"]
+
     def files(self) -> dict[str, bytes]:
         """What the flash holds: what was closed, whatever is still open."""
         return {name: base64.b64decode(text) for name, text in self._ask("files")["files"].items()}

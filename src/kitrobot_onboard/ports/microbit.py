@@ -17,4 +17,7 @@ def read(ms):
         if diff(end, ticks()) <= 0:
             return b""
         sleep(1)
-    return uart.read()
+    data = uart.read(1)
+    while uart.any() and data[-1] != 3:  # what follows a break is for the prompt
+        data += uart.read(1)
+    return data

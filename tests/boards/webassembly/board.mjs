@@ -3,15 +3,16 @@
 //     node board.mjs MICROPYTHON.mjs GIVEN.json       GIVEN: {port, files: {name: base64}}
 //
 // Says {"address": "socket://127.0.0.1:PORT"} on standard output, then an answer to each line of standard input:
-// "cut" takes its power away, at once, whatever it does, and gives it back; "files" tells what its flash holds. It ends
-// with its standard input. What happens on the board is in interpreter.mjs, in a thread of its own, so that a program
+// "cut" takes its power away, at once, whatever it does, and gives it back; "files" tells what its flash holds; "deaf" has
+// its host take nothing any more, "hears" ends that, and both tell how often a program was refused room for what it would
+// say, and how often one was held up. It ends with its standard input. What happens on the board is in interpreter.mjs, in a thread of its own, so that a program
 // that never ends there does not stop the line here. Its flash is kept here: a file is in it once it was closed.
 
 import { createInterface } from "node:readline";
 import { createServer } from "node:net";
 import { readFileSync } from "node:fs";
 import { Worker } from "node:worker_threads";
-import { HEAD, RING_BYTES, TAIL, ringOf } from "./ring.mjs";
+import { DEAF, HEAD, HELD_UP, REFUSED, RING_BYTES, TAIL, ringOf } from "./ring.mjs";
 
 const [micropython, givenPath] = process.argv.slice(2);
 const given = JSON.parse(readFileSync(givenPath, "utf8"));
@@ -21,14 +22,15 @@ let host; // the socket of who is connected
 let worker;
 let ring;
 let waiting = []; // bytes for which the ring has no room yet
-let unheard = []; // what was said before anybody ever listened
+let unheard = []; // what was said before anybody ever listened, or while nobody did
 let wasHeard = false;
+const isDeaf = () => Atomics.load(ring.indices, DEAF) === 1;
 
 const say = (answer) => process.stdout.write(JSON.stringify(answer) + "\n");
 
 function tell(bytes) {
-  if (host !== undefined) host.write(bytes);
-  else if (!wasHeard) unheard.push(bytes);
+  if (isDeaf() || (host === undefined && !wasHeard)) unheard.push(bytes);
+  else host?.write(bytes);
 }
 
 function powerUp() {
@@ -80,6 +82,11 @@ const server = createServer((socket) => {
   });
 });
 
+const said = () => ({
+  refused: Atomics.load(ring.indices, REFUSED),
+  heldUp: Atomics.load(ring.indices, HELD_UP),
+});
+
 const commands = {
   cut: async () => {
     const old = worker;
@@ -88,6 +95,17 @@ const commands = {
     powerUp();
     return { cut: true };
   },
+  deaf: () => {
+    Atomics.store(ring.indices, DEAF, 1);
+    return said();
+  },
+  hears: () => {
+    Atomics.store(ring.indices, DEAF, 0);
+    Atomics.notify(ring.indices, DEAF);
+    for (const bytes of unheard.splice(0)) host?.write(bytes);
+    return said();
+  },
+  said,
   files: () => ({ files: Object.fromEntries([...flash].map(([name, bytes]) => [name, bytes.toString("base64")])) }),
 };
 

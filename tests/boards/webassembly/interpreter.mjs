@@ -5,7 +5,7 @@
 // that outlast a reset, soft reset, and raw paste mode, which this build announces but cannot do.
 
 import { parentPort, workerData } from "node:worker_threads";
-import { HEAD, TAIL, ringOf } from "./ring.mjs";
+import { DEAF, HEAD, HELD_UP, REFUSED, TAIL, ringOf } from "./ring.mjs";
 
 const CTRL_A = 1;
 const CTRL_B = 2;
@@ -18,6 +18,8 @@ const POLLOUT = 4;
 const ROOT = "/flash";
 const RAW_BANNER = "raw REPL; CTRL-B to exit\r\n>";
 const PASTE_WINDOW = 128;
+const OUT_BYTES = 256; // what USB keeps of what goes out, for a host that takes nothing
+const OUT_WAIT_MS = 500; // then a program that writes more waits so long, and its bytes are lost
 const IDLE_CALLS = 40; // who looks at the clock or at its line so often in one millisecond has nothing to do
 
 // Runs a file of the board as its firmware does: uncaught exceptions are shown; Ctrl+C ends it.
@@ -61,8 +63,22 @@ function flush() {
   out = [];
 }
 
+let kept = 0; // bytes that went out since the host takes nothing
+
+/** Whether there is room for one more byte. */
+function hasRoom() {
+  if (Atomics.load(indices, DEAF) === 0) kept = 0;
+  return kept < OUT_BYTES;
+}
+
 function put(data) {
   for (const byte of data) {
+    if (!hasRoom()) {
+      flush();
+      Atomics.add(indices, HELD_UP, 1);
+      if (Atomics.wait(indices, DEAF, 1, OUT_WAIT_MS) === "timed-out") return;
+    }
+    kept += 1;
     tail = (tail + String.fromCharCode(byte)).slice(-RAW_BANNER.length);
     if (skip > 0) skip -= 1;
     else if (!muted) out.push(byte);
@@ -170,6 +186,15 @@ async function boot(withMain) {
       pump();
       idle();
       return (heard.length > 0 ? POLLIN : 0) | POLLOUT;
+    },
+  };
+  const stdout = mp.FS.streams[1];
+  stdout.stream_ops = {
+    ...stdout.stream_ops,
+    poll: () => {
+      if (hasRoom()) return POLLOUT;
+      Atomics.add(indices, REFUSED, 1);
+      return 0;
     },
   };
   mp.FS.mkdir(ROOT);

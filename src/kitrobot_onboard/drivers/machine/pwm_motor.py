@@ -13,10 +13,14 @@ class Motor:
         self.backward = Wave(settings["backward"], frequency)
 
     def do(self, procedure, arguments):
-        self.stop()  # never both inputs at once
-        if procedure != "Stop":
-            part = max(0, min(arguments[0], 100)) * FULL // 100
-            (self.backward if procedure == "Backward" else self.forward).give(part)
+        if procedure == "Stop":
+            self.stop()
+        else:
+            turns, rests = self.forward, self.backward
+            if procedure == "Backward":
+                turns, rests = rests, turns
+            rests.give(0)  # never both inputs at once; the other is not touched, or it would lose power each time
+            turns.give(max(0, min(arguments[0], 100)) * FULL // 100)
 
     def stop(self):
         self.forward.give(0)
