@@ -2,8 +2,8 @@
 
     python -m tests.boards.host_board --port 0 [--program FILE.krp] [--generation N]
 
-prints its address (`socket://127.0.0.1:PORT`) and serves one host after the other until one of them says `q`. Its
-drivers are those of `tests.boards.drivers`, by their plain names.
+prints its address (`socket://127.0.0.1:PORT`) once it runs, and serves one host after the other until one of them says
+`q`. Its drivers are those of `tests.boards.drivers`, by their plain names.
 """
 
 from __future__ import annotations
@@ -83,10 +83,10 @@ def main() -> None:
     parser.add_argument("--generation", type=int, default=1)
     given = parser.parse_args()
     port = SocketPort(given.port)
-    print(port.address, flush=True)
     with tempfile.TemporaryDirectory() as folder:
         program = given.program.read_bytes() if given.program is not None else None
         robot, run = boot(port, Path(folder), program, given.generation)
+        print(port.address, flush=True)
         run(robot)
 
 

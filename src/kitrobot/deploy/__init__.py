@@ -1,6 +1,7 @@
 """Real robots: the line to a board, what is put onto it, and talking to what runs there."""
 
-from kitrobot.deploy.board import FAULTS, Board, Fault, Hello, News, Step, Text, connect
+from kitrobot.deploy.board import FAULTS, Board, Fault, Hello, News, Step, Text
+from kitrobot.deploy.connecting import connect
 from kitrobot.deploy.errors import (
     BoardError,
     DeployError,
