@@ -9,6 +9,7 @@ from kitrobot.deploy.errors import (
     FullError,
     LineError,
     PackageError,
+    ResetError,
     SilentError,
 )
 from kitrobot.deploy.fitting import refuse_what_fits_no_board
@@ -44,6 +45,7 @@ __all__ = [
     "Progress",
     "RawRepl",
     "Receiver",
+    "ResetError",
     "SilentError",
     "Step",
     "Text",

@@ -152,6 +152,8 @@ class Receiver:
             if len(content) > MOST:
                 raise BoardError(f"the file `{name}` on the board is too large", "remove it from the board")
             self.told(len(piece))
+            if len(piece) < _READ:
+                break
         self.value("c()")
         return bytes(content)
 
