@@ -2,8 +2,8 @@
 
     python -m tests.boards.host_board --port 0 [--program FILE.krp] [--generation N]
 
-prints its address (`socket://127.0.0.1:PORT`) and serves one host after the other until one of them says `q`. Its
-drivers are those of `tests.boards.drivers`, by their plain names.
+prints its address (`socket://127.0.0.1:PORT`) once it runs, and serves one host after the other until one of them says
+`q`. Its drivers are those of `tests.boards.drivers`, by their plain names.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         program = given.program.read_bytes() if given.program is not None else None
         robot, run = boot(port, Path(folder), program, given.generation)
-        print(port.address, flush=True)  # who connects does not wait long for the first answer
+        print(port.address, flush=True)
         run(robot)
 
 

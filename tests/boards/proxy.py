@@ -18,12 +18,21 @@ Disturb = Callable[[bytes], bytes]
 class Proxy:
     """Passes on what comes, until message number `cut_after`, which it still passes on.
 
-    `disturb`: what becomes of each piece, in both directions.
+    `happens`: is told of each message of the host, by its number. `disturb`: what becomes of each piece, in both
+    directions.
     """
 
-    def __init__(self, port: int, *, cut_after: int | None = None, disturb: Disturb = lambda data: data) -> None:
+    def __init__(
+        self,
+        port: int,
+        *,
+        cut_after: int | None = None,
+        happens: Callable[[int], None] = lambda messages: None,
+        disturb: Disturb = lambda data: data,
+    ) -> None:
         self.target = ("127.0.0.1", port)
         self.cut_after = cut_after
+        self.happens = happens
         self.disturb = disturb
         self.messages = 0
         self.listener = socket.create_server(("127.0.0.1", 0))
@@ -74,6 +83,7 @@ class Proxy:
                 target.sendall(self.disturb(data))
                 if counted:
                     self.messages += 1
+                    self.happens(self.messages)
                     if self.messages == self.cut_after:
                         break
         except OSError:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -170,6 +171,24 @@ def test_a_deploy_that_is_cut_leaves_what_was_there_and_the_next_one_mends_it(bo
         running += 1
     # Only what comes after the line that counts may be cut without a loss: the restart and the greeting.
     assert stayed >= len(range(EVERY, count, EVERY)) - 3
+
+
+def test_a_board_that_restarts_during_a_deploy_is_entered_again_while_the_line_stays_open(
+    board: Any, tmp_path: Path
+) -> None:
+    def made(number: int) -> BoardProgram:
+        return bench_program(tmp_path, (ONE, OTHER)[number % 2], f"number {number % 2}" * 20)
+
+    put(board.address, made(0), fresh=True)
+    with Proxy(port_of(board.address)) as whole:
+        put(whole.address, made(1))
+        count = whole.messages
+    for number, at in enumerate(range(EVERY // 2, count, 1 if THOROUGH else 4 * EVERY)):
+        new = made(number)
+        cut = partial(lambda wanted, messages: board.cut_power() if messages == wanted else None, at)
+        with Proxy(port_of(board.address), happens=cut) as wire:
+            assert new.is_called(put(wire.address, new).program), f"after message {at}"
+        assert new.is_called(runs(board.address))
 
 
 def test_a_first_deploy_that_is_cut_is_mended_by_the_next_one(board: Any, tmp_path: Path) -> None:

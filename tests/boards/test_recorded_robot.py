@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 import signal
 import subprocess
-import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +15,8 @@ from kitrobot.trace import TraceReader
 from kitrobot.workspace import examples_folder, load_board_program, open_trace, state_at, summary_of
 from tests.boards.host import write_pulse
 from tests.boards.modern import ModernBoard, onboard_files
+from tests.boards.watching import KITROBOT, LONG_S, counts, line_with, watched
 
-KITROBOT = [sys.executable, "-m", "kitrobot"]
-LONG_S = 180
 COMMANDS = {("Display", "Image"): "v3", ("Display", "Clear"): "v6"}
 """Of the program `pulse`, with the vertices that give them."""
 DRIVERS = {
@@ -56,44 +54,31 @@ def to(*boards: ModernBoard) -> list[str]:
     return [word for board in boards for word in ("--to", board.address)]
 
 
-def watched(board: ModernBoard, record: Path, enough: Callable[[dict[str, Any]], bool]) -> list[dict[str, Any]]:
-    """What `kitrobot watch` tells while it records, until something that is enough; then somebody presses Ctrl-C."""
-    command = [*KITROBOT, "watch", *to(board), "--trace", str(record), "--json"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    assert process.stdout is not None
-    heard: list[dict[str, Any]] = []
-    for line in process.stdout:
-        heard.append(json.loads(line))
-        if enough(heard[-1]):
-            process.send_signal(signal.SIGINT)
-            break
-    rest, said = process.communicate(timeout=LONG_S)
-    assert process.returncode == 0, said
-    assert "recorded in" in said
-    return heard + [json.loads(line) for line in rest.splitlines()]
-
-
 def test_what_was_sent_from_here_is_recorded_without_naming_the_mission(
     board: ModernBoard, pulse: Path, tmp_path: Path
 ) -> None:
     call("deploy", str(pulse), *to(board))
     record = tmp_path / "r.krtrace"
-    heard = watched(board, record, lambda news: news.get("variables", {}).get("Count", 0) > 60)
+
+    def enough(heard: list[dict[str, Any]]) -> bool:
+        ran = {place["vertex"] for news in heard for place in news.get("ran", [])}
+        return len(counts(heard)) > 3 and ran >= {"v3", "v5", "v6", "v10"}
+
+    heard = watched(*to(board), "--trace", str(record), enough=enough)
     trace = open_trace(record)
     with trace.reader as reader:
         assert not reader.cut
         assert summary_of(trace)["real"]
         # Every number that the robot told is in the recording, and no other.
         name = reader.header.agents[0].name
-        told = [line["variables"]["Count"] for line in heard if "Count" in line.get("variables", {})]
-        counts = [int(record.values(reader.header)[name]["variable Count"]) for record in reader]
-        seen = [count for count, before in zip(counts, [None, *counts], strict=False) if count != before]
+        told = counts(heard)
+        values = [int(record.values(reader.header)[name]["variable Count"]) for record in reader]
+        seen = [count for count, before in zip(values, [None, *values], strict=False) if count != before]
         assert seen in (told, [0, *told])
-        assert len(told) > 3
         vertices = reader.header.vertices["pulse"]
         stood = {vertices[at] for record in reader for _, at in record.active[0]}
         assert stood == {line["vertex"] for news in heard for line in news.get("active", [])}
-        assert {"v5", "v10"} <= stood
+        assert stood & {"v5", "v10"}
         ran = {line["vertex"] for news in heard for line in news.get("ran", [])}
         given = {(one.actuator, one.procedure) for record in reader for one in record.commands}
         assert given == {call for call, vertex in COMMANDS.items() if vertex in ran} != set()
@@ -116,7 +101,7 @@ def test_two_boards_share_one_recording_and_one_whose_power_is_gone_is_silent_in
         assert line, process.stderr.read()
         heard.add(json.loads(line)["board"])
     boards[1].process.kill()
-    assert boards[1].address in process.stderr.readline()
+    assert boards[1].address in line_with("broke", process.stderr)
     while json.loads(process.stdout.readline())["board"] != boards[0].address:
         continue
     process.send_signal(signal.SIGINT)
@@ -142,7 +127,9 @@ def test_the_mission_of_a_kit_robot_comes_with_its_recording(boards: list[Modern
     assert folder is not None
     mission = folder / "kit-rover" / "kit-rover.krt"
     call("deploy", str(mission), *to(boards[0]))
-    heard = watched(boards[0], tmp_path / "r.krtrace", lambda news: bool(news.get("active")))
+    heard = watched(
+        *to(boards[0]), "--trace", str(tmp_path / "r.krtrace"), enough=lambda heard: heard[-1].get("active")
+    )
     with TraceReader(tmp_path / "r.krtrace") as reader:
         names = load_board_program(mission).names
         assert {column.name for column in reader.header.columns} >= {f"input {name}" for name in names.sensors}

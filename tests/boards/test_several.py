@@ -16,9 +16,7 @@ import pytest
 
 from tests.boards.bench import ONE, bench_program
 from tests.boards.modern import ModernBoard
-
-KITROBOT = [sys.executable, "-m", "kitrobot"]
-SHORT_S = 120
+from tests.boards.watching import KITROBOT, LONG_S, counts, watched
 
 
 @pytest.fixture
@@ -35,7 +33,7 @@ def files(tmp_path: Path) -> list[str]:
 
 
 def call(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([*KITROBOT, *arguments], capture_output=True, text=True, timeout=SHORT_S, check=False)
+    return subprocess.run([*KITROBOT, *arguments], capture_output=True, text=True, timeout=LONG_S, check=False)
 
 
 def test_one_that_fails_does_not_hold_up_the_others(two: Any, files: list[str]) -> None:
@@ -53,9 +51,7 @@ def test_one_that_fails_does_not_hold_up_the_others(two: Any, files: list[str]) 
         assert seen["state"] == "running"
         # It was sent from here, so its name is known.
         assert seen["name_of_program"] == "program"
-    watched = call("watch", "--to", one.address, "--seconds", "1", "--json")
-    assert watched.returncode == 0
-    assert any("Count" in json.loads(line)["variables"] for line in watched.stdout.splitlines())
+    assert watched("--to", one.address, enough=counts)
 
 
 def test_it_says_how_much_memory_is_left_and_what_was_sent(two: Any, files: list[str]) -> None:
@@ -83,7 +79,7 @@ def test_each_board_has_a_bar_while_a_person_watches(two: Any, files: list[str])
                 drawn += piece
         assert process.stdout is not None
         given = process.stdout.read()
-        assert process.wait(SHORT_S) == 0
+        assert process.wait(LONG_S) == 0
     for board in two:
         assert board.address.encode() in drawn
     assert b"sending" in drawn

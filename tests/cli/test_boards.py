@@ -13,11 +13,12 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 
 import pytest
 
+from kitrobot.cli import speaking
 from tests.boards.host import ROOT, host_board, write_pulse
+from tests.boards.watching import LONG_S, line_with
 
 
 @pytest.fixture(autouse=True)
@@ -51,6 +52,38 @@ def nobody():
     """The address of somebody who never says a word."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
         yield f"socket://127.0.0.1:{listener.getsockname()[1]}"
+
+
+@pytest.fixture
+def watch(kitrobot, monkeypatch):
+    """Watches until that holds of what was given up to then, and presses Ctrl-C."""
+
+    def call(*arguments, until):
+        given = []
+
+        def give(text):
+            speaking.give(text)
+            given.append(text)
+            if until("".join(given)):
+                raise KeyboardInterrupt
+
+        with monkeypatch.context() as patched:
+            patched.setattr("kitrobot.cli.watch.give", give)
+            return kitrobot("watch", *arguments)
+
+    return call
+
+
+def objects(given: str) -> list[dict]:
+    return [json.loads(line) for line in given.splitlines()]
+
+
+def counts_of(lines: list[dict]) -> list[int]:
+    return [line["variables"]["Count"] for line in lines if "Count" in line.get("variables", {})]
+
+
+def vertices_of(lines: list[dict]) -> set[str]:
+    return {place["vertex"] for line in lines for place in line.get("active", [])}
 
 
 def state_of(kitrobot, address: str) -> dict:
@@ -114,13 +147,11 @@ def test_an_address_that_cannot_be_opened_is_told(kitrobot, pulse):
     assert said.err.count("cannot be opened") == 2
 
 
-def test_somebody_who_never_answers_is_told_in_bounded_time(kitrobot, pulse, nobody):
-    began = time.monotonic()
+def test_somebody_who_never_answers_is_told(kitrobot, pulse, nobody):
     said = kitrobot("deploy", pulse, "--to", nobody, "--json")
     assert said.status == 1
     assert said.json[0]["ok"] is False
     assert "no MicroPython answers" in said.json[0]["error"]
-    assert time.monotonic() - began < 60
 
 
 # ---- a robot that runs
@@ -171,23 +202,26 @@ def test_all_and_to_are_not_both(kitrobot):
     assert kitrobot("stop", "--all", "--to", "x").status == 2
 
 
-def test_watch_tells_values_and_places(kitrobot, robot, pulse):
-    said = kitrobot("watch", "--to", robot.address, "--mission", pulse, "--seconds", "2", "--period", "50", "--json")
+def test_watch_tells_values_and_places(watch, robot, pulse):
+    def enough(given):
+        lines = objects(given)
+        pressed = any(line.get("inputs", {}).get("ButtonA") == 0 for line in lines)
+        return pressed and len(counts_of(lines)) > 1 and vertices_of(lines) & {"v5", "v7"}
+
+    said = watch("--to", robot.address, "--mission", pulse, "--period", "50", "--json", until=enough)
     assert said.status == 0
-    counts = [line["variables"]["Count"] for line in said.lines if "Count" in line["variables"]]
-    assert counts == sorted(counts)
-    assert counts
-    vertices = {place["vertex"] for line in said.lines for place in line["active"]}
-    assert vertices & {"v5", "v7"}
-    assert any(line["inputs"].get("ButtonA") == 0 for line in said.lines)
+    assert counts_of(said.lines) == sorted(counts_of(said.lines))
     assert all(place["line"] for line in said.lines for place in line["active"])
 
 
-def test_watch_without_the_mission_tells_numbers_and_says_so(kitrobot, robot):
-    said = kitrobot("watch", "--to", robot.address, "--seconds", "1")
+def test_watch_without_the_mission_tells_numbers_and_says_so(watch, robot):
+    said = watch("--to", robot.address, until=lambda given: "instruction" in given)
     assert said.status == 0
     assert "--mission" in said.err
-    assert "instruction" in said.out
+
+
+def test_watching_ends_by_itself_after_the_seconds_that_were_named(kitrobot, robot):
+    assert kitrobot("watch", "--to", robot.address, "--seconds", "0.1").status == 0
 
 
 def test_watch_with_another_mission_is_refused(kitrobot, robot, pulse):
@@ -200,7 +234,8 @@ def test_watch_with_another_mission_is_refused(kitrobot, robot, pulse):
 def test_the_robot_goes_on_when_watching_ends(kitrobot, robot):
     kitrobot("watch", "--to", robot.address, "--seconds", "0.5")
     before = state_of(kitrobot, robot.address)["tick"]
-    assert state_of(kitrobot, robot.address)["tick"] > before
+    while state_of(kitrobot, robot.address)["tick"] == before:
+        pass
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no terminals of our own there")
@@ -227,7 +262,7 @@ def test_the_table_stays_in_its_place_until_ctrl_c(robot, pulse):
             process.send_signal(signal.SIGINT)
             while piece := terminal.read(4096):
                 drawn += piece
-        assert process.wait(30) == 0
+        assert process.wait(LONG_S) == 0
     assert b"pulse: running" in drawn
     assert b"Traceback" not in drawn
 
@@ -279,19 +314,23 @@ def test_a_protocol_that_differs_says_what_to_update(kitrobot):
 
 def test_the_command_line_starts_without_what_talks_to_boards():
     code = "import sys, kitrobot.cli; print([one for one in sys.modules if one.startswith(('serial', 'mpremote'))])"
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, check=True)
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=LONG_S, check=True)
     assert ended.stdout.strip() == b"[]"
     code = "import sys, kitrobot.cli; print('kitrobot.deploy' in sys.modules, 'python_minifier' in sys.modules)"
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, check=True)
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=LONG_S, check=True)
     assert ended.stdout.strip() == b"False False"
 
 
 # ---- recorded
 
 
-def test_watching_records_what_the_studio_plays(kitrobot, robot, pulse, here):
-    said = kitrobot(
-        "watch", "--to", robot.address, "--mission", pulse, "--seconds", "3", "--trace", here / "r.krtrace", "--json"
+def test_watching_records_what_the_studio_plays(kitrobot, watch, robot, pulse, here):
+    def enough(given):
+        return len(counts_of(objects(given))) > 1 and vertices_of(objects(given)[-1:])
+
+    said = watch(
+        *("--to", robot.address, "--mission", pulse, "--trace", here / "r.krtrace", "--json"),
+        until=enough,
     )
     assert said.status == 0
     assert "recorded in" in said.err
@@ -306,8 +345,7 @@ def test_watching_records_what_the_studio_plays(kitrobot, robot, pulse, here):
     agent = next(iter(last["agents"].values()))
     assert agent["state"] == "running"
     # The very last values that were told stand at the end.
-    counts = [line["variables"]["Count"] for line in said.lines if "Count" in line.get("variables", {})]
-    assert agent["values"]["Count"] == counts[-1]
+    assert agent["values"]["Count"] == counts_of(said.lines)[-1]
     assert agent["vertices"]
     assert agent["x_mm"] is None
     assert "nobody knows where it was" in kitrobot("replay", here / "r.krtrace", "--at", "99").out
@@ -340,11 +378,11 @@ def test_several_robots_are_recorded_together_and_ctrl_c_or_a_lost_link_leaves_a
             heard.add(json.loads(process.stdout.readline())["board"])
         second.pull()
         assert process.stderr is not None
-        assert "broke" in process.stderr.readline()
+        assert line_with("broke", process.stderr)
         while json.loads(process.stdout.readline())["board"] != robot.address:
             continue
         process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=60)
+        _, err = process.communicate(timeout=LONG_S)
     assert process.returncode == 1
     assert "recorded in r.krtrace" in err
     played = kitrobot("replay", here / "r.krtrace", "--json").json

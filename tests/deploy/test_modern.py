@@ -17,8 +17,9 @@ def test_what_the_transport_did_not_expect_is_an_error_and_nothing_is_printed(
 ) -> None:
     answers = [b">", b"R\x01\x80\x00\x01"]
     monkeypatch.setattr(SerialTransport, "read_until", lambda self, *args, **more: answers.pop(0))
-    port = SimpleNamespace(read=lambda count: b"??", write=lambda data: None)
-    line: Any = SimpleNamespace(address="a port", port=port, write=lambda data: None)
+    line: Any = SimpleNamespace(
+        address="a port", now=lambda: 0.0, read=lambda wait_s: b"??", waiting=lambda: 0, write=lambda data: None
+    )
     with pytest.raises(GarbledError, match="raw repl"):
         tell_at_once(line, "s=1")
     assert capsys.readouterr().out == ""

@@ -11,7 +11,7 @@ from types import TracebackType
 from kitrobot_onboard.link import unwrap, wrap
 from tests.boards.booting import boot
 
-PATIENCE_S = 5
+PATIENCE_S = 120
 CHUNK = 60
 
 

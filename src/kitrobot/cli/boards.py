@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from kitrobot.cli.deploy import Addresses
-from kitrobot.cli.speaking import clean, give, tell
+from kitrobot.cli.speaking import clean, give, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from kitrobot.workspace import Seen
@@ -31,13 +31,13 @@ def list_boards(
     if identify is not None:
         from kitrobot.deploy import connect
 
-        with connect(identify) as board:
+        with connect(identify, waits=lambda: tell_of_waiting(identify)) as board:
             board.identify()
         tell(f"{identify}: look which robot shows itself")
         return
     from kitrobot.workspace import look_at_boards
 
-    seen = look_at_boards(to or [])
+    seen = look_at_boards(to or [], tell_of_waiting)
     if as_json:
         give(json.dumps([_object(one) for one in seen], ensure_ascii=False, indent=2) + "\n")
         return

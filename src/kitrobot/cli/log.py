@@ -9,8 +9,8 @@ from typing import Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import clean, give
-from kitrobot.cli.watch import Board, Mission, Program
+from kitrobot.cli.speaking import clean, give, tell_of_waiting
+from kitrobot.cli.watch import Board, Mission, Program, Robot
 
 _LISTEN_S = 0.5
 
@@ -19,6 +19,7 @@ def show_log(
     to: Board = None,
     mission: Mission = None,
     program: Program = None,
+    robot: Robot = None,
     follow: Annotated[bool, typer.Option("--follow", "-f", help="Stay, and show what comes, until Ctrl-C.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Give one JSON object a line.")] = False,
 ) -> None:
@@ -32,14 +33,14 @@ def show_log(
 
     address = chosen_boards([to] if to is not None else [])[0]
     try:
-        board = connect(address)
+        board = connect(address, waits=lambda: tell_of_waiting(address))
     except SilentError as error:
         printed = getattr(error, "printed", "").strip()
         if printed:
             say(printed, {"kind": "text", "text": printed})
         raise
     with board:
-        names = names_for(board.hello, mission, program)
+        names = names_for(board.hello, mission, program, robot)
         fault = board.last_fault()
         if fault is None:
             say("no fault", {"kind": "fault", "number": 0})

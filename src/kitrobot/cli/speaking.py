@@ -30,6 +30,11 @@ def tell(text: str) -> None:
     print(clean(text), file=sys.stderr)
 
 
+def tell_of_waiting(address: str) -> None:
+    """That a robot has not answered yet."""
+    tell(f"{address}: no answer yet, asking again")
+
+
 def give(text: str) -> None:
     """Data, on standard output, without adding anything."""
     sys.stdout.write(text)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.deploy import Addresses
-from kitrobot.cli.speaking import complain, tell
+from kitrobot.cli.speaking import complain, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from kitrobot.deploy import Board
@@ -34,7 +34,7 @@ def _each(to: Sequence[str], everyone: bool, act: Callable[[Board], None], word:
         raise typer.BadParameter("choose one of --all and --to")
     named = [port.address for port in list_ports()] if everyone else list(to)
     good = True
-    for address, error in at_boards(chosen_boards(named), act):
+    for address, error in at_boards(chosen_boards(named), act, tell_of_waiting):
         if error is None:
             tell(f"{address}: {word}")
         else:

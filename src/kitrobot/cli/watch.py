@@ -8,12 +8,13 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import clean, complain, give, tell
+from kitrobot.cli.speaking import clean, complain, give, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from rich.console import Group
@@ -54,10 +55,22 @@ Program = Annotated[
 ]
 
 
+Robot = Annotated[
+    str | None,
+    typer.Option(
+        "--robot",
+        metavar="NAME|FILE.robot.xml",
+        help="The robot of an `.lll`; a `.krt` names its own.",
+        show_default=False,
+    ),
+]
+
+
 def watch_board(
     to: Boards = None,
     mission: Mission = None,
     program: Program = None,
+    robot: Robot = None,
     period: Annotated[int, typer.Option(min=20, max=60000, metavar="MS", help="At most one message in so long.")] = 100,
     seconds: Annotated[
         float | None, typer.Option(metavar="S", help="Ends by itself then.", show_default="until Ctrl-C")
@@ -70,17 +83,19 @@ def watch_board(
 ) -> None:
     """Show what robots do: where their programs are, their variables and their inputs, until Ctrl-C.
 
-    A robot goes on when you stop watching, and is not slowed down by it; only when the watch begins, a tick may be late.
-    One whose link is lost is told, and the others are watched on.
+    A robot goes on when you stop watching, and is not slowed down by it; only when the watch begins, a tick may be
+    late. One whose link is lost is told, and the others are watched on.
     """
     if seconds is not None and not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("watching takes more than 0 seconds", param_hint="'--seconds'")
     from kitrobot.workspace import chosen_boards
     from kitrobot.workspace.board_watching import connected, recorder_of
 
-    until = math.inf if seconds is None else time.monotonic() + seconds
     with ExitStack() as stack:
-        watched = [stack.enter_context(connected(address, mission, program)) for address in chosen_boards(to or [])]
+        watched = [
+            stack.enter_context(connected(address, mission, program, robot, partial(tell_of_waiting, address)))
+            for address in chosen_boards(to or [])
+        ]
         for one in watched:
             if one.view.names is None:
                 called = one.board.hello.program
@@ -90,7 +105,7 @@ def watch_board(
         if trace is not None:
             recorder = recorder_of(trace, watched, mission)
             stack.callback(recorder.close)
-        failed = _watch(watched, period, until, as_json)
+        failed = _watch(watched, period, math.inf if seconds is None else seconds, as_json)
         if recorder is not None:
             recorder.close()
             if recorder.error is not None:
@@ -101,12 +116,13 @@ def watch_board(
         raise typer.Exit(1)
 
 
-def _watch(watched: Sequence[Watched], period: int, until: float, as_json: bool) -> bool:
-    """Watches until that moment, Ctrl-C, or no robot answers any more; whether a link was lost."""
+def _watch(watched: Sequence[Watched], period: int, seconds: float, as_json: bool) -> bool:
+    """Watches for so long, until Ctrl-C, or until no robot answers any more; whether a link was lost."""
     there = list(watched)
     try:
         for one in watched:
             one.begin(period)
+        until = time.monotonic() + seconds
         with _shown(watched, as_json) as show:
             while there and (left := until - time.monotonic()) > 0:
                 for one in tuple(there):

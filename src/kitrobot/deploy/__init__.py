@@ -1,6 +1,7 @@
 """Real robots: the line to a board, what is put onto it, and talking to what runs there."""
 
-from kitrobot.deploy.board import Board, Hello, Step, connect
+from kitrobot.deploy.board import Board, Hello, Step
+from kitrobot.deploy.connecting import connect
 from kitrobot.deploy.errors import (
     BoardError,
     DeployError,
@@ -8,6 +9,7 @@ from kitrobot.deploy.errors import (
     FullError,
     LineError,
     PackageError,
+    ResetError,
     SilentError,
 )
 from kitrobot.deploy.fitting import refuse_what_fits_no_board
@@ -44,6 +46,7 @@ __all__ = [
     "Progress",
     "RawRepl",
     "Receiver",
+    "ResetError",
     "SilentError",
     "Step",
     "Text",

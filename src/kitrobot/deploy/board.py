@@ -2,7 +2,8 @@
 
 One lock guards the line, so that one thread may wait for news while another says stop. What comes unasked while an
 answer is awaited is kept for `news`. Every request is said again until it is answered; the robot does nothing twice.
-Left to others: what the numbers are called (workspace), putting something onto a board (installing).
+Left to others: how long a robot is waited for (patience), the first greeting (connecting), what the numbers are called
+(workspace), putting something onto a board (installing).
 """
 
 from __future__ import annotations
@@ -10,20 +11,19 @@ from __future__ import annotations
 import math
 import random
 import struct
-import time
 from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from threading import RLock
 from types import TracebackType
 
-from kitrobot.deploy.errors import BoardError, DeployError, NoMemoryError, SilentError
+from kitrobot.deploy.errors import DeployError, NoMemoryError
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.news import Fault, News, Text, printable, read_fault, read_news
+from kitrobot.deploy.patience import ANSWER_S, MOST_SILENT_S, PAUSE_S, SILENT_S, Patience
+from kitrobot.deploy.refusals import another_version, not_understood, refusal, silent
 from kitrobot_onboard import link
 
-_ANSWER_S = 0.4
-_TRIES = 8
 _HOLD_S = 0.25
 """In a held run the board hears from us at least so often; it gives up after 0.8 seconds."""
 
@@ -36,15 +36,6 @@ _STEP_CELLS = 8
 """Inputs that are forced by one message: more do not surely fit a frame when all of it is escaped."""
 
 STATES = ("no program", "ready", "running", "ended", "fault")
-_MEMORY = 6
-_REFUSALS = {
-    1: ("the board holds no program that can run", "send one with `kitrobot deploy`"),
-    2: ("the program on the board has no such variable or input", "send the program again with `kitrobot deploy`"),
-    3: ("the board did not understand the message", "update it with `kitrobot deploy`"),
-    4: ("the board did not understand the message", "update it with `kitrobot deploy`"),
-    5: ("the board cannot do that now", "stop the program first"),
-    6: ("the program needs more memory than the board has", "make the program smaller"),
-}
 
 
 @dataclass(frozen=True)
@@ -83,7 +74,10 @@ class Board:
     `arguments` tells how many arguments each command has, for `step`; without it no step can be read.
     """
 
-    def __init__(self, line: Line, tries: int = 5) -> None:
+    hello: Hello
+    """How it introduced itself last; `greet` makes it."""
+
+    def __init__(self, line: Line) -> None:
         self.line = line
         self.arguments: list[int] = []
         self._lock = RLock()
@@ -94,7 +88,8 @@ class Board:
         self._spoke = 0.0
         self._told = -math.inf
         self._fresh_s = _FRESH_S
-        self.hello = self.greet(tries)
+        self._signs = 0
+        self._took = 0.0
 
     def __enter__(self) -> Board:
         return self
@@ -108,25 +103,29 @@ class Board:
         """Lets go of the line; the program on the board goes on, unless it is held."""
         self.line.close()
 
-    def greet(self, tries: int = 5) -> Hello:
-        """Asks the board how it is; keeps the answer as `hello`.
+    def greet(self) -> Hello:
+        """Asks a robot that runs how it is; keeps the answer as `hello`.
 
         Raises:
             SilentError: nobody answers.
             BoardError: the board speaks another version of the protocol.
         """
-        kind, payload = self._request("h", bytes((link.PROTOCOL,)), tries=tries)
-        if kind != "H":
-            # A deploy broke off, and what takes files still listens: this ends it.
-            self.line.write(b"\r\x03\x03")
-            self.line.drain(0.2)
-            raise self._silent()
+        return self.greeted(self._request("h", bytes((link.PROTOCOL,))))
+
+    def greeted(self, payload: bytes) -> Hello:
+        """Takes what a robot answers to a greeting.
+
+        Raises:
+            BoardError: it speaks another version of the protocol.
+        """
         if payload[:1] != bytes((link.PROTOCOL,)):
-            raise _another_version(payload[0] if payload else 0)
+            raise another_version(payload[0] if payload else 0)
         try:
             protocol, state, fault, free, tick, late, generation = struct.unpack("<BBBIIHH", payload[:15])
         except struct.error:
-            raise _another_version(payload[0]) from None
+            raise another_version(payload[0]) from None
+        if state >= len(STATES):
+            raise not_understood()
         package, _, program = payload[15:].decode("ascii", errors="replace").partition(" ")
         self.hello = Hello(protocol, state, fault, free, tick, late, generation, package, program or "-")
         return self.hello
@@ -141,13 +140,17 @@ class Board:
             BoardError: the board speaks another version of the protocol.
         """
         with self._lock:
-            lately = time.monotonic() - self._told <= self._fresh_s
+            lately = self.line.now() - self._told <= self._fresh_s
             return self.hello if lately and self.hello.state_name == "running" else self.greet()
 
     def start(self, held: bool = False) -> None:
         """Begins the program. Held: it stops when it does not hear from us; `news` sees to that."""
-        self._request("s", bytes((held,)), timeout_s=1.0)
-        self._held = held
+        self._held = held  # before it is answered it may have begun, and wants to hear from us
+        try:
+            self._request("s", bytes((held,)), first_s=1.0)
+        except DeployError:
+            self._held = False
+            raise
         self._told = -math.inf
         # What was told before still says what changed; its tick is of another run.
         for at, one in enumerate(self._waiting):
@@ -166,17 +169,18 @@ class Board:
         while len(cells) > _STEP_CELLS:
             self.force(*cells.pop(0))
         data = b"".join(struct.pack("<Bi", cell, value) for cell, value in cells)
-        _, payload = self._request("n", data, timeout_s=2.0)
-        tick, flags = struct.unpack("<IB", payload[:5])
+        payload = self._request("n", data, first_s=2.0)
         commands = []
         at = 5
-        while at < len(payload):
-            number = payload[at]
-            if number >= len(self.arguments):
-                raise BoardError(*_REFUSALS[3])
-            count = self.arguments[number]
-            commands.append((number, struct.unpack_from(f"<{count}i", payload, at + 1)))
-            at += 1 + 4 * count
+        try:
+            tick, flags = struct.unpack("<IB", payload[:5])
+            while at < len(payload):
+                number = payload[at]
+                count = self.arguments[number]
+                commands.append((number, struct.unpack_from(f"<{count}i", payload, at + 1)))
+                at += 1 + 4 * count
+        except (struct.error, IndexError):
+            raise not_understood() from None
         return Step(tick, bool(flags & 1), bool(flags & 2), tuple(commands))
 
     def force(self, cell: int, value: int | None) -> None:
@@ -208,8 +212,7 @@ class Board:
 
     def last_fault(self) -> Fault | None:
         """Why it stopped last; None when nothing went wrong."""
-        _, payload = self._request("l")
-        fault = read_fault(payload)
+        fault = read_fault(self._request("l"))
         return fault if fault.number else None
 
     def quit(self) -> None:
@@ -223,48 +226,75 @@ class Board:
             LineError: the line broke.
             SilentError: a board that is held does not answer.
         """
-        until = time.monotonic() + timeout
+        until = self.line.now() + timeout
         while True:
             with self._lock:
-                if self._held and time.monotonic() - self._spoke > _HOLD_S:
+                if self._held and self.line.now() - self._spoke > _HOLD_S:
                     self.ping()
                 if not self._waiting:
-                    self._take(self._listen(min(_SLICE_S, max(0.0, until - time.monotonic()))))
+                    self._take(self._listen(min(_SLICE_S, max(0.0, until - self.line.now()))))
                 if self._waiting:
                     return self._waiting.popleft()
-            if time.monotonic() >= until:
+            if self.line.now() >= until:
                 return None
 
-    def _request(
-        self, kind: str, payload: bytes = b"", *, timeout_s: float = _ANSWER_S, tries: int = _TRIES
-    ) -> tuple[str, bytes]:
+    def _request(self, kind: str, payload: bytes = b"", *, first_s: float = ANSWER_S) -> bytes:
         with self._lock:
-            self._number = self._number % 255 + 1
-            frame = link.wrap(kind, self._number, payload)
-            assert len(frame) <= link.LONGEST
-            for _ in range(tries):
-                self.line.write(frame)
-                self._spoke = time.monotonic()
-                until = self._spoke + timeout_s
-                while (left := until - time.monotonic()) > 0:
-                    answer = self._take(self._listen(left))
-                    if answer is None:
-                        continue
-                    if answer[0] == "N":
-                        why = answer[1][0] if answer[1] else 0
-                        raise (NoMemoryError if why == _MEMORY else BoardError)(*_REFUSALS.get(why, _REFUSALS[3]))
-                    return answer
-        raise self._silent()
+            self.number_anew()
+            wanted = {"h": "H", "n": "C", "l": "F"}.get(kind, "K")
+            # Who answered late is asked again later; one that is held must hear from us.
+            first_s, most_s = (
+                (ANSWER_S, ANSWER_S) if self._held else (max(first_s, min(2 * self._took, PAUSE_S)), PAUSE_S)
+            )
+            silent_s = max(SILENT_S, min(4 * self._took, MOST_SILENT_S))
+            patience = Patience(self.line.now, first_s, silent_s, most_s=most_s)
+            while wait := patience.wait():
+                self.ask(kind, payload)
+                answer = self.answer(wait, patience)
+                if answer is not None:
+                    self._took = max(self.line.now() - patience.began, self._took / 2)
+                    if answer[0] != wanted:
+                        raise refusal(answer)
+                    return answer[1]
+        raise silent(self.line.address)
 
-    def _silent(self) -> SilentError:
-        return SilentError(
-            f"the board on `{self.line.address}` does not answer",
-            "press its reset button; when it holds no KitRobot yet, send it a program with `kitrobot deploy`",
-        )
+    def number_anew(self) -> None:
+        """What is asked from now on is another request."""
+        self._number = self._number % 255 + 1
+
+    def ask(self, kind: str, payload: bytes = b"") -> None:
+        """Says a request once."""
+        frame = link.wrap(kind, self._number, payload)
+        assert len(frame) <= link.LONGEST
+        self.line.write(frame)
+        self._spoke = self.line.now()
+
+    def answer(self, timeout_s: float, patience: Patience) -> tuple[str, bytes] | None:
+        """The answer to the last request, as kind and payload; None when none comes in that time."""
+        until = self.line.now() + timeout_s
+        while True:
+            left = until - self.line.now()
+            answer = self.take(self.line.read(max(left, 0.0)), patience)  # what is there is taken, however late we come
+            if answer is not None or left <= 0:
+                return answer
+
+    def take(self, data: bytes, patience: Patience) -> tuple[str, bytes] | None:
+        """Takes what came over the line; the answer to the last request when it is in it."""
+        signs = self._signs
+        answer = self._take(self._pieces(data))
+        if self._signs != signs:
+            patience.heard()
+        return answer
+
+    def forget_texts(self) -> None:
+        """What was printed up to now is no news."""
+        self._waiting = deque((one for one in self._waiting if not isinstance(one, Text)), self._waiting.maxlen)
 
     def _listen(self, timeout_s: float) -> list[bytes]:
+        return self._pieces(self.line.read(timeout_s))
+
+    def _pieces(self, data: bytes) -> list[bytes]:
         """The pieces between two "~" that are whole; text that does not go on is a piece as well."""
-        data = self.line.read(timeout_s)
         self._heard += data
         *whole, self._heard = self._heard.split(b"~")
         if (not data and self._heard.endswith(b"\n")) or len(self._heard) > _LONGEST_TEXT:
@@ -277,10 +307,13 @@ class Board:
         answer = None
         for piece in pieces:
             found = link.unwrap(piece)
+            self._signs += found is not None and "A" <= found[0] <= "Z"
             if found is None:
                 text = printable(piece)
                 if text:
                     self._waiting.append(Text(text))
+            elif not "A" <= found[0] <= "Z":
+                continue  # our own, from a line that gives back what is said
             elif found[1] == self._number:
                 answer = found[0], found[2]
             elif found[1] == 0 and found[0] == "F":
@@ -290,45 +323,5 @@ class Board:
                 self._waiting.append(news)
                 if news.state is not None and news.late is not None:
                     self.hello = replace(self.hello, state=news.state, tick=news.tick, late=news.late)
-                    self._told = time.monotonic()
+                    self._told = self.line.now()
         return answer
-
-
-def connect(address: str, timeout: float = 4.0) -> Board:
-    """Connects to a board that runs KitRobot; one that stands at its Python prompt is started first.
-
-    Raises:
-        LineError: the line cannot be opened.
-        SilentError: nobody answers that we understand.
-        BoardError: the board speaks another version.
-    """
-    line = Line(address)
-    try:
-        try:
-            return Board(line, 2)
-        except SilentError:
-            line.write(b"\r\x02")
-            if not line.read_until(b">>> ", max(1.0, timeout / 3)).endswith(b">>> "):
-                raise
-        line.write(b"\x04")  # at the prompt, this starts what is installed
-        printed = line.read_until(b">>> ", 0.5)
-        try:
-            return Board(line, max(2, int(timeout / _ANSWER_S)))
-        except SilentError as error:
-            error.printed = printable(printed)
-            raise
-    except BaseException:
-        line.close()
-        raise
-
-
-def _another_version(theirs: int) -> DeployError:
-    if theirs < link.PROTOCOL:
-        return BoardError(
-            f"the board speaks version {theirs} of the link, this computer version {link.PROTOCOL}",
-            "update the board: `kitrobot deploy`",
-        )
-    return BoardError(
-        f"the board speaks version {theirs} of the link, this computer only version {link.PROTOCOL}",
-        "update KitRobot on this computer, or put its version onto the board with `kitrobot deploy`",
-    )

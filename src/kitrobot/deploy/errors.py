@@ -19,6 +19,10 @@ class SilentError(DeployError):
     printed: str = ""
 
 
+class ResetError(SilentError):
+    """The board began anew while it was talked with: what listened there is gone."""
+
+
 class BoardError(DeployError):
     """The board answers and says no, or does not hold what it should."""
 

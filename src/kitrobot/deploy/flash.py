@@ -12,8 +12,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from kitrobot.deploy.errors import BoardError, FullError
-from kitrobot.deploy.frozen import CHUNK, HEAD, head
-from kitrobot.deploy.receiver import Receiver
+from kitrobot.deploy.frozen import CHUNK, HEAD, head, unknown_firmware
+from kitrobot.deploy.receiver import Receiver, strange
 
 PAGE = 1024
 END = 256 * 1024
@@ -73,7 +73,8 @@ class Flash:
     def see(self) -> None:
         """Reads again what each piece is, after files were written."""
         there = Flash.of(self.board)
-        assert there is not None
+        if there is None:
+            raise unknown_firmware()
         self.area = there.area
 
     def find(self, sign: int) -> int | None:
@@ -91,7 +92,7 @@ class Flash:
         found = {}
         for place, first in enumerate(self.area.firsts):
             if first == _OURS:
-                start = self.board.value(f"g({self.area.address(place)},1,{HEAD})")
+                start = _memory(self.board, self.area.address(place), 1, HEAD)
                 chunks = int.from_bytes(start[-4:], "little")
                 if any(start == head(sign, chunks, whole=True) for sign in signs):
                     found[place] = chunks
@@ -148,7 +149,7 @@ class Flash:
     def _read(self, at: int, size: int) -> bytes:
         found = b""
         while len(found) < size:
-            found += self.board.value(f"g({at + len(found)},1,{min(_AT_ONCE, size - len(found))})")
+            found += _memory(self.board, at + len(found), 1, min(_AT_ONCE, size - len(found)))
             self.board.told(_AT_ONCE)
         return found
 
@@ -180,7 +181,15 @@ def _area(firsts: list[int], lasts: list[int]) -> Area | None:
 def _bytes(board: Receiver, first: int) -> Iterator[int]:
     """The byte at an address, and every next one a piece further on, up to the end of the flash."""
     for at in range(first, END, _AT_ONCE * CHUNK):
-        yield from board.value(f"g({at},{CHUNK},{min(_AT_ONCE, -(-(END - at) // CHUNK))})")
+        yield from _memory(board, at, CHUNK, min(_AT_ONCE, -(-(END - at) // CHUNK)))
+
+
+def _memory(board: Receiver, at: int, step: int, count: int) -> bytes:
+    """So many bytes of the board's memory, `step` apart."""
+    found = board.value(f"g({at},{step},{count})")
+    if len(found) != count:
+        raise strange()
+    return found
 
 
 def _links(firsts: Sequence[int], lasts: Sequence[int], base: int) -> int:

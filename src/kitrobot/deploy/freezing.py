@@ -13,6 +13,7 @@ from kitrobot.deploy.repl import GarbledError
 _TEXT = "krt.py"
 _TRIES = 3
 _COMPILING_S = 10
+_DIGITS = 12
 _NAMES = 300
 """Bytes that files take beside what is in them, at most."""
 
@@ -86,5 +87,5 @@ def _refuse_new_names(board: Receiver, names: Iterable[str]) -> None:
     first = max(heard, key=heard.count)
     board.begin()
     for name in sorted(names):
-        if not first.isdigit() or int(board.value(f"id({name!r})>>2")) >= int(first):
+        if not first.isdecimal() or board.number(f"id({name!r})>>2") >= int(first[:_DIGITS]):
             raise unknown_firmware()

@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from kitrobot.deploy.board import Board, Hello
+from kitrobot.deploy.connecting import STARTS, greet
 from kitrobot.deploy.errors import BoardError, ForeignError, FullError, NoMemoryError, SilentError
 from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.freezing import freeze
@@ -21,9 +22,10 @@ from kitrobot.deploy.line import Line
 from kitrobot.deploy.lying import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.memory import WORKING, refuse_what_does_not_fit
 from kitrobot.deploy.package import MODULE, PROGRAM, Built, Package
+from kitrobot.deploy.patience import STARTING_S
 from kitrobot.deploy.program_file import ProgramFile, program_name, read_program_file
-from kitrobot.deploy.receiver import MICROBIT, Receiver
-from kitrobot.deploy.repl import RawRepl
+from kitrobot.deploy.receiver import MICROBIT, Receiver, too_much_lost
+from kitrobot.deploy.repl import GarbledError, RawRepl
 from kitrobot.deploy.script import board_file
 from kitrobot_onboard.link import checksum
 
@@ -32,7 +34,10 @@ Progress = Callable[[str, int, int], None]
 
 _TRIES = 3
 _WRITES = 3
-_GREETING_S = 15.0
+_PACES = 20
+"""A board starts its program within so many times what a reset takes it."""
+
+_LONGEST_S = 300.0
 _MEMORY, _DAMAGED, _NO_DRIVER = 3, 4, 5
 
 
@@ -85,14 +90,7 @@ def deploy(
     line = Line(address)
     try:
         job = _Job(line, meant, package, progress, replace, fresh)
-        for attempt in range(_TRIES):
-            try:
-                job.install()
-                break
-            except SilentError:
-                # All that was done stands: it goes on where it was.
-                if not job.board.repl.answered or attempt + 1 == _TRIES:
-                    raise
+        job.insist(job.install)
         hello = job.started()
     finally:
         line.close()
@@ -130,10 +128,23 @@ class _Job:
     done: int = 0
     total: int = 0
 
+    def insist(self, work: Callable[[], None]) -> None:
+        """Does something with the board's files once more when it was broken off: all that was done stands."""
+        for tries_left in reversed(range(_TRIES)):
+            self.board = Receiver(RawRepl(self.line))
+            try:
+                self.board.begin()
+                return work()
+            except SilentError:
+                if not self.board.repl.answered or not tries_left:
+                    raise
+            except GarbledError:
+                if not tries_left:
+                    raise too_much_lost(self.line.address) from None
+
     def install(self) -> None:
         """All up to the line that says what starts."""
-        board = self.board = Receiver(RawRepl(self.line))
-        board.begin()
+        board = self.board
         self.progress("compare", 0, 0)
         family = MICROBIT if board.family == MICROBIT else "machine"
         self.built: Built = self.package.built(family, self.program.drivers)
@@ -151,7 +162,7 @@ class _Job:
             names, lines = [name for name in names if name not in SLOTS and not is_ours(name)], {}
         counts = newest(lines)
         if self.new is not None and counts is not None and counts[1] == self.new:
-            return  # an attempt before this one had come to its end
+            return board.end()  # an attempt before this one had come to its end
         self.slot = SLOTS[0] if counts is None or counts[0] == SLOTS[1] else SLOTS[1]
         self.old = counts[1] if counts is not None else None
         missing = {name: data for name, data in self.wanted.items() if not self._holds(names, name, data)}
@@ -214,42 +225,35 @@ class _Job:
     def _greeting(self) -> Hello | None:
         """How it greets; None when it has no memory for that."""
         assert self.new is not None
-        until = time.monotonic() + _GREETING_S
+        board = Board(self.line)
+        patience_s = max(STARTING_S, min(_PACES * self.board.repl.pace_s, _LONGEST_S))
         self._said = ""
-        while True:
-            self.board.repl.leave()
-            printed = self.line.drain(0.2, 2)
-            self._said = _last_line(printed) or self._said
+        try:
+            hello = greet(board, patience_s, said=STARTS, starting_s=patience_s)
+        except NoMemoryError:
+            return None
+        except SilentError as error:
+            self._said = _last_line(error.printed)  # Python has said why, and gave up
             if self._said.startswith("MemoryError"):
                 return None
-            if self._said and printed.endswith(b">>> "):
-                raise SilentError("the board starts something else")  # Python has said why, and gave up
-            for _ in range(3):
-                try:
-                    board = Board(self.line, 3)
-                except SilentError:
-                    if time.monotonic() > until:
-                        raise
-                    continue
-                except NoMemoryError:
-                    return None
-                hello = board.hello
-                if hello.generation != self.new.generation or hello.program != self.name[2:]:
-                    raise SilentError("the board starts something else")
-                fault = board.last_fault() if hello.free >= WORKING else None
-                self._said = "" if fault is None else ": ".join(filter(None, (fault.meaning, fault.text.strip())))
-                return hello
+            raise
+        if hello.generation != self.new.generation or hello.program != self.name[2:]:
+            raise SilentError("the board starts something else")
+        fault = board.last_fault() if hello.free >= WORKING else None
+        self._said = "" if fault is None else ": ".join(filter(None, (fault.meaning, fault.text.strip())))
+        return hello
 
     def _undo(self) -> None:
         """Takes the new line away, so that what was there before starts."""
         if self.new is None or self.new == self.old:
             return
-        board = Receiver(RawRepl(self.line))
-        board.begin()
-        board.remove(self.slot)
-        board.end()
-        board.repl.leave()
+        self.insist(self._take_away)
+        self.board.repl.leave()
         self.line.drain(0.2, 1)
+
+    def _take_away(self) -> None:
+        self.board.remove(self.slot)
+        self.board.end()
 
     def _lines(self, names: list[str]) -> dict[str, StartLine]:
         found = {slot: read_line(self.board.read(slot)) for slot in SLOTS if slot in names}
@@ -301,7 +305,7 @@ class _Job:
     def _freeze(self) -> None:
         """Puts into flash what runs from there; what the line that counts needs of that stays."""
         if (one := self.built.frozen) is not None:
-            kept = set() if self.old is None else {sign_of(self.old.module)}
+            kept = {sign_of(self.old.module)} if self.old is not None and is_ours(f"{self.old.module}.py") else set()
             if sent := freeze(self.board, one, kept):
                 self.sent[one.name] = sent
 
@@ -320,9 +324,8 @@ class _Job:
         self.progress("send", self.done, self.total)
 
 
-def _last_line(printed: bytes) -> str:
+def _last_line(text: str) -> str:
     """What went wrong, when Python said so: the last line of a traceback."""
-    text = printed.decode(errors="replace")
     if "Traceback" not in text:
         return ""
     lines = text[text.index("Traceback") :].splitlines()

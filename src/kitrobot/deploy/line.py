@@ -21,6 +21,10 @@ BAUD = 115200
 _SLICE_S = 0.02
 """How long one read of the port waits; a fixed number, because to change it means to set the port up anew."""
 
+_AT_ONCE = 4096
+MOST = 256 * 1024
+"""Bytes that are waited through at most: as much as the flash of a small board."""
+
 _WRITE_S = 10.0
 _SILICON_LABS = 0x10C4
 
@@ -46,18 +50,23 @@ class Line:
 
     def read(self, timeout_s: float) -> bytes:
         """What has come, at once when there is something, else as soon as it comes; empty when the time is over."""
-        until = time.monotonic() + timeout_s
+        until = self.now() + timeout_s
         try:
             while True:
                 data: bytes = self.port.read(1)
                 if data:
-                    while waiting := self.port.in_waiting:
-                        data += self.port.read(waiting)
-                        if len(data) > 4096:
-                            break
+                    while (waiting := self.port.in_waiting) and len(data) < _AT_ONCE:
+                        data += self.port.read(min(waiting, _AT_ONCE))
                     return data
-                if time.monotonic() >= until:
+                if self.now() >= until:
                     return b""
+        except Trouble as error:
+            raise self._broken(error) from error
+
+    def waiting(self) -> int:
+        """How many bytes have come and can be read at once."""
+        try:
+            return int(self.port.in_waiting)
         except Trouble as error:
             raise self._broken(error) from error
 
@@ -70,23 +79,34 @@ class Line:
             raise self._broken(error) from error
 
     def read_until(self, end: bytes, timeout_s: float) -> bytes:
-        """What came up to `end`, or all that came in that time; what came after `end` in the same breath is dropped."""
-        until = time.monotonic() + timeout_s
-        data = b""
-        while end not in data:
-            left = until - time.monotonic()
-            if left <= 0:
-                return data
-            data += self.read(left)
-        return data[: data.index(end) + len(end)]
+        """What came up to `end`, or all that came in that time; what came after `end` in the same breath is dropped.
+
+        Who sends for ever is listened to no longer than `MOST` bytes.
+        """
+        until = self.now() + timeout_s
+        data = bytearray()
+        while len(data) < MOST:
+            left = until - self.now()
+            piece = self.read(max(left, 0.0))  # what is there is taken, however late we come
+            looked = max(0, len(data) - len(end))
+            data += piece
+            if (at := data.find(end, looked)) >= 0:
+                return bytes(data[: at + len(end)])
+            if left <= 0 and not piece:
+                break
+        return bytes(data)
 
     def drain(self, quiet_s: float, most_s: float = 1.0) -> bytes:
         """Takes in what still comes, until it is quiet for a moment."""
-        until = time.monotonic() + most_s
+        until = self.now() + most_s
         data = b""
-        while time.monotonic() < until and (piece := self.read(quiet_s)):
+        while self.now() < until and len(data) < MOST and (piece := self.read(quiet_s)):
             data += piece
         return data
+
+    def now(self) -> float:
+        """The clock by which the line waits, in seconds."""
+        return time.monotonic()
 
     def close(self) -> None:
         """Closes the line; a line that is broken already closes as well."""

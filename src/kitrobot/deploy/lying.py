@@ -19,6 +19,7 @@ MAIN = "main.py"
 LAST_GENERATION = 65535
 """The board has two bytes for it."""
 
+_GENERATION = re.compile(r"[0-9]{1,5}")
 _SUM = re.compile(r"[0-9a-f]{4}")
 _OURS = re.compile(rf"({MODULE}[0-9a-f]{{{DIGITS}}}\.py|{PROGRAM}[0-9a-f]{{{DIGITS}}})")
 _NAMED = re.compile(rf"\b{MODULE}[0-9a-f]{{{DIGITS}}}\b")
@@ -47,7 +48,7 @@ class StartLine:
 def read_line(data: bytes) -> StartLine | None:
     """The line of a file; None when it is not whole."""
     words = data.decode("ascii", errors="replace").split(" ")
-    if len(words) != 5 or not words[0].isdecimal() or not _SUM.fullmatch(words[3]):
+    if len(words) != 5 or not _GENERATION.fullmatch(words[0]) or not _SUM.fullmatch(words[3]):
         return None
     line = StartLine(int(words[0]), words[1], words[2], int(words[3], 16))
     return line if line.to_bytes() == data else None

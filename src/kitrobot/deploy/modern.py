@@ -7,16 +7,16 @@ port itself and says nothing of why it could not; this one takes a line that is 
 from __future__ import annotations
 
 import struct
+from typing import Any
 
-import serial
-
-from kitrobot.deploy.errors import LineError
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.repl import GarbledError
 
+_PATIENCE_S = 5.0
 
-def tell_at_once(line: Line, text: str) -> None:
-    """Runs a text on a board that stands at the prompt of its raw REPL.
+
+def tell_at_once(line: Line, text: str, pace_s: float = 0.0) -> None:
+    """Runs a text on a board that stands at the prompt of its raw REPL, and needs `pace_s` seconds for a reset.
 
     Raises:
         GarbledError: it did not come through.
@@ -27,6 +27,8 @@ def tell_at_once(line: Line, text: str) -> None:
     from mpremote.transport import TransportError
     from mpremote.transport_serial import SerialTransport
 
+    port = _Patient(line, max(_PATIENCE_S, 4 * pace_s))
+
     class OnOpenLine(SerialTransport):  # type: ignore[misc]
         def __init__(self) -> None:
             self.in_raw_repl = True
@@ -34,7 +36,7 @@ def tell_at_once(line: Line, text: str) -> None:
             self.device_name = line.address
             self.mounted = False
             self.is_pty = False
-            self.serial = line.port
+            self.serial = port
 
     transport_serial.print = lambda *words: None  # it prints what it did not expect; we try again in another way
     transport = OnOpenLine()
@@ -42,8 +44,32 @@ def tell_at_once(line: Line, text: str) -> None:
     line.write(b"\r\x03\x01")
     try:
         transport.exec(text)
-    except serial.SerialException as error:
-        raise LineError(f"the line to `{line.address}` broke", "run the command again") from error
     except (TransportError, ValueError, struct.error, IndexError) as error:
         raise GarbledError(str(error)) from error
-    line.read_until(b">", 1)
+    if b">" not in port.left:
+        line.read_until(b">", 1)
+
+
+class _Patient:
+    """The port of a line as mpremote reads it, which takes it for an error when a byte is not there at once."""
+
+    def __init__(self, line: Line, patience_s: float) -> None:
+        self.line = line
+        self.patience_s = patience_s
+        self.left = b""
+
+    def read(self, count: int) -> bytes:
+        """So many bytes, or fewer when no more come."""
+        until = self.line.now() + self.patience_s
+        while len(self.left) < count and (wait := until - self.line.now()) > 0:
+            self.left += self.line.read(wait)
+        found, self.left = self.left[:count], self.left[count:]
+        return found
+
+    def write(self, data: bytes) -> Any:
+        """Sends bytes."""
+        self.line.write(data)
+
+    def inWaiting(self) -> int:
+        """How many bytes can be read at once."""
+        return len(self.left) + self.line.waiting()

@@ -8,22 +8,37 @@ comes whole; the board does nothing twice. So what these methods say has happene
 from __future__ import annotations
 
 import ast
-import time
+import re
 from collections.abc import Callable
 from importlib.resources import files
 from itertools import cycle
 
-from kitrobot.deploy.errors import BoardError, FullError, SilentError
-from kitrobot.deploy.line import Line
+from kitrobot.deploy.errors import BoardError, FullError, ResetError, SilentError
+from kitrobot.deploy.line import MOST, Line
 from kitrobot.deploy.modern import tell_at_once
+from kitrobot.deploy.patience import Patience
 from kitrobot.deploy.repl import LONGEST, GarbledError, RawRepl
 from kitrobot.deploy.shortening import parsed, shortened
 from kitrobot_onboard import link
 
-_TRIES = 12
 _DEFINITION_TRIES = 5
 _FIRST_S = 0.3
 """How long the first answer is waited for; then twice as long, and so on."""
+
+_SILENT_S = 20.0
+_LONGEST_S = 120.0
+_BYE_S = 1.0
+_ANSWERS = {"x": "DE", "d": "KE", "q": "K"}
+_PROMPTS = (b">>> ", b"raw REPL")
+_VERSION = re.compile(r"\((\d{1,4}), (\d{1,4})\)")
+_DIGITS = 12
+_KEPT = 8192
+"""Bytes of an answer that is not whole yet, at most: more is noise."""
+
+_LONGEST_TEXT = 200
+_ALL_LISTED = 16_000
+_LISTED = 400
+"""Characters of the names of files that are asked for at once."""
 
 MICROBIT = "microbit"
 """What the micro:bit of 2016 calls its platform."""
@@ -51,6 +66,8 @@ class Receiver:
 
         self._numbers = cycle(range(1, 256))
         self._heard = b""
+        self._took = 0.0
+        """What the last answer took, in seconds, or somewhat less than a slower one before."""
 
     def begin(self) -> None:
         """Has the board run the receiver.
@@ -62,21 +79,24 @@ class Receiver:
             try:
                 self.repl.enter()
                 self._define()
+                self._heard = b""
                 self.line.write(b"receive()\x04")
-                if self._frame(0, 5) is not None:
+                patience = Patience(self.line.now, max(5.0, 10 * self.repl.pace_s))
+                if self._frame(0, patience.first_s, patience, told=True) is not None:
                     return
             except SilentError:
                 if not self.repl.answered or attempt + 1 == _DEFINITION_TRIES:
                     raise
             except GarbledError:
                 continue
-        raise SilentError(
-            f"too much is lost on the way to `{self.line.address}`", "use another cable, or come nearer with the board"
-        )
+        raise too_much_lost(self.line.address)
 
     def end(self) -> None:
         """Back to the prompt of the raw REPL. That is no loss when it cannot be heard: a reset does the same."""
-        self._ask("q", b"", tries=2)
+        try:
+            self._ask("q", b"", silent_s=_BYE_S)
+        except ResetError:
+            return
         self.line.drain(0.1)
 
     def value(self, expression: str, timeout_s: float = 2.0) -> bytes:
@@ -89,35 +109,53 @@ class Receiver:
         assert len(data) < LONGEST - 6, expression
         kind, answer = self._asked("x", data, timeout_s)
         if kind == "E":
-            text = answer.decode(errors="replace")
+            text = answer[:_LONGEST_TEXT].decode(errors="replace")
             if "OSError" in text and ("28" in text or "storage" in text):  # as boards of today and of 2016 say it
                 raise FullError("the board's flash is full", "remove files of yours from the board, or use --fresh")
             raise BoardError(f"the board failed: {text}", "reset it and run the command again")
         return answer
 
+    def number(self, expression: str) -> int:
+        """The value of an expression that is a whole number."""
+        return _number(self.value(expression))
+
     def names(self) -> list[str]:
         """The names of all files."""
-        found = b""
-        while piece := self.value(f"'\\n'.join(os.listdir())[{len(found)}:{len(found) + 400}]"):
+        found = ""
+        while piece := self.value(f"'\\n'.join(os.listdir())[{len(found)}:{len(found) + _LISTED}]").decode(
+            errors="replace"
+        ):
             found += piece
-            if len(piece) < 400:
+            if len(piece) > _LISTED or len(found) > _ALL_LISTED:
+                raise strange()
+            if len(piece) < _LISTED:
                 break
-        return found.decode(errors="replace").split("\n") if found else []
+        return found.split("\n") if found else []
 
     def sum_of(self, name: str) -> tuple[int, int]:
         """The length and the Fletcher-16 of a file, worked out by the board."""
         size, _, check = self.value(f"z({name!r})", 20).partition(b" ")
-        return int(size), int(check)
+        return _number(size), _number(check)
 
     def read(self, name: str) -> bytes:
-        """The content of a file."""
+        """The content of a file.
+
+        Raises:
+            BoardError: it is longer than any file that lies beside KitRobot, or does not end.
+        """
         self.value(f"o({name!r},'rb')")
-        content = b""
+        content = bytearray()
         while piece := self.value(f"r({_READ})"):
             content += piece
+            if len(piece) > _READ:
+                raise strange()
+            if len(content) > MOST:
+                raise BoardError(f"the file `{name}` on the board is too large", "remove it from the board")
             self.told(len(piece))
+            if len(piece) < _READ:
+                break
         self.value("c()")
-        return content
+        return bytes(content)
 
     def write(self, name: str, content: bytes) -> None:
         """Writes a file; it is whole when this comes back."""
@@ -130,7 +168,7 @@ class Receiver:
             kind, answer = self._asked("d", piece, 2)
             if kind == "E":
                 raise FullError(
-                    f"the board cannot take more: {answer.decode(errors='replace')}",
+                    f"the board cannot take more: {answer[:_LONGEST_TEXT].decode(errors='replace')}",
                     "its flash may be full: remove files of yours, or use --fresh",
                 )
             at += len(piece)
@@ -144,7 +182,8 @@ class Receiver:
         while done < len(words):
             piece = _fitting(words, done)
             piece = piece[: len(piece) // 4 * 4]
-            self._asked("d", piece, 2)
+            if self._asked("d", piece, 2)[0] == "E":
+                raise strange()
             done += len(piece)
             self.told(len(piece))
         self.value("c()")
@@ -158,12 +197,12 @@ class Receiver:
         self.repl.run("gc.collect()")
         free = self.repl.run("print(gc.mem_free())").strip()
         self.family = self.repl.run("print(sys.platform)").strip()
-        try:
-            # Where it went wrong once the line is bad, and small steps are the better ones.
-            self.modern = ast.literal_eval(version) >= (1, 20) and not self.disturbed
-            self.free = int(free)
-        except (SyntaxError, TypeError, ValueError):
-            raise GarbledError(version) from None
+        numbers = _VERSION.fullmatch(version)
+        if numbers is None or not free.isdecimal() or len(free) > _DIGITS:
+            raise GarbledError(version)
+        # Where it went wrong once the line is bad, and small steps are the better ones.
+        self.modern = (int(numbers[1]), int(numbers[2])) >= (1, 20) and not self.disturbed
+        self.free = int(free)
         for text in _texts(self.family):
             self.modern = self.modern and self._lay_at_once(text)
             if not self.modern:
@@ -177,7 +216,7 @@ class Receiver:
     def _lay_at_once(self, text: str) -> bool:
         """Brings a text into the board's `s` through mpremote; whether it is there as it was sent."""
         try:
-            tell_at_once(self.line, f"s={text!r}")
+            tell_at_once(self.line, f"s={text!r}", self.repl.pace_s)
             return all(
                 self.repl.run(f"print(repr(s[{at}:{at + 200}]))").strip() == repr(text[at : at + 200])
                 for at in range(0, len(text) + 1, 200)
@@ -219,31 +258,80 @@ class Receiver:
             raise SilentError(f"the board on `{self.line.address}` stopped answering", "run the command again")
         return answer
 
-    def _ask(self, kind: str, payload: bytes, timeout_s: float = 1.0, tries: int = _TRIES) -> tuple[str, bytes] | None:
+    def _ask(
+        self, kind: str, payload: bytes, timeout_s: float = 1.0, silent_s: float = _SILENT_S
+    ) -> tuple[str, bytes] | None:
         number = next(self._numbers)
         frame = link.wrap(kind, number, payload)
         assert len(frame) <= link.LONGEST
-        for attempt in range(tries):
+        first_s = max(_FIRST_S, min(2 * self._took, timeout_s))
+        silent_s = max(silent_s, 4 * self._took, min(20 * self.repl.pace_s, _LONGEST_S))
+        patience = Patience(self.line.now, first_s, silent_s, _LONGEST_S, timeout_s)
+        while wait := patience.wait():
             self.line.write(frame)
-            answer = self._frame(number, min(timeout_s, _FIRST_S * 2**attempt))
-            if answer is not None:
-                return answer
+            answer = self._frame(number, wait, patience)
+            if answer is None:
+                continue
+            self._took = max(self.line.now() - patience.began, self._took / 2)
+            if answer[0] not in _ANSWERS[kind]:
+                raise self._reset()  # what answers so is a robot that runs: `x` means stop to it
+            return answer
         return None
 
-    def _frame(self, number: int, timeout_s: float) -> tuple[str, bytes] | None:
-        """The answer to that request; others are older ones that came late."""
-        until = time.monotonic() + timeout_s
+    def _frame(
+        self, number: int, timeout_s: float, patience: Patience, *, told: bool = False
+    ) -> tuple[str, bytes] | None:
+        """The answer to that request; others are older ones that came late, and show that the board is there.
+
+        `told`: the raw REPL was told something right before, and what it says of that is no prompt.
+
+        Raises:
+            ResetError: the board stands at a prompt.
+        """
+        until = self.line.now() + timeout_s
         while True:
             *whole, self._heard = self._heard.split(b"~")
             for position, piece in enumerate(whole):
                 found = link.unwrap(piece)
+                if found is not None:
+                    patience.heard()
                 if found is not None and found[1] == number:
                     self._heard = b"~".join([*whole[position + 1 :], self._heard])
                     return found[0], found[2]
-            left = until - time.monotonic()
-            if left <= 0:
+                if found is None and not told and any(prompt in piece for prompt in _PROMPTS):
+                    raise self._reset()
+            if not told and any(prompt in self._heard for prompt in _PROMPTS):
+                raise self._reset()
+            self._heard = self._heard[-_KEPT:]
+            left = until - self.line.now()
+            piece = self.line.read(max(left, 0.0))  # what is there is taken, however late we come
+            self._heard += piece
+            if left <= 0 and not piece:
                 return None
-            self._heard += self.line.read(left)
+
+    def _reset(self) -> ResetError:
+        return ResetError(
+            f"the board on `{self.line.address}` restarted while it was being written to",
+            "look at its cable and its battery, then run the command again",
+        )
+
+
+def too_much_lost(address: str) -> SilentError:
+    """The line is too bad."""
+    return SilentError(
+        f"too much is lost on the way to `{address}`", "use another cable, or come nearer with the board"
+    )
+
+
+def strange() -> BoardError:
+    """What the board answered cannot be."""
+    return BoardError("the board sent an answer that cannot be right", "reset it and run the command again")
+
+
+def _number(text: bytes) -> int:
+    if not text.isdigit() or len(text) > _DIGITS:
+        raise strange()
+    return int(text)
 
 
 def _texts(family: str) -> list[str]:

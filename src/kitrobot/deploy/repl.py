@@ -8,15 +8,19 @@ nothing is said here that could do harm: what touches files goes through the rec
 from __future__ import annotations
 
 from kitrobot.deploy.errors import SilentError
-from kitrobot.deploy.line import Line
+from kitrobot.deploy.line import MOST, Line
+from kitrobot.deploy.patience import Patience
 
 LONGEST = 60
 """Bytes of a command, with its end."""
 
 _BANNER = b"raw REPL; CTRL-B to exit\r\n>"
 _TRIES = 6
-_ENTERING = (0.7, 1.0, 1.5, 2.0, 3.0)
-"""Seconds that the prompt is waited for, try after try."""
+_ENTERING_S = 0.7
+"""How long the prompt is waited for at first."""
+
+_SILENT_S = 10.0
+_RESET_S = 5.0
 
 
 class GarbledError(Exception):
@@ -31,23 +35,31 @@ class RawRepl:
         self.answered = False
         """Whether there ever was an answer."""
 
+        self.pace_s = 0.0
+        """Seconds that the board, and the way to it, needed for a soft reset: a measure for all else."""
+
     def enter(self) -> None:
         """Stops what runs, and begins with an empty memory, without `main.py`.
 
         Raises:
             SilentError: there is no MicroPython that answers.
         """
-        for attempt, patience_s in enumerate(_ENTERING):
+        patience = Patience(self.line.now, _ENTERING_S, _SILENT_S, most_s=_SILENT_S)
+        quiet_s = 0.1
+        while wait := patience.wait():
             self.line.write(b"\r\x03\x03")
-            self.line.drain(0.1 + 0.1 * attempt)
+            self.line.drain(quiet_s)
             self.line.write(b"\r\x01")
-            if not self._ends(_BANNER, patience_s):
+            quiet_s = min(2 * quiet_s, 0.5)
+            if not self._ends(_BANNER, wait):
                 continue
             self.answered = True
+            patience.heard()
             # A soft reset from here leaves `main.py` out.
+            began = self.line.now()
             self.line.write(b"\x04")
-            answer = self.line.read_until(_BANNER, 5 + attempt)
-            if b"reboot" in answer and answer.endswith(_BANNER):
+            if self._was_reset(max(_RESET_S, 3 * wait)):
+                self.pace_s = self.line.now() - began
                 return
         raise SilentError(
             f"no MicroPython answers on `{self.line.address}`",
@@ -68,7 +80,7 @@ class RawRepl:
         error = b""
         for attempt in range(_TRIES):
             self.line.write(data)
-            wait_s = timeout_s if patient else min(timeout_s, 0.5 * 2**attempt)
+            wait_s = max(timeout_s if patient else min(timeout_s, 0.5 * 2**attempt), 2 * self.pace_s)
             answer = self.line.read_until(b"\x04>", wait_s)
             text, _, error = answer.removeprefix(b"OK").removesuffix(b"\x04>").partition(b"\x04")
             if answer.startswith(b"OK") and answer.endswith(b"\x04>"):
@@ -91,7 +103,18 @@ class RawRepl:
         self.line.write(b"\r\x03")
         self.line.drain(0.1)
         self.line.write(b"\r\x01")
-        self._ends(_BANNER, 2)
+        self._ends(_BANNER, max(2.0, 4 * self.pace_s))
+
+    def _was_reset(self, timeout_s: float) -> bool:
+        """Whether the board says so, behind prompts that it gave before."""
+        until = self.line.now() + timeout_s
+        data = b""
+        while (left := until - self.line.now()) > 0 and len(data) < MOST:
+            data += self.line.read(left)
+            at = data.find(b"reboot")
+            if at >= 0 and _BANNER in data[at:]:
+                return True
+        return False
 
     def _ends(self, end: bytes, timeout_s: float) -> bool:
         return self.line.read_until(end, timeout_s).endswith(end)

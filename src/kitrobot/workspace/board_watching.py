@@ -5,7 +5,7 @@ and watching one, or several into one recording.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
@@ -23,8 +23,12 @@ from kitrobot.workspace.running import TracePlaceError
 _MOST_PRINTED = 200
 
 
-def names_for(hello: Hello, mission: Path | None = None, program: str | None = None) -> BoardNames | None:
+def names_for(
+    hello: Hello, mission: Path | None = None, program: str | None = None, robot: str | None = None
+) -> BoardNames | None:
     """The names of what runs on a robot: of the mission that is named, else those that were kept when it was sent.
+
+    `robot`: what an `.lll` is for, which does not say so itself.
 
     Raises:
         NoBoardError: the robot runs something else than that mission holds now.
@@ -32,11 +36,11 @@ def names_for(hello: Hello, mission: Path | None = None, program: str | None = N
     """
     if mission is None:
         return kept_names(hello.program)
-    return _program_of(hello, mission, program).names
+    return _program_of(hello, mission, program, robot).names
 
 
-def _program_of(hello: Hello, mission: Path, program: str | None) -> BoardProgram:
-    ready = load_board_program(mission, program=program)
+def _program_of(hello: Hello, mission: Path, program: str | None, robot: str | None) -> BoardProgram:
+    ready = load_board_program(mission, robot=robot, program=program)
     if not ready.is_called(hello.program):
         raise NoBoardError(
             f"the robot runs another program than `{ready.names.program}` of `{mission}` as it is now",
@@ -249,18 +253,24 @@ class Watched:
 
 
 @contextmanager
-def connected(address: str, mission: Path | None = None, program: str | None = None) -> Iterator[Watched]:
-    """A robot to be watched, with names as `names_for` finds them.
+def connected(
+    address: str,
+    mission: Path | None = None,
+    program: str | None = None,
+    robot: str | None = None,
+    waits: Callable[[], None] = lambda: None,
+) -> Iterator[Watched]:
+    """A robot to be watched, with names as `names_for` finds them. `waits` is told when it takes a while.
 
     Raises:
         KitRobotError: it does not answer, or runs something else than that mission holds now.
     """
-    with connect(address) as board:
+    with connect(address, waits=waits) as board:
         if mission is None:
             called = board.hello.program
             yield Watched(address, board, kept_names(called), kept_carried(called))
         else:
-            ready = _program_of(board.hello, mission, program)
+            ready = _program_of(board.hello, mission, program, robot)
             yield Watched(address, board, ready.names, ready.carried)
 
 

@@ -54,6 +54,14 @@ Progress = Callable[[str, str, int, int], None]
 """Is told of an address: what is done now, and how many bytes of how many."""
 
 
+Waits = Callable[[str], None]
+"""Is told of an address where nobody has answered yet."""
+
+
+def _nobody_asks(address: str) -> None:
+    """Nobody wants to know."""
+
+
 class NoBoardError(KitRobotError):
     """No robot is there, or several where one must be chosen."""
 
@@ -229,13 +237,16 @@ def keep_program(program: BoardProgram, called: Iterable[str]) -> None:
     keep_carried(program.carried, names)
 
 
-def look_at_boards(addresses: Sequence[str] = ()) -> list[Seen]:
-    """Which robots are there: those of the addresses, or of every port where one may be; all are asked at once."""
+def look_at_boards(addresses: Sequence[str] = (), waits: Waits = _nobody_asks) -> list[Seen]:
+    """Which robots are there: those of the addresses, or of every port where one may be; all are asked at once.
+
+    `waits` is told of an address whose answer is waited for.
+    """
     ports = [Port(address, "", "") for address in addresses] if addresses else list_ports()
 
     def look(port: Port) -> Seen:
         try:
-            with connect(port.address) as board:
+            with connect(port.address, waits=lambda: waits(port.address)) as board:
                 names = kept_names(board.hello.program)
                 return Seen(port, board.hello, names.program if names is not None else "", None)
         except DeployError as error:
@@ -244,12 +255,14 @@ def look_at_boards(addresses: Sequence[str] = ()) -> list[Seen]:
     return _at_once(look, ports)
 
 
-def at_boards(addresses: Sequence[str], act: Callable[[Board], object]) -> list[tuple[str, KitRobotError | None]]:
-    """Does something with each robot, all at once; what went wrong with which."""
+def at_boards(
+    addresses: Sequence[str], act: Callable[[Board], object], waits: Waits = _nobody_asks
+) -> list[tuple[str, KitRobotError | None]]:
+    """Does something with each robot, all at once; what went wrong with which. `waits` as for `look_at_boards`."""
 
     def one(address: str) -> tuple[str, KitRobotError | None]:
         try:
-            with connect(address) as board:
+            with connect(address, waits=lambda: waits(address)) as board:
                 act(board)
         except DeployError as error:
             return address, error

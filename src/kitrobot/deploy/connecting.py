@@ -1,0 +1,184 @@
+"""The first greeting on a line: with a robot that runs, or a board at its prompt, whose program is started then.
+
+All that is said here is harmless to who is not meant: a greeting and Ctrl-B are noise to a program of one's own, and a
+Ctrl-C is said only to who has shown that it takes text in raw paste mode, where a line that was cut leaves it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from kitrobot.deploy.board import Board, Hello
+from kitrobot.deploy.errors import SilentError
+from kitrobot.deploy.line import Line
+from kitrobot.deploy.patience import ANSWER_S, SILENT_S, STARTING_S, Patience
+from kitrobot.deploy.refusals import refusal, silent
+from kitrobot_onboard import link
+
+HELLO = b""
+LEAVE = b"\r\x02"
+"""Gives the prompt, from the raw REPL too."""
+
+_FILL = b" " * 512
+"""Who takes text in raw paste mode asks for more after so much, with 0x01."""
+
+_MORE = b"\x01"
+_OUT_OF_PASTE = b"\x03" + LEAVE
+_STOP_RECEIVING = b"\r\x03\x03"
+_START = b"\x04"
+_PROMPT = b">>> "
+_MOST = 4000
+_AFTER_S = 2.0
+"""Who has not answered by then is waited for noticeably."""
+
+_SAID = (HELLO, HELLO, LEAVE, HELLO, _FILL, HELLO)
+STARTS = (LEAVE, HELLO, HELLO)
+"""What a board hears again and again that is to start its program."""
+
+Waits = Callable[[], None]
+"""Is told once that no answer came at once."""
+
+
+def _nothing() -> None:
+    """Nobody wants to know."""
+
+
+def connect(address: str, silent_s: float = SILENT_S, waits: Waits = _nothing) -> Board:
+    """Connects to a board that runs KitRobot; one that stands at its Python prompt is started first.
+
+    Args:
+        address: a port or URL.
+        silent_s: seconds without a word after which nobody is there.
+        waits: is told when it takes a while.
+
+    Raises:
+        LineError: the line cannot be opened.
+        SilentError: nobody answers that we understand.
+        BoardError: the board speaks another version.
+    """
+    line = Line(address)
+    try:
+        board = Board(line)
+        greet(board, silent_s, waits)
+        return board
+    except BaseException:
+        line.close()
+        raise
+
+
+def greet(
+    board: Board,
+    silent_s: float = SILENT_S,
+    waits: Waits = _nothing,
+    *,
+    said: Sequence[bytes] = _SAID,
+    starting_s: float = STARTING_S,
+) -> Hello:
+    """Greets until the board answers; its `hello` is there then.
+
+    Args:
+        board: on an open line, not greeted yet.
+        silent_s: seconds without a word after which nobody is there.
+        waits: is told when it takes a while.
+        said: what is said in its turn, HELLO or bytes.
+        starting_s: the same as `silent_s`, for a program that is started here.
+
+    Raises:
+        SilentError: nobody answers; `printed` is what a program said that was started in vain.
+        BoardError: the board says no, or speaks another version.
+    """
+    return _Greeting(board, Patience(board.line.now, silent_s=silent_s), waits, starting_s).answered(said)
+
+
+class _Greeting:
+    def __init__(self, board: Board, patience: Patience, waits: Waits, starting_s: float) -> None:
+        self.board = board
+        self.patience = patience
+        self.waits = waits
+        self.starting_s = starting_s
+        self.last = HELLO
+        """What was said last."""
+
+        self.until = 0.0
+        """When something is said again."""
+
+        self.heard = b""
+        """The end of what came since the board was asked to start its program, or since the beginning."""
+
+        self.begun = self.filled = self.received = False
+        """Whether its program was started here, raw paste mode was looked for, it answered as who takes files."""
+
+    def answered(self, said: Sequence[bytes]) -> Hello:
+        board, now, began, turn = self.board, self.board.line.now, self.board.line.now(), 0
+        board.number_anew()
+        while wait := self.patience.wait():
+            if now() - began > _AFTER_S:
+                self.waits()
+                self.waits = _nothing
+            turns = STARTS if self.begun else said
+            self._say(turns[turn % len(turns)], wait)
+            turn += 1
+            while True:
+                left = self.until - now()
+                data = board.line.read(max(left, 0.0))  # what is there is taken, however late we come
+                answer = board.take(data, self.patience)
+                self.heard = (self.heard + data)[-_MOST:]
+                if answer is None:
+                    if data:
+                        self._read_text()
+                elif answer[0] == "H":
+                    if self.begun:
+                        board.forget_texts()
+                    return board.greeted(answer[1])
+                elif answer[0] == "N":
+                    raise refusal(answer)
+                else:
+                    self._stop_receiving()
+                if left <= 0:
+                    break
+        raise self._nobody()
+
+    def _say(self, data: bytes, wait_s: float = ANSWER_S) -> None:
+        self.last = data
+        self.filled |= data == _FILL
+        self.until = self.patience.now() + wait_s
+        if data == HELLO:
+            self.board.ask("h", bytes((link.PROTOCOL,)))
+        else:
+            self.board.line.write(data)
+
+    def _stop_receiving(self) -> None:
+        """A deploy broke off, and what takes files still listens; or an answer was on its way since long before."""
+        self.board.number_anew()
+        if self.received:
+            self.board.line.write(b"\r\x03\x03")
+            self.board.line.drain(0.2)
+            self._say(LEAVE)
+        else:
+            self._say(HELLO)
+        self.received = not self.received
+
+    def _read_text(self) -> None:
+        """Looks whether a board at its prompt has spoken, or one that takes text."""
+        text = self.heard
+        if self.filled and text and not text.strip(_MORE):
+            self.heard = b""
+            self._say(_OUT_OF_PASTE)
+        elif text.endswith(_PROMPT):
+            if self.begun and b"reboot" in text:
+                raise self._nobody()  # what it starts has come to an end, so it is not ours
+            if self.last in (LEAVE, _OUT_OF_PASTE):
+                if not self.begun:
+                    self.patience = Patience(self.patience.now, silent_s=self.starting_s)
+                self.begun = True
+                self.heard = b""
+                self._say(_START)
+            elif self.last != _START:
+                self.heard = b""
+                self._say(LEAVE)
+
+    def _nobody(self) -> SilentError:
+        error = silent(self.board.line.address)
+        if self.begun:
+            error.printed = self.heard.decode(errors="replace").replace("\r\n", "\n")
+        return error

@@ -1,0 +1,57 @@
+"""How long an answer is waited for, so that a robot that is slow is told from one that is silent.
+
+What is asked is asked again, each time after a longer wait, until the line was silent for `silent_s`. Any whole frame
+of the board proves that it is there (an answer to an earlier request, news), and begins that silence anew; only who
+says something and never what was asked is given up after `longest_s`. No number of tries decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+ANSWER_S = 0.4
+"""How long a robot is waited for before it is asked again, at first."""
+
+SILENT_S = 8.0
+"""Without a sign of life for so long a running robot is silent: a person at the cable waits no longer gladly."""
+
+MOST_SILENT_S = 30.0
+"""The same for one that needed long for its answers before, at most."""
+
+STARTING_S = 30.0
+"""The same for a board that starts its program, which it cannot do and answer. One that fails says so at once."""
+
+LONGEST_S = 60.0
+"""So long is waited for an answer of a robot that says other things."""
+
+PAUSE_S = 3.0
+"""The longest wait between two tries."""
+
+
+@dataclass
+class Patience:
+    """What is left of it, on the clock `now` (seconds). `most_s` is the longest wait between two tries."""
+
+    now: Callable[[], float]
+    first_s: float = ANSWER_S
+    silent_s: float = SILENT_S
+    longest_s: float = LONGEST_S
+    most_s: float = PAUSE_S
+
+    def __post_init__(self) -> None:
+        self.began = self._heard = self.now()
+        self._next = self.first_s
+
+    def heard(self) -> None:
+        """The board gave a sign of life."""
+        self._heard = self.now()
+
+    def left(self) -> float:
+        """Seconds until it ends; 0 or less when it has."""
+        return min(self._heard + self.silent_s, self.began + max(self.longest_s, self.silent_s)) - self.now()
+
+    def wait(self) -> float:
+        """How long the next try is waited for; 0 when the patience has ended."""
+        wait, self._next = min(self._next, self.left()), min(2 * self._next, max(self.most_s, self.first_s))
+        return max(wait, 0.0)

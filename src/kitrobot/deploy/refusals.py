@@ -1,0 +1,49 @@
+"""Why a robot did not do what it was asked, in a sentence with a way out."""
+
+from __future__ import annotations
+
+from kitrobot.deploy.errors import BoardError, NoMemoryError, SilentError
+from kitrobot_onboard import link
+
+_MEMORY = 6
+_REFUSALS = {
+    1: ("the board holds no program that can run", "send one with `kitrobot deploy`"),
+    2: ("the program on the board has no such variable or input", "send the program again with `kitrobot deploy`"),
+    3: ("the board did not understand the message", "update it with `kitrobot deploy`"),
+    4: ("the board did not understand the message", "update it with `kitrobot deploy`"),
+    5: ("the board cannot do that now", "stop the program first"),
+    6: ("the program needs more memory than the board has", "make the program smaller"),
+}
+
+
+def silent(address: str) -> SilentError:
+    """Nobody answers there."""
+    return SilentError(
+        f"the board on `{address}` does not answer",
+        "press its reset button; when it holds no KitRobot yet, send it a program with `kitrobot deploy`",
+    )
+
+
+def refusal(answer: tuple[str, bytes]) -> BoardError:
+    """A robot's no, or an answer that is none to what was asked."""
+    kind, payload = answer
+    why = payload[0] if kind == "N" and payload else 0
+    return (NoMemoryError if why == _MEMORY else BoardError)(*_REFUSALS.get(why, _REFUSALS[3]))
+
+
+def not_understood() -> BoardError:
+    """What came is no answer that this KitRobot can read."""
+    return BoardError(*_REFUSALS[3])
+
+
+def another_version(theirs: int) -> BoardError:
+    """The two ends speak different versions of the link."""
+    if theirs < link.PROTOCOL:
+        return BoardError(
+            f"the board speaks version {theirs} of the link, this computer version {link.PROTOCOL}",
+            "update the board: `kitrobot deploy`",
+        )
+    return BoardError(
+        f"the board speaks version {theirs} of the link, this computer only version {link.PROTOCOL}",
+        "update KitRobot on this computer, or put its version onto the board with `kitrobot deploy`",
+    )
