@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+import time
 from typing import Any
 
 import pytest
@@ -45,6 +46,9 @@ class Twin:
         comes, self.comes = self.comes, b""
         return comes
 
+    def now(self) -> float:
+        return time.monotonic()
+
     def close(self) -> None:
         pass
 
@@ -52,7 +56,9 @@ class Twin:
 @pytest.fixture
 def wired() -> tuple[Any, Board]:
     twin: Any = Twin()
-    return twin, Board(twin)
+    board = Board(twin)
+    board.greet()
+    return twin, board
 
 
 def test_a_robot_that_runs_and_tells_how_it_goes_is_not_asked(wired: tuple[Any, Board]) -> None:
