@@ -29,6 +29,7 @@ test: install page ## run every test: the page's, Python's and those in a browse
 	$(PAGE) npm run test
 	@$(PY) -m tools.chromium --install
 	@$(PY) -m tools.qemu --install
+	@$(PY) -m tools.pico
 	@browser="$$($(PY) -m tools.chromium > /dev/null || echo 'not browser')"; \
 	boards="$$($(PY) -m tools.qemu > /dev/null || echo 'not boards')"; \
 	$(BIN)/pytest -n auto --dist worksteal -m "$$browser$${browser:+$${boards:+ and }}$$boards"

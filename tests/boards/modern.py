@@ -10,18 +10,14 @@ import base64
 import json
 import subprocess
 import tempfile
-import threading
 from pathlib import Path
-from queue import Queue
-from types import TracebackType
-from typing import Any
 
 import kitrobot_onboard
+from tests.boards.node_board import NodeBoard
 from tools import page
 
 HERE = Path(__file__).resolve().parent / "webassembly"
 PACKAGE = "@micropython/micropython-webassembly-pyscript"
-START_S = 60
 
 
 def micropython() -> Path:
@@ -63,8 +59,8 @@ def run(files: dict[str, bytes], name: str, timeout_s: float = 120) -> str:
     return done.stdout.decode()
 
 
-class ModernBoard:
-    """A board that runs while the `with` lasts; `address` is what a host connects to.
+class ModernBoard(NodeBoard):
+    """One with a current MicroPython.
 
     Args:
         files: what its flash holds at power-on.
@@ -72,44 +68,8 @@ class ModernBoard:
     """
 
     def __init__(self, files: dict[str, bytes] | None = None, port: int = 0) -> None:
-        self.given = {
-            "port": port,
-            "files": {name: base64.b64encode(data).decode() for name, data in (files or {}).items()},
-        }
-        self.address = ""
-
-    def __enter__(self) -> ModernBoard:
-        node, environment = page.node_program()
-        self._folder = tempfile.TemporaryDirectory()
-        given = Path(self._folder.name, "given.json")
-        given.write_text(json.dumps(self.given), encoding="utf-8")
-        self.process = subprocess.Popen(
-            [node, str(HERE / "board.mjs"), str(micropython()), str(given)],
-            env=environment,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-        )
-        self._answers: Queue[str] = Queue()
-        threading.Thread(target=self._listen, daemon=True).start()
-        self.address = self._answer()["address"]
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
-    ) -> None:
-        assert self.process.stdin is not None
-        self.process.stdin.close()
-        try:
-            self.process.wait(10)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            self.process.wait()
-        self._folder.cleanup()
-
-    def cut_power(self) -> None:
-        """Takes the power away at once and gives it back: the board starts as when it was switched on."""
-        self._ask("cut")
+        held = {name: base64.b64encode(data).decode() for name, data in (files or {}).items()}
+        super().__init__(HERE / "board.mjs", micropython(), {"port": port, "files": held})
 
     def deaf(self, on: bool) -> None:
         """Its host takes nothing any more of what it says, as one that keeps a USB port open and does not read."""
@@ -125,21 +85,3 @@ class ModernBoard:
     def files(self) -> dict[str, bytes]:
         """What the flash holds: what was closed, whatever is still open."""
         return {name: base64.b64decode(text) for name, text in self._ask("files")["files"].items()}
-
-    def _ask(self, command: str) -> dict[str, Any]:
-        assert self.process.stdin is not None
-        self.process.stdin.write(command + "\n")
-        self.process.stdin.flush()
-        return self._answer()
-
-    def _answer(self) -> dict[str, Any]:
-        line = self._answers.get(timeout=START_S)
-        assert line, "the board's process ended"
-        answer: dict[str, Any] = json.loads(line)
-        return answer
-
-    def _listen(self) -> None:
-        assert self.process.stdout is not None
-        for line in self.process.stdout:
-            self._answers.put(line)
-        self._answers.put("")

@@ -83,8 +83,8 @@ def watch_board(
 ) -> None:
     """Show what robots do: where their programs are, their variables and their inputs, until Ctrl-C.
 
-    A robot goes on when you stop watching, and is not slowed down by it; only when the watch begins, a tick may be
-    late. One whose link is lost is told, and the others are watched on.
+    A robot goes on when you stop watching, and is not slowed down by it, but for a moment when the watch begins. One
+    whose link is lost is told, and the others are watched on.
     """
     if seconds is not None and not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("watching takes more than 0 seconds", param_hint="'--seconds'")
