@@ -219,6 +219,6 @@ def test_a_pin_that_the_board_does_not_have_is_named_and_the_old_program_stays(
     path = tmp_path / "own.lll"
     path.write_text(LOOKS + "Light.LightOn();\n")
     answer = deploy_by_command(path, kit, "--robot", str(own), status=1)
-    assert "invalid pin" in answer["error"]
+    assert "invalid pin" in answer["error"]["message"]
     with connect(kit.address, 10) as board:
         assert board.hello.program == before["program"]

@@ -17,6 +17,7 @@ import sys
 import pytest
 
 from kitrobot.cli import speaking
+from kitrobot.workspace import load_board_program
 from tests.boards.host import ROOT, host_board, write_pulse
 from tests.boards.watching import LONG_S, line_with
 
@@ -151,7 +152,59 @@ def test_somebody_who_never_answers_is_told(kitrobot, pulse, nobody):
     said = kitrobot("deploy", pulse, "--to", nobody, "--json")
     assert said.status == 1
     assert said.json[0]["ok"] is False
-    assert "no MicroPython answers" in said.json[0]["error"]
+    assert "no MicroPython answers" in said.json[0]["error"]["message"]
+
+
+def test_what_a_program_shares_with_its_team_is_warned_of_with_vertex_and_line(kitrobot, here, pulse):
+    robot = here / "pulser.robot.xml"
+    robot.write_text(
+        robot.read_text().replace('name="Count" type="integer"', 'name="Count" shared="yes" type="integer"')
+    )
+    said = kitrobot("deploy", pulse, "--to", "nonsense://x")
+    assert said.err.count("[shared-on-board]") == 1
+    assert "warning: `Count` is shared with the team" in said.err
+    assert "line 3, vertex `v4`" in said.err
+    assert "cannot be opened" in said.err, "it is sent all the same"
+
+
+@pytest.mark.parametrize("command", ["start", "stop", "watch", "log", "deploy"])
+def test_as_json_a_failure_is_an_object_with_a_sentence_and_a_way_out(kitrobot, pulse, command):
+    given = [pulse] if command == "deploy" else []
+    said = kitrobot(command, *given, "--json")
+    assert said.status == 1
+    assert said.json == {
+        "error": {
+            "message": "no robot is plugged in",
+            "help": "plug one in with a USB cable that carries data, or name its address with --to",
+            "diagnostics": [],
+        }
+    }
+
+
+def test_as_json_errors_of_the_program_are_in_the_failure(kitrobot, pulse):
+    pulse.write_text(pulse.read_text().replace("Count.Add", "Count.Jump"))
+    error = kitrobot("deploy", pulse, "--to", "nonsense://x", "--json").json["error"]
+    assert "has errors" in error["message"]
+    assert {"file", "line", "severity", "code"} <= set(error["diagnostics"][0])
+
+
+@pytest.mark.parametrize("command", ["start", "stop", "deploy", "boards"])
+def test_as_json_each_robot_that_fails_has_its_error(kitrobot, pulse, command):
+    given = [pulse] if command == "deploy" else []
+    said = kitrobot(command, *given, "--to", "nonsense://x", "--json")
+    assert said.status == (0 if command == "boards" else 1)
+    (found,) = said.json
+    assert found["address"] == "nonsense://x"
+    assert "cannot be opened" in found["error"]["message"]
+    assert found["error"]["help"]
+
+
+@pytest.mark.parametrize("command", [["watch"], ["log"], ["boards", "--identify", "nonsense://x"]])
+def test_as_json_a_robot_that_cannot_be_reached_is_an_error(kitrobot, command):
+    more = [] if "--identify" in command else ["--to", "nonsense://x"]
+    said = kitrobot(*command, *more, "--json")
+    assert said.status == 1
+    assert "cannot be opened" in said.json["error"]["message"]
 
 
 # ---- a robot that runs
@@ -229,6 +282,20 @@ def test_watch_with_another_mission_is_refused(kitrobot, robot, pulse):
     said = kitrobot("watch", "--to", robot.address, "--mission", pulse, "--seconds", "1")
     assert said.status == 1
     assert "runs another program" in said.err
+
+
+def test_an_lll_is_watched_when_its_robot_is_named(watch, kitrobot, here, pulse):
+    kitrobot("convert", pulse, here / "pulse.lll")
+    data = load_board_program(here / "pulse.lll", robot=str(here / "pulser.robot.xml")).file.to_bytes()
+    assert data == load_board_program(pulse).file.to_bytes()
+    with host_board(pulse, "pulse", here) as robot:
+        unnamed = kitrobot("watch", "--to", robot.address, "--mission", here / "pulse.lll")
+        assert unnamed.status == 1
+        assert "--robot" in unnamed.err
+        named = ("--mission", here / "pulse.lll", "--robot", here / "pulser.robot.xml")
+        said = watch("--to", robot.address, *named, "--json", until=lambda given: counts_of(objects(given)))
+        assert said.status == 0
+        assert kitrobot("log", "--to", robot.address, *named).status == 0
 
 
 def test_the_robot_goes_on_when_watching_ends(kitrobot, robot):

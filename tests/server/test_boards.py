@@ -17,7 +17,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.board_links import RealLinks
 from kitrobot.server.board_room import BoardRoom
 from kitrobot.server.shapes import BoardsMessage
-from tests.boards.host import HostBoard, host_board, write_pulse
+from tests.boards.host import PULSER, HostBoard, host_board, write_pulse
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 
 MESSAGE: TypeAdapter[Any] = TypeAdapter(BoardsMessage)
@@ -344,6 +344,26 @@ def test_a_refused_sending_says_how_it_can_be_asked_for_again(visit, app, robot,
         page.give("send", robot.address, then="ready", **{way: True})
         page.until("board", lambda said: len(links.asked) == 2 and said["phase"] == "closed" and said["way"] == way)
     assert links.asked == [(False, False), (way == "replace", way == "fresh")]
+
+
+def test_what_a_program_shares_with_its_team_is_told_once_it_was_sent(
+    visit, app, folder, tmp_path, monkeypatch
+) -> None:
+    shared = PULSER.replace('name="Count" type="integer"', 'name="Count" shared="yes" type="integer"')
+    monkeypatch.setattr("tests.boards.host.PULSER", shared)
+
+    class Sent(RealLinks):
+        def deploy(self, address, program, progress, replace, fresh) -> None:
+            """It has it already."""
+
+    app.state.studio.boards = BoardRoom(Sent())
+    write_pulse(folder)
+    with host_board(folder / "pulse.krt", "pulse", tmp_path) as robot, visit() as page:
+        page.give("send", robot.address, then="held")
+        said = page.until("board", lambda said: "shared" in said["message"])
+        assert "line 3, vertex `v4`" in said["message"]
+        assert said["help"]
+        assert (said["phase"], said["state"]) == ("open", "running")
 
 
 class Flickering:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from kitrobot.cli.board_json import AsJson, error_object, failures_as_json, of_board
 from kitrobot.cli.deploy import Addresses
 from kitrobot.cli.speaking import clean, give, tell, tell_of_waiting
 
@@ -22,7 +23,7 @@ def list_boards(
             "--identify", metavar="PORT|URL", help="Let this robot show itself for two seconds.", show_default=False
         ),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the robots that are there, and what runs on them.
 
@@ -31,13 +32,16 @@ def list_boards(
     if identify is not None:
         from kitrobot.deploy import connect
 
-        with connect(identify, waits=lambda: tell_of_waiting(identify)) as board:
+        with failures_as_json(as_json), connect(identify, waits=lambda: tell_of_waiting(identify)) as board:
             board.identify()
+        if as_json:
+            give(json.dumps([of_board(identify, None)], ensure_ascii=False, indent=2) + "\n")
         tell(f"{identify}: look which robot shows itself")
         return
     from kitrobot.workspace import look_at_boards
 
-    seen = look_at_boards(to or [], tell_of_waiting)
+    with failures_as_json(as_json):
+        seen = look_at_boards(to or [], tell_of_waiting)
     if as_json:
         give(json.dumps([_object(one) for one in seen], ensure_ascii=False, indent=2) + "\n")
         return
@@ -85,5 +89,5 @@ def _object(seen: Seen) -> dict[str, Any]:
             "name_of_program": seen.program,
         }
     elif seen.error is not None:
-        found |= {"error": seen.error.message, "help": seen.error.help}
+        found |= {"error": error_object(seen.error)}
     return found

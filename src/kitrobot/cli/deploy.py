@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from kitrobot.cli.board_json import AsJson, failures_as_json, of_board
 from kitrobot.cli.speaking import clean, complain, give, show, tell
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ def deploy_program(
         bool,
         typer.Option("--fresh", help="First remove what KitRobot put there; when there is no room for old and new."),
     ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Put a program onto real robots and start it there; from then on it starts by itself when the power comes on.
 
@@ -60,9 +61,10 @@ def deploy_program(
     """
     from kitrobot.workspace import chosen_boards, load_board_program, send_program
 
-    ready = load_board_program(mission, robot=robot, program=program)
-    show(ready.diagnostics, ready.sources)
-    addresses = chosen_boards(to or [])
+    with failures_as_json(as_json):
+        ready = load_board_program(mission, robot=robot, program=program)
+        show(ready.diagnostics, ready.sources)
+        addresses = chosen_boards(to or [])
     with _bars(addresses) as progress:
         sent = send_program(ready, addresses, progress, replace=replace, fresh=fresh)
     if as_json:
@@ -92,20 +94,19 @@ def _sentence(sent: Sent, program: str) -> str:
 def _object(sent: Sent) -> dict[str, Any]:
     done = sent.deployed
     if done is None:
-        assert sent.error is not None
-        return {"address": sent.address, "ok": False, "error": sent.error.message, "help": sent.error.help}
-    return {
-        "address": sent.address,
-        "ok": True,
-        "program": done.program,
-        "package": done.package,
-        "generation": done.generation,
-        "free": done.free,
-        "sent": list(done.sent_files),
-        "kept": list(done.kept_files),
-        "bytes": done.bytes_sent,
-        "seconds": round(done.seconds, 3),
-    }
+        return of_board(sent.address, sent.error)
+    return of_board(
+        sent.address,
+        None,
+        program=done.program,
+        package=done.package,
+        generation=done.generation,
+        free=done.free,
+        sent=list(done.sent_files),
+        kept=list(done.kept_files),
+        bytes=done.bytes_sent,
+        seconds=round(done.seconds, 3),
+    )
 
 
 @contextmanager

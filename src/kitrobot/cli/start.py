@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from kitrobot.cli.board_json import AsJson, failures_as_json, of_board
 from kitrobot.cli.deploy import Addresses
-from kitrobot.cli.speaking import complain, tell, tell_of_waiting
+from kitrobot.cli.speaking import complain, give, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from kitrobot.deploy import Board
@@ -16,17 +18,17 @@ if TYPE_CHECKING:
 Everyone = Annotated[bool, typer.Option("--all", help="Every robot that is there.")]
 
 
-def start_boards(to: Addresses = None, everyone: Everyone = False) -> None:
+def start_boards(to: Addresses = None, everyone: Everyone = False, as_json: AsJson = False) -> None:
     """Start the program that is on a robot, from its beginning."""
-    _each(to or [], everyone, lambda board: board.start(), "started")
+    _each(to or [], everyone, as_json, lambda board: board.start(), "started")
 
 
-def stop_boards(to: Addresses = None, everyone: Everyone = False) -> None:
+def stop_boards(to: Addresses = None, everyone: Everyone = False, as_json: AsJson = False) -> None:
     """Stop the program on a robot, and all its motors. It stays there, and starts again when the power comes on."""
-    _each(to or [], everyone, lambda board: board.stop(), "stopped")
+    _each(to or [], everyone, as_json, lambda board: board.stop(), "stopped")
 
 
-def _each(to: Sequence[str], everyone: bool, act: Callable[[Board], None], word: str) -> None:
+def _each(to: Sequence[str], everyone: bool, as_json: bool, act: Callable[[Board], None], word: str) -> None:
     from kitrobot.deploy import list_ports
     from kitrobot.workspace import at_boards, chosen_boards
 
@@ -34,7 +36,11 @@ def _each(to: Sequence[str], everyone: bool, act: Callable[[Board], None], word:
         raise typer.BadParameter("choose one of --all and --to")
     named = [port.address for port in list_ports()] if everyone else list(to)
     good = True
-    for address, error in at_boards(chosen_boards(named), act, tell_of_waiting):
+    with failures_as_json(as_json):
+        done = at_boards(chosen_boards(named), act, tell_of_waiting)
+    if as_json:
+        give(json.dumps([of_board(address, error) for address, error in done], ensure_ascii=False, indent=2) + "\n")
+    for address, error in done:
         if error is None:
             tell(f"{address}: {word}")
         else:

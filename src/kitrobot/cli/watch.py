@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from kitrobot.cli.board_json import error_object, failures_as_json
 from kitrobot.cli.speaking import clean, complain, give, tell, tell_of_waiting
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ def watch_board(
     from kitrobot.workspace import chosen_boards
     from kitrobot.workspace.board_watching import connected, recorder_of
 
-    with ExitStack() as stack:
+    with failures_as_json(as_json), ExitStack() as stack:
         watched = [
             stack.enter_context(connected(address, mission, program, robot, partial(tell_of_waiting, address)))
             for address in chosen_boards(to or [])
@@ -130,6 +131,8 @@ def _watch(watched: Sequence[Watched], period: int, seconds: float, as_json: boo
                     if error is not None:
                         there.remove(one)
                         complain(error)
+                        if as_json:
+                            give(json.dumps({"board": one.address, "error": error_object(error)}) + "\n")
                     else:
                         show(one)
     except KeyboardInterrupt:

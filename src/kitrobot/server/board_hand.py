@@ -312,6 +312,8 @@ class Hand:
             self._stop()
         else:
             self._start(then == "held")
+        if (warning := program.warning) is not None:
+            self._say(message=warning.message, help=warning.help)
 
     def _progress(self, step: Any, done: int, total: int) -> None:
         if self._cancelled:

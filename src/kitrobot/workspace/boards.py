@@ -36,6 +36,7 @@ from kitrobot.image import verify
 from kitrobot.primitives import Robot, config_folder
 from kitrobot.workspace.board_carried import Carried, carried_by, keep_carried
 from kitrobot.workspace.board_names import BoardNames, keep_names, kept_names, names_of
+from kitrobot.workspace.board_sharing import SHARED_ON_BOARD, warn_of_sharing
 from kitrobot.workspace.carried import is_picture
 from kitrobot.workspace.executables import NoRobotError
 from kitrobot.workspace.files import read_text
@@ -78,6 +79,11 @@ class BoardProgram:
     diagnostics: tuple[Diagnostic, ...] = ()
     sources: tuple[Source, ...] = ()
     carried: Carried | None = None
+
+    @property
+    def warning(self) -> Diagnostic | None:
+        """What its person should know of it on a robot, beside its problems as a program."""
+        return next((item for item in self.diagnostics if item.code == SHARED_ON_BOARD.code), None)
 
     @cached_property
     def called(self) -> frozenset[str]:
@@ -135,7 +141,8 @@ def load_board_program(path: Path, *, robot: str | None = None, program: str | N
     meant = find_robot(robot, path.parent)
     source = Source(str(path), read_text(path))
     compiled = compile_text(source.text, meant, source.name)
-    return _ready(path.stem, meant, compiled, tuple(compiled.diagnostics), (source,), path.parent)
+    found = (*compiled.diagnostics, *warn_of_sharing(path.stem, meant, compiled))
+    return _ready(path.stem, meant, compiled, found, (source,), path.parent)
 
 
 def board_program(opened: OpenMission, program: str | None = None, folder: Path | None = None) -> BoardProgram:
@@ -147,8 +154,9 @@ def board_program(opened: OpenMission, program: str | None = None, folder: Path 
     """
     meant = opened.program(program)
     compiled = opened.compiled.get(meant.name) or compile_program(meant, opened.catalogue)
-    found = tuple(opened.placed([*opened.diagnostics, *compiled.diagnostics]))
     robot = opened.catalogue.robot(meant.robot)
+    shared = warn_of_sharing(meant.name, robot, compiled)
+    found = tuple(opened.placed([*opened.diagnostics, *compiled.diagnostics, *shared]))
     beside = folder or (opened.path.parent if opened.path is not None else None)
     ready = _ready(meant.name, robot, compiled, found, opened.sources, beside)
     return replace(ready, carried=carried_by(opened, robot, compiled))

@@ -1,0 +1,37 @@
+"""What a program shares with its team, which real robots do not pass on to one another."""
+
+from __future__ import annotations
+
+from kitrobot.compiler import Compiled
+from kitrobot.diagnostics import Diagnostic, Severity, rule
+from kitrobot.lll import Call, nodes
+from kitrobot.primitives import Robot
+
+SHARED_ON_BOARD = rule(
+    "shared-on-board",
+    Severity.WARNING,
+    "Real robots do not pass shared variables on to one another",
+    "In the simulator the team shares them by radio. A real robot has each of them for itself: it starts with the "
+    "initial value, and sees only what its own program sets.",
+)
+
+
+def warn_of_sharing(name: str, robot: Robot, compiled: Compiled) -> list[Diagnostic]:
+    """A warning for each shared variable that a program uses, at the first place; `name` is the program's."""
+    shared = {variable.name for variable in robot.variables if variable.shared}
+    found: dict[str, Diagnostic] = {}
+    vertex = None
+    for node in nodes(compiled.program) if shared else ():
+        vertex = node.vertex or vertex
+        if not isinstance(node, Call) or node.object not in shared or node.object in found:
+            continue
+        place = compiled.source.place(node.start, node.end)
+        where = f"line {place.line}, vertex `{vertex}`" if vertex else f"line {place.line}"
+        found[node.object] = SHARED_ON_BOARD(
+            f"`{node.object}` is shared with the team, and real robots do not pass it on: {where}",
+            place,
+            help="the robot runs, and sees only what it sets itself; to run as a team, use the simulator",
+            program=name,
+            vertices=(vertex,) if vertex else (),
+        )
+    return list(found.values())
