@@ -3,6 +3,7 @@
 from kitrobot.sim.hurry import expect_run
 from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
 from kitrobot.sim.sayings import Event
+from kitrobot.sim.settings import length_of
 from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Outcome, Simulation
 from kitrobot.sim.staging import MAX_AGENTS, SimulationError
 
@@ -21,6 +22,7 @@ __all__ = [
     "Simulation",
     "SimulationError",
     "expect_run",
+    "length_of",
     "record_again",
     "simulate",
 ]
