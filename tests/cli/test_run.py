@@ -207,3 +207,11 @@ def test_python_gives_what_the_command_gives(kitrobot, transport):
         del result["timing"]
     assert said == ours
     assert run.outcome == "done"
+
+
+def test_a_run_that_ends_at_once_says_how_to_see_more(kitrobot, short):
+    said = kitrobot("run", short)
+    assert said.out.splitlines()[:2] == [
+        "Done after 0.0 s: the program came to its end at once, without a part that takes time.",
+        "  help: put a part that takes time before its end, such as `Wait`",
+    ]

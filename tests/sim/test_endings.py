@@ -394,3 +394,22 @@ def test_as_many_agents_as_allowed_begin_a_run() -> None:
 def test_a_program_that_never_waits_and_never_ends_is_bounded() -> None:
     assert ended("*[Run.IsTrue()]( Count.Add(1); Count.Sub(1); );").outcome == "stuck"
     assert ended("*[Run.IsTrue()]( [Flag.IsTrue()]( Flag.Set(0); )!( Flag.Set(1); ); );").outcome == "stuck"
+
+
+AT_ONCE = "came to its end at once, without a part that takes time"
+
+
+def test_a_run_that_ends_before_time_passes_says_so_and_whose_motors_are_on() -> None:
+    run = ended("Wheel.Advance(50);")
+    assert run.ended_at_once
+    assert run.sentence == f"Done after 0.0 s: the program {AT_ONCE}; a ended with its motors on."
+    both = ended("Wheel.Advance(50);", other="Motor.Turn(50);")
+    assert both.sentence == f"Done after 0.0 s: every program {AT_ONCE}; a and b ended with their motors on."
+    assert ended("Wheel.Advance(50); Wheel.Stop();").sentence == f"Done after 0.0 s: the program {AT_ONCE}."
+
+
+def test_a_run_that_takes_time_says_whose_motors_are_on_in_the_end() -> None:
+    run = ended("Wheel.Advance(50); WAIT(10);")
+    assert not run.ended_at_once
+    assert run.sentence == "Done after 1.0 s: every program has ended; a ended with its motors on."
+    assert ended("Wheel.Advance(50); WAIT(10); Wheel.Stop();").sentence.endswith("every program has ended.")

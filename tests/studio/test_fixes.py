@@ -14,6 +14,21 @@ pytestmark = pytest.mark.browser
 OpenStudio = Callable[[str | None], Studio]
 
 
+AT_ONCE = """<kitrobot version="1">
+  <program name="p" robot="mini-robot">
+    <vertex id="start" element="Start"/>
+    <vertex id="v1" element="Wheel.Advance"><set name="speed">50</set></vertex>
+    <vertex id="stop" element="Stop"/>
+    <arc from="start" to="v1"/>
+    <arc from="v1" to="stop"/>
+  </program>
+  <team>
+    <agent name="robot-1" program="p"/>
+  </team>
+</kitrobot>
+"""
+
+
 def with_a_mistake(studio: Studio, right: str, wrong: str) -> None:
     """The mission's file with a mistake in it, opened again."""
     path = studio.folder / "blink.krt"
@@ -61,3 +76,23 @@ def test_a_problem_without_one_right_answer_offers_none(open_studio: OpenStudio)
     expect(studio.at("fix-1")).to_have_count(0)
     studio.page.keyboard.press("Control+.")
     expect(studio.at("problem-1")).to_be_visible()
+
+
+@pytest.mark.parametrize("width", [1440, 1024, 768])
+def test_a_program_that_ends_at_once_says_so_whole_and_is_mended(open_studio: OpenStudio, width: int) -> None:
+    studio = open_studio("blink/blink.krt", viewport={"width": width, "height": 900})
+    (studio.folder / "blink.krt").write_text(AT_ONCE)
+    studio.page.reload()
+    expect(studio.page.locator(".vertex", has_text="Advance")).to_have_count(1)
+    studio.at("run-button").click()
+    expect(studio.at("ending")).to_have_text(
+        "Done after 0.0 s: the program came to its end at once, without a part that takes time; "
+        "robot-1 ended with its motors on."
+    )
+    whole = studio.at("ending").evaluate("e => e.scrollWidth <= e.clientWidth && e.scrollHeight <= e.clientHeight")
+    assert whole
+    expect(studio.at("ending")).to_be_in_viewport(ratio=1)
+    expect(studio.at("problem-1")).to_contain_text("without a part that takes time")
+    studio.at("fix-1").click()
+    expect(studio.page.locator(".vertex", has_text="Wait")).to_have_count(1)
+    expect(studio.at("fix-1")).to_have_count(0)

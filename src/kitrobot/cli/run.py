@@ -76,7 +76,7 @@ def _summary(run: Run) -> str:
     """The result as people read it."""
     width = max((len(name) for name in run.delivered), default=0)
     counts = [f"  {name:<{width}}  {count:>5}" for name, count in run.delivered.items()]
-    lines = [run.sentence, ""]
+    lines = [run.sentence, *(f"  help: {item.help}" for item in run.advice[:1] if item.help), ""]
     if counts:
         lines += [f"  {'delivered by':<{width}}", *counts, ""]
     real = run.timing.real_seconds

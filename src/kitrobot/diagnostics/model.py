@@ -82,6 +82,7 @@ class FixKind(StrEnum):
     SETTING = "setting"
     UNSET = "unset"
     UNWRAP = "unwrap"
+    BEFORE = "before"
 
 
 @dataclass(frozen=True)
@@ -89,7 +90,8 @@ class Fix:
     """The one right answer to a diagnostic.
 
     In a text, `text` takes the place of what stands at the diagnostic's place. In a graph the same is done to its first
-    vertex: it becomes the element `name`, its setting `name` becomes `text` or goes, or it gives way to what it holds.
+    vertex: it becomes the element `name`, its setting `name` becomes `text` or goes, it gives way to what it holds, or
+    the element `name` is put before it.
     """
 
     text: str

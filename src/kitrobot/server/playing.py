@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, NoReturn
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.mission import Breakpoint
 from kitrobot.server.recorded_agents import recorded_agents, testable
 from kitrobot.server.shapes import StartedMessage
@@ -99,6 +99,11 @@ class Player:
         if self._reader.cut:
             return "the recording ends here: its file was cut off"
         return "the recording ends here; the run was still on"
+
+    @property
+    def advice(self) -> list[Diagnostic]:
+        """None: a recording stays as it is."""
+        return []
 
     # -- going on and back
 

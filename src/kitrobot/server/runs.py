@@ -356,6 +356,7 @@ class Session:
             seconds=watch.seconds,
             sentence=spoken(watch.sentence),
             hits=[HitShape(**asdict(hit)) for hit in watch.hits] if status == "paused" else [],
+            problems=problem_shapes(watch.advice),
         )
         if self._audience is not None:
             self._audience.state(self._state_now)

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
+from kitrobot.diagnostics import Diagnostic
 from kitrobot.mission import Breakpoint, Mission
 from kitrobot.server.shapes import StartedMessage
 from kitrobot.server.telling import MOST_EVENTS_TOLD, Teller
@@ -17,7 +18,7 @@ from kitrobot.sim import Event, Recorder, Simulation, record_again
 from kitrobot.sim.breakpoints import Breakpoints, Hit
 from kitrobot.sim.timeline import Timeline
 from kitrobot.trace import TickRecord
-from kitrobot.workspace import OpenMission, once_more, parts_of
+from kitrobot.workspace import OpenMission, advice, once_more, parts_of
 
 _TICKS_BETWEEN_LOOKS = 8
 """Ticks run between two looks at the clock; fewer of very many robots, so that Stop is obeyed soon."""
@@ -77,6 +78,11 @@ class Watch:
     def sentence(self) -> str:
         """Why it ended."""
         return self._simulation.sentence
+
+    @property
+    def advice(self) -> list[Diagnostic]:
+        """Hints on a run that ended before anything could be seen."""
+        return advice(self._opened, self._simulation)
 
     # -- going on and back
 

@@ -3,7 +3,7 @@
 from kitrobot.sim.hurry import expect_run
 from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
 from kitrobot.sim.sayings import Event
-from kitrobot.sim.settings import device_problems, simulated_devices
+from kitrobot.sim.settings import device_problems, length_of, simulated_devices
 from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Outcome, Simulation
 from kitrobot.sim.staging import MAX_AGENTS, SimulationError
 
@@ -23,6 +23,7 @@ __all__ = [
     "SimulationError",
     "device_problems",
     "expect_run",
+    "length_of",
     "record_again",
     "simulate",
     "simulated_devices",

@@ -7,6 +7,7 @@ from kitrobot.primitives import Robot
 from kitrobot.sim.columns import (
     A_FRESH,
     A_KIND,
+    A_Q,
     A_R,
     A_STORE,
     CAUSE,
@@ -16,6 +17,7 @@ from kitrobot.sim.columns import (
     LEFT,
     MUTED,
     SINCE,
+    TARGET,
     TICK,
     WELL,
     WIRES,
@@ -25,6 +27,9 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.commanding import busy
 from kitrobot.sim.devices import actuators
 from kitrobot.sim.devices.arm import ARM_DEVICE
+from kitrobot.sim.devices.drive import DRIVE
+from kitrobot.sim.devices.turn import TURN_DEVICE
+from kitrobot.sim.devices.wheel import WHEEL_DEVICE
 from kitrobot.sim.failures import CAUSES
 from kitrobot.sim.state import State, numbers
 from kitrobot.sim.stepping import HEIGHT, WIDTH
@@ -136,6 +141,20 @@ class Agent:
         x, y = state.real[X][i], state.real[Y][i]
         width, height = state.fixed_real[WIDTH], state.fixed_real[HEIGHT]
         return bool(state.whole[LEFT][i]) and not (0.0 <= x <= width and 0.0 <= y <= height)
+
+    @property
+    def is_driving(self) -> bool:
+        """Whether its motors were told to turn last; its program may have ended."""
+        state = self.state
+        for at in self._actuators():
+            k = state.wires[at]
+            kind = state.actuator[A_KIND][k]
+            told = state.actuator_real[A_R if kind == WHEEL_DEVICE else A_Q][k]
+            if kind == DRIVE:
+                told = state.real[TARGET][self.index]
+            if kind in (DRIVE, WHEEL_DEVICE, TURN_DEVICE) and told:
+                return True
+        return False
 
     @property
     def full_house(self) -> int:

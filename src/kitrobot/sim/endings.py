@@ -18,6 +18,9 @@ from kitrobot.sim.agents import Agent
 from kitrobot.sim.bodies import Stage
 from kitrobot.sim.columns import WELL
 
+AT_ONCE_S = 0.1
+"""A run that ends before this came to its end at once."""
+
 SHOWN = 5
 """Agents that a sentence names."""
 
@@ -60,7 +63,8 @@ class Goals:
 
 def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """All goals hold; or there are none, and every program has ended."""
-    what = _joined(goals.say() or "every program has ended", _left(agents))
+    ending = goals.say() or (_at_once(agents) if is_at_once(seconds, agents) else "every program has ended")
+    what = _joined(ending, _driving(agents), _left(agents))
     lost = _casualties(agents)
     if not lost and not all(agent.ended for agent in agents):
         lost = _unfinished(agents)
@@ -71,7 +75,7 @@ def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
     """Every program that could has ended, and some goal does not hold or somebody failed."""
     why = _joined(_casualties(agents), goals.say(), goals.say_full(agents), _left(agents))
     if all(agent.ended for agent in agents):
-        return f"Every program has ended, but {why}."
+        return f"Every program has ended, but {_joined(why, _driving(agents))}."
     if any(agent.ended for agent in agents):
         return f"Every other program has ended, but {why}."
     return f"Nobody is left to go on: {why}."
@@ -109,6 +113,25 @@ def _unfinished(agents: Sequence[Agent]) -> str:
 def _casualties(agents: Sequence[Agent]) -> str:
     """Who failed, stalled or lost its radio before its program had ended, when and why; "" for nobody."""
     return _listed([downfall for agent in agents if not agent.ended and (downfall := agent.downfall)])
+
+
+def is_at_once(seconds: float, agents: Sequence[Agent]) -> bool:
+    """Whether all programs ended before time passed, so that nothing could be seen."""
+    return seconds < AT_ONCE_S and all(agent.ended for agent in agents)
+
+
+def _at_once(agents: Sequence[Agent]) -> str:
+    if len(agents) == 1:
+        return "the program came to its end at once, without a part that takes time"
+    return "every program came to its end at once, without a part that takes time"
+
+
+def _driving(agents: Sequence[Agent]) -> str:
+    """Whose motors go on after its program has ended; "" for nobody's."""
+    names = [agent.name for agent in agents if agent.ended and agent.is_driving]
+    if len(names) == 1:
+        return f"{names[0]} ended with its motors on"
+    return f"{_listed(names)} ended with their motors on" if names else ""
 
 
 def _left(agents: Sequence[Agent]) -> str:

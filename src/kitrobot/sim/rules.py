@@ -1,4 +1,4 @@
-"""The rules of runs: why a mission that reads and compiles still cannot be run in its world."""
+"""The rules of runs: why a mission that reads and compiles cannot be run in its world, or does nothing there."""
 
 from __future__ import annotations
 
@@ -48,4 +48,12 @@ GOAL = rule(
     Severity.ERROR,
     "A goal names no storehouse",
     "The storehouse of a goal must be in the mission's world.",
+)
+AT_ONCE = rule(
+    "run-at-once",
+    Severity.HINT,
+    "A program ends before time passes",
+    "A part that gives a command takes no time: the command holds until another takes its place, and the program goes "
+    "on. When the program ends, nothing takes back what devices were told; the simulation ends when all programs have. "
+    "A part that takes time, put behind it, shows what the command does.",
 )

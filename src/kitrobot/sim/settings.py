@@ -74,6 +74,16 @@ def read_settings(robot: Robot, part: RobotObject, device: type[Device]) -> tupl
     return Values(values), problems
 
 
+def length_of(robot: Robot) -> float:
+    """How long a robot is, in mm, which is the diameter of one that moves freely; 0 for one without wheels."""
+    longest = 0.0
+    for part in robot.actuators:
+        device = actuators().get(part.device)
+        if device is not None and any(setting.name == "length" for setting in device.settings):
+            longest = max(longest, read_settings(robot, part, device)[0].number("length"))
+    return longest
+
+
 def read_conflicts(robot: Robot) -> list[Diagnostic]:
     """Which actuators of a robot cannot be on it together."""
     problems: list[Diagnostic] = []

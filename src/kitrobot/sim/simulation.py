@@ -46,7 +46,7 @@ from kitrobot.sim.columns import (
     STUCK,
     TICK,
 )
-from kitrobot.sim.endings import Goals, say_done, say_failed, say_stuck, say_time
+from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_time
 from kitrobot.sim.failures import harm_by_hand, keep_untold, room_to_tell
 from kitrobot.sim.hurry import Hurry
 from kitrobot.sim.sayings import Event, Sayings, sensor_names
@@ -381,6 +381,11 @@ class Simulation:
     def seconds(self) -> float:
         """Simulated time."""
         return self.tick * self.tick_ms / 1000
+
+    @property
+    def ended_at_once(self) -> bool:
+        """Whether the run is over and all its programs ended before time passed."""
+        return self.outcome is not None and is_at_once(self.seconds, self.members)
 
     @property
     def collisions(self) -> int:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
+    from kitrobot.workspace.advising import advice
     from kitrobot.workspace.board_names import BoardNames, NoNameError, keep_names, kept_names, names_of
     from kitrobot.workspace.boards import (
         BoardProgram,
@@ -114,6 +115,7 @@ _ROOMS = {
     "program_report": ("ProgramReport", "Span"),
     "replay": ("state_at", "summary_of"),
     "robots": ("find_robot",),
+    "advising": ("advice",),
     "running": ("Run", "Timing", "once_more"),
     "variables": ("VariableError", "WantedVariable", "make_variable"),
     "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
@@ -173,6 +175,7 @@ __all__ = [
     "VariableError",
     "WantedVariable",
     "add_parts",
+    "advice",
     "at_boards",
     "board_program",
     "carried_mission",

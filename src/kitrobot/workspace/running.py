@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place
 from kitrobot.sim import Simulation, SimulationError, simulate
+from kitrobot.workspace.advising import advice
 from kitrobot.workspace.files import same_file
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.problems import ProblemsError
@@ -44,6 +45,7 @@ class Run:
         total: boxes there are.
         collisions: how many times a robot began to touch something.
         timing: what the clock on the wall decided.
+        advice: hints on a run that ended before anything could be seen.
     """
 
     outcome: Literal["done", "failed", "stuck", "time"]
@@ -54,6 +56,7 @@ class Run:
     total: int
     collisions: int
     timing: Timing
+    advice: tuple[Diagnostic, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """As plain values, in the published shape."""
@@ -130,7 +133,15 @@ def run(
     assert made.outcome is not None, "a run with a time limit ends"
     timing = Timing(real, made.seconds / real if real > 0 else 0.0)
     return Run(
-        made.outcome, made.sentence, made.tick, made.seconds, made.delivered, made.total, made.collisions, timing
+        made.outcome,
+        made.sentence,
+        made.tick,
+        made.seconds,
+        made.delivered,
+        made.total,
+        made.collisions,
+        timing,
+        tuple(advice(opened, made)),
     )
 
 

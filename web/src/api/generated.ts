@@ -331,7 +331,7 @@ export interface Failure {
 /** The one right answer: `text` for the place, and what that is in a graph. */
 export interface Fix {
   text: string;
-  kind: "text" | "element" | "setting" | "unset" | "unwrap";
+  kind: "text" | "element" | "setting" | "unset" | "unwrap" | "before";
   name: string;
 }
 
@@ -898,7 +898,7 @@ export interface Road {
   sections: Section[];
 }
 
-/** A kind of robot. */
+/** A kind of robot; `length_mm` is how long it is, 0 for one without wheels. */
 export interface Robot {
   name: string;
   label: Record<string, string>;
@@ -906,6 +906,7 @@ export interface Robot {
   tick_ms: number;
   wait_unit_ms: number;
   objects: RobotObject[];
+  length_mm?: number;
 }
 
 /** A part of a robot. */
@@ -1097,7 +1098,10 @@ export interface StartedMessage {
   another: boolean;
 }
 
-/** What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only. */
+/**
+ * What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only.
+ * `problems` are hints on a run that ended before anything could be seen.
+ */
 export interface StateMessage {
   type: "state";
   status: "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped" | "end";
@@ -1105,6 +1109,7 @@ export interface StateMessage {
   seconds: number;
   sentence: string;
   hits: Hit[];
+  problems: Problem[];
 }
 
 /** Go one tick while paused, or until `agent` stands at another vertex ("" for anybody); `back` into the past. */

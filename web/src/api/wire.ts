@@ -82,6 +82,8 @@ export type RunMessage =
       seconds: number;
       sentence: string;
       hits: Hit[];
+      /** Hints on a run that ended before anything could be seen. */
+      problems: Problem[];
     }
   | {
       type: "tick";

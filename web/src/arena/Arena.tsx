@@ -13,6 +13,7 @@ import { decimal } from "../words/numbers";
 import { t } from "../words/words";
 import "./arena.css";
 import { EmptyArena } from "./EmptyArena";
+import { Ending } from "./Ending";
 import { toWorld } from "./camera";
 import { Painter } from "./painter";
 import { Crowd } from "./Crowd";
@@ -348,6 +349,7 @@ export function Arena() {
         />
         <EmptyArena scene={scene} />
       </div>
+      <Ending />
       {watched === undefined || watched.keys.length === 0 ? null : <Hands agent={selected} keys={watched.keys} />}
       <p className="only-spoken" id="arena-summary" data-testid="arena-summary">
         {spoken}

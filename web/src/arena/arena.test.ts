@@ -1,10 +1,12 @@
 import { describe, expect, it } from "vitest";
 
 import type { Mission, World } from "../api/types";
+import { ringOf } from "./draw-robots";
+import { robotUnit } from "./draw-world";
 import { isCrowd } from "./crowd-size";
 import { newStates } from "./StatesSaid";
-import { fit, toScreen, toWorld, zoomAt } from "./camera";
-import { nearestOn, placeAlong, roadLength, signAt } from "./geometry";
+import { fit, fitBox, toScreen, toWorld, zoomAt } from "./camera";
+import { contentOf, nearestOn, placeAlong, roadLength, signAt } from "./geometry";
 import { hasOtherPlaces, lookAt, roleAt, sceneBefore, sceneOfReal, totalOf } from "./scene";
 import { summary } from "./summary";
 import { placeTag } from "./tag-place";
@@ -241,4 +243,67 @@ it("shows the world of real robots without them: nobody knows where they are", (
     false,
   ]);
   expect(lookAt(scene, [{ x_mm: 0, y_mm: 0, heading_rad: 0, load: 0, flags: 0 }])).toEqual([]);
+});
+
+describe("what a world opens with", () => {
+  const YARD: World = {
+    ...WORLD,
+    width_mm: 4000,
+    height_mm: 4000,
+    roads: [],
+    docks: [],
+    storehouses: [],
+    starts: [{ name: "r", x_mm: 500, y_mm: 500, heading_rad: 0 }],
+    walls: [{ x1: 300, y1: 300, x2: 900, y2: 300 }],
+  };
+  const room = { width: 400, height: 400 };
+
+  it("is what is there, with room around it, inside the world", () => {
+    expect(contentOf(YARD, [])).toEqual({ left: 150, right: 1050, bottom: 150, top: 650 });
+    expect(contentOf(YARD, [{ x_mm: 3990, y_mm: 500 }]).right).toBe(4000);
+    expect(fitBox(contentOf(YARD, []), room, 0).scale).toBeCloseTo(400 / 900);
+  });
+
+  it("is the whole world where robots are alone", () => {
+    expect(contentOf({ ...YARD, walls: [] }, [])).toEqual({ left: 0, right: 4000, bottom: 0, top: 4000 });
+  });
+
+  it("is not larger than two px a mm", () => {
+    expect(fit({ width_mm: 20, height_mm: 20 }, room, 0).scale).toBe(2);
+    expect(toScreen(fit({ width_mm: 20, height_mm: 20 }, room, 0), 10, 10)).toEqual([200, 200]);
+  });
+});
+
+describe("the size of a robot", () => {
+  it("is its own, however small that is", () => {
+    const { scale } = fit({ width_mm: 4000, height_mm: 2500 }, { width: 370, height: 300 }, 26);
+    for (const length of [60, 135, 400]) {
+      expect(54 * robotUnit({ scale, x: 0, y: 0 }, length)).toBeCloseTo(length * scale);
+    }
+  });
+
+  it("does not make the ring around it too small to be seen", () => {
+    expect(ringOf({ role: "robot" }, 0.1)).toBe(13);
+    expect(ringOf({ role: "robot" }, 1)).toBe(34);
+  });
+
+  it("comes from its kind, and is that of most robots where the kind has none", () => {
+    const robots = [{ name: "mini", label: {}, help: {}, tick_ms: 20, wait_unit_ms: 100, objects: [], length_mm: 60 }];
+    const mission: Mission = {
+      ...MISSION,
+      programs: [
+        { name: "a", robot: "mini", vertices: [], arcs: [] },
+        { name: "b", robot: "board", vertices: [], arcs: [] },
+      ],
+      agents: [
+        { name: "x", program: "a", start: "c-1" },
+        { name: "y", program: "b", start: "boss" },
+      ],
+    };
+    const { actors } = sceneBefore(mission, { ...WORLD }, { groups: [], robots, problems: [] });
+    expect(actors.map(({ length_mm, free }) => [length_mm, free])).toEqual([
+      [60, false],
+      [135, true],
+    ]);
+  });
 });

@@ -69,7 +69,17 @@ describe("a button of a board", () => {
     const face = faceOf(BOARD, {});
     const pose = { x_mm: 100, y_mm: 50, heading_rad, load: 0, flags: 0 };
     const actor: Actor = {
-      ...{ name: "b", program: "p", number: 1, role: "robot", start: pose, senses: [], failed: false },
+      ...{
+        name: "b",
+        program: "p",
+        number: 1,
+        role: "robot",
+        length_mm: 135,
+        free: true,
+        start: pose,
+        senses: [],
+        failed: false,
+      },
       ...{ face, keys: keysOf(BOARD, {}) },
     };
     return { actor, pose, failed: false, stalled: false, muted: false, collided: false };

@@ -9,6 +9,13 @@ export interface Camera {
   y: number;
 }
 
+export interface Box {
+  left: number;
+  right: number;
+  bottom: number;
+  top: number;
+}
+
 export interface Room {
   width: number;
   height: number;
@@ -17,12 +24,21 @@ export interface Room {
 const CLOSEST = 8;
 const FURTHEST = 0.25;
 
+/** The largest scale that a world opens with, in px a mm: a usual robot is then 270 px long. */
+const LARGEST = 2;
+
 /** Shows the whole of a world, in the middle, with a margin in px. */
 export function fit(world: { width_mm: number; height_mm: number }, room: Room, margin: number): Camera {
-  const width = Math.max(world.width_mm, 1);
-  const height = Math.max(world.height_mm, 1);
-  const scale = Math.max(Math.min((room.width - 2 * margin) / width, (room.height - 2 * margin) / height), 1e-3);
-  return { scale, x: (room.width - width * scale) / 2, y: (room.height + height * scale) / 2 };
+  return fitBox({ left: 0, right: world.width_mm, bottom: 0, top: world.height_mm }, room, margin);
+}
+
+/** Shows the whole of a box of the world, in the middle, with a margin in px. */
+export function fitBox({ left, right, bottom, top }: Box, room: Room, margin: number): Camera {
+  const width = Math.max(right - left, 1);
+  const height = Math.max(top - bottom, 1);
+  const fitting = Math.min((room.width - 2 * margin) / width, (room.height - 2 * margin) / height, LARGEST);
+  const scale = Math.max(fitting, 1e-3);
+  return { scale, x: room.width / 2 - ((left + right) / 2) * scale, y: room.height / 2 + ((bottom + top) / 2) * scale };
 }
 
 export function toScreen(camera: Camera, x_mm: number, y_mm: number): [number, number] {

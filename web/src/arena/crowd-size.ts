@@ -1,5 +1,5 @@
 /** When there are so many robots that they are drawn simply; how is in `draw-crowd.ts`, which is fetched then. */
-import { ROBOT_MM } from "./draw-world";
+import { ROBOT_MM } from "./geometry";
 
 /** From so many robots on they are drawn simply, while they are small. */
 export const CROWD = 150;

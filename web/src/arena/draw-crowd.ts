@@ -3,7 +3,8 @@
  * apart from far away stays: direction, load, and the signs of those that failed, stalled or lost their radio.
  */
 import { toScreen } from "./camera";
-import { type Brush, ROBOT_MM } from "./draw-world";
+import type { Brush } from "./draw-world";
+import { ROBOT_MM } from "./geometry";
 import type { Seen } from "./scene";
 
 const LEAST_PX = 3.5;

@@ -7,12 +7,23 @@ import type * as DrawBoard from "./draw-board";
 import type * as DrawCrowd from "./draw-crowd";
 import { isCrowd } from "./crowd-size";
 import { drawFailed, drawMuted, drawStalled } from "./draw-signs";
-import { type Brush, drawBox, write } from "./draw-world";
+import { type Brush, drawBox, robotUnit, write } from "./draw-world";
 import { boundsOf } from "./geometry";
 import type { Scene, Seen } from "./scene";
 import { type Area, placeTag } from "./tag-place";
 
 const MOST_SENSES = 3;
+/** The ring of who is watched, and the halo of who is too small to be seen, are no smaller than this, in px. */
+const LEAST_RING = 13;
+/** A number of fewer px is not written on a robot, but beside it. */
+const LEAST_LETTERS = 7;
+/** Signs of failures are no smaller than on a robot of so many px a unit. */
+const LEAST_SIGN = 0.4;
+
+/** How far the ring around a robot is from its middle, in px. */
+export function ringOf({ role }: { role: string }, unit: number): number {
+  return Math.max((role === "arm" ? 17 : 34) * unit, LEAST_RING);
+}
 
 function line(brush: Brush, width: number, colour: string): void {
   brush.pen.strokeStyle = colour;
@@ -43,7 +54,8 @@ function drawBody(brush: Brush, { pose, actor }: Seen): void {
     pen.fill();
   }
   pen.beginPath();
-  pen.roundRect(-27 * u, -19 * u, 54 * u, 38 * u, 7 * u);
+  // Who moves freely is a disc for walls and others: the corners stay inside.
+  pen.roundRect(-27 * u, -19 * u, 54 * u, 38 * u, (actor.free ? 14 : 7) * u);
   pen.fillStyle = colours.robot;
   pen.fill();
   line(brush, Math.max(2 * u, 1), colours.robotLine);
@@ -59,13 +71,15 @@ function drawBody(brush: Brush, { pose, actor }: Seen): void {
     pen.fill();
     if ((pose.flags & LAMP) !== 0) line(brush, u, colours.robotLine);
   }
+  const letters = (actor.number > 99 ? 10 : 13) * u;
+  if (letters < LEAST_LETTERS) return;
   pen.save();
   pen.translate(12.5 * u, 0);
   pen.rotate(pose.heading_rad);
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   // White bodies in both themes: the number is always dark.
-  write(brush, String(actor.number), 0, 0.5 * u, (actor.number > 99 ? 10 : 13) * u, 700, "#1b1f27");
+  write(brush, String(actor.number), 0, 0.5 * u, letters, 700, "#1b1f27");
   pen.restore();
 }
 
@@ -132,10 +146,32 @@ export interface Seldom {
   crowds: typeof DrawCrowd | null;
 }
 
+/** Around a robot that is small on the screen: a dotted ring that is no body, where it looks, and its number. */
+function drawHalo(brush: Brush, { actor, pose }: Seen): void {
+  const { pen, colours, unit } = brush;
+  const ring = ringOf(actor, unit);
+  pen.beginPath();
+  pen.arc(0, 0, ring, 0, Math.PI * 2);
+  pen.setLineDash([2, 3]);
+  line(brush, 1.25, colours.muted);
+  pen.setLineDash([]);
+  const [ux, uy] = [Math.cos(pose.heading_rad), -Math.sin(pose.heading_rad)];
+  pen.beginPath();
+  pen.moveTo(ux * (ring + 6), uy * (ring + 6));
+  pen.lineTo(ux * (ring + 1) - uy * 4, uy * (ring + 1) + ux * 4);
+  pen.lineTo(ux * (ring + 1) + uy * 4, uy * (ring + 1) - ux * 4);
+  pen.fillStyle = colours.ink;
+  pen.fill();
+  pen.textAlign = "left";
+  pen.textBaseline = "alphabetic";
+  write(brush, String(actor.number), ring * 0.8, -ring * 0.6, 11, 600, colours.text);
+}
+
 function drawSeen(usual: Brush, one: Seen, selected: boolean, boards: Boards | null, count: number): void {
   if (one.actor.role === "keeper") return;
   const board = one.actor.face === null ? null : boards;
-  const brush = board === null ? usual : { ...usual, unit: board.boardUnit(usual.unit, count) };
+  const real = robotUnit(usual.camera, one.actor.length_mm);
+  const brush = { ...usual, unit: board === null ? real : board.boardUnit(usual.unit, count) };
   const { pen, camera, colours, unit } = brush;
   const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
   pen.save();
@@ -148,12 +184,14 @@ function drawSeen(usual: Brush, one: Seen, selected: boolean, boards: Boards | n
   pen.restore();
   pen.save();
   pen.translate(x, y);
-  if (one.failed) drawFailed(brush);
-  else if (one.stalled) drawStalled(brush);
-  if (one.muted) drawMuted(brush);
+  const sign = { ...brush, unit: Math.max(unit, LEAST_SIGN) };
+  if (one.failed) drawFailed(sign);
+  else if (one.stalled) drawStalled(sign);
+  if (one.muted) drawMuted(sign);
+  if (board === null && one.actor.role === "robot" && 13 * unit < LEAST_LETTERS) drawHalo(brush, one);
   if (selected && one.actor.face === null) {
     pen.beginPath();
-    pen.arc(0, 0, (one.actor.role === "arm" ? 17 : 34) * unit, 0, Math.PI * 2);
+    pen.arc(0, 0, ringOf(one.actor, unit), 0, Math.PI * 2);
     pen.strokeStyle = colours.ink;
     pen.lineWidth = 2;
     pen.stroke();
@@ -174,21 +212,24 @@ function takenAreas(brush: Brush, scene: Scene, seen: readonly Seen[], own: Seen
   };
   const others = seen
     .filter((one) => one !== own && one.actor.role !== "keeper")
-    .map((one) => around(one.pose.x_mm, one.pose.y_mm, 30 * u, 30 * u));
+    .map((one) => {
+      const ring = ringOf(one.actor, robotUnit(camera, one.actor.length_mm));
+      return around(one.pose.x_mm, one.pose.y_mm, ring, ring);
+    });
   const middle = scoreAt(scene);
   return [...houses, ...others, ...(middle === null ? [] : [around(middle[0], middle[1], 55 * u, 28 * u)])];
 }
 
 /** The tag beside the robot that is watched: its number and what it senses. */
 function drawTag(brush: Brush, scene: Scene, seen: readonly Seen[], one: Seen): void {
-  const { pen, camera, room, colours, unit } = brush;
+  const { pen, camera, room, colours } = brush;
   const { senses, number, role, name } = one.actor;
   if (senses.length === 0 || role === "keeper") return;
   const words = [role === "robot" ? String(number) : name, ...senses.slice(0, MOST_SENSES)].join(" · ");
   const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
   pen.font = `600 13px "Inter Variable", system-ui, sans-serif`;
   const size = { width: pen.measureText(words).width + 24, height: 24 };
-  const away = (role === "arm" ? 17 : 34) * unit;
+  const away = ringOf(one.actor, robotUnit(camera, one.actor.length_mm));
   const { area, right, below } = placeTag(x, y, away, size, room, takenAreas(brush, scene, seen, one));
   const middle = area.top + area.height / 2;
   pen.beginPath();

@@ -7,11 +7,10 @@ import type { World } from "../api/types";
 import type { Dock, Road, Storehouse } from "../api/wire";
 import { type Camera, type Room, toScreen } from "./camera";
 import type { Colours } from "./colours";
-import { boundsOf, lineOf, placeAlong } from "./geometry";
+import { boundsOf, lineOf, placeAlong, ROBOT_MM } from "./geometry";
 import type { Scene } from "./scene";
 
-/** The length of a robot in the world; it is drawn at 54 units. */
-export const ROBOT_MM = 135;
+/** A robot is drawn this long. */
 const ROBOT_UNITS = 54;
 const LEAST_UNIT = 0.85;
 const GRID_MM = 100;
@@ -25,9 +24,14 @@ export interface Brush {
   colours: Colours;
 }
 
-/** In an open room robots are drawn larger than they are, so that they can be seen; on a road they have to fit. */
+/** Px a unit for a robot of that length: it is drawn as large as it is, always. */
+export function robotUnit(camera: Camera, length_mm: number): number {
+  return (camera.scale * length_mm) / ROBOT_UNITS;
+}
+
+/** Px a unit for walls, words and boxes: in an open room never so small that they cannot be seen; on a road they fit. */
 export function unitOf(camera: Camera, world: World): number {
-  const real = (camera.scale * ROBOT_MM) / ROBOT_UNITS;
+  const real = robotUnit(camera, ROBOT_MM);
   return world.roads.length > 0 ? real : Math.max(real, LEAST_UNIT);
 }
 

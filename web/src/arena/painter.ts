@@ -6,14 +6,17 @@
  */
 import type { World } from "../api/types";
 import { posesAt } from "../run/poses";
-import { type Camera, fit, type Room, toScreen, toWorld, zoomAt } from "./camera";
+import { type Camera, fit, fitBox, type Room, toScreen, toWorld, zoomAt } from "./camera";
 import { readColours, type Colours } from "./colours";
 import { CROWD } from "./crowd-size";
-import { type Boards, drawActors, type Seldom } from "./draw-robots";
-import { drawWorld, unitOf } from "./draw-world";
+import { type Boards, drawActors, ringOf, type Seldom } from "./draw-robots";
+import { drawWorld, robotUnit, unitOf } from "./draw-world";
+import { contentOf } from "./geometry";
 import { lookAt, type Scene, type Seen } from "./scene";
 
 const WALL_MARGIN = 26;
+/** How far from a robot a hand may be to take it, in px. */
+const LEAST_REACH = 18;
 /** How close the camera goes to follow somebody: times the scale that shows the whole world. */
 const FOLLOW = 2;
 const ORIGIN: Camera = { scale: 1, x: 0, y: 0 };
@@ -107,9 +110,11 @@ export class Painter {
 
   private whole(): Camera {
     const world = this.scene?.world;
-    return world === undefined
-      ? ORIGIN
-      : fit(world, this.room, this.margin ?? (world.walls.length > 0 ? WALL_MARGIN : 0));
+    if (world === undefined) return ORIGIN;
+    // Who draws a world sees all of it; who runs one sees what is there.
+    if (this.margin !== null) return fit(world, this.room, this.margin);
+    const poses = this.seen(performance.now()).seen.map(({ pose }) => pose);
+    return fitBox(contentOf(world, poses), this.room, world.walls.length > 0 ? WALL_MARGIN : 0);
   }
 
   showAll(): void {
@@ -138,7 +143,10 @@ export class Painter {
     const everybody = this.seen(performance.now()).seen;
     for (const seen of everybody) {
       if (seen.actor.role === "keeper") continue;
-      const reach = 34 * (seen.actor.face === null ? unit : (this.boards?.boardUnit(unit, everybody.length) ?? unit));
+      const reach =
+        seen.actor.face === null
+          ? Math.max(ringOf({ role: "robot" }, robotUnit(this.camera, seen.actor.length_mm)), LEAST_REACH)
+          : 34 * (this.boards?.boardUnit(unit, everybody.length) ?? unit);
       const [sx, sy] = toScreen(this.camera, seen.pose.x_mm, seen.pose.y_mm);
       const off = Math.hypot(sx - x, sy - y);
       if (off < reach && (best === null || off < best.off)) best = { seen, off };

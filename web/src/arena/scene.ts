@@ -10,7 +10,7 @@ import { text } from "../model/texts";
 import type { Robot } from "../model/types";
 import type { RunAgent, RunState } from "../run/run";
 import { type Face, faceOf, type HandKey, keysOf } from "./boards";
-import { nearestOn } from "./geometry";
+import { nearestOn, ROBOT_MM } from "./geometry";
 
 export type Role = "robot" | "arm" | "keeper";
 
@@ -19,6 +19,10 @@ export interface Actor {
   program: string;
   number: number;
   role: Role;
+  /** How long its body is: of one that moves freely the diameter of the disc that touches walls and others. */
+  length_mm: number;
+  /** Whether it is off the roads. */
+  free: boolean;
   start: Pose;
   /** "Sign = 4", "Cargo": what its sensors say now. */
   senses: string[];
@@ -67,6 +71,7 @@ function numberOf(name: string, index: number): number {
 interface Place {
   start: Pose;
   role: Role;
+  free: boolean;
 }
 
 /** The places of one mission in one world, worked out once: there may be thousands of robots, and thirty frames a second. */
@@ -82,7 +87,9 @@ function placesOf(world: World, mission: Mission): Map<string, Place> {
     const start = starts.get(agent.start === "" ? agent.name : agent.start);
     if (start === undefined) continue;
     const { x_mm, y_mm, heading_rad } = start;
-    places.set(agent.name, { start: { x_mm, y_mm, heading_rad, load: 0, flags: 0 }, role: roleAt(world, x_mm, y_mm) });
+    const pose = { x_mm, y_mm, heading_rad, load: 0, flags: 0 };
+    const free = !world.roads.some((road) => nearestOn(road, x_mm, y_mm).off <= road.width_mm / 2);
+    places.set(agent.name, { start: pose, role: roleAt(world, x_mm, y_mm), free });
   }
   known.set(world, { mission, places });
   return places;
@@ -116,6 +123,11 @@ function sensesOf(agent: RunAgent, robot: Robot | undefined): string[] {
   return words;
 }
 
+/** Arms, boards and robots that are not at hand have no length of their own. */
+function lengthOf(robot: Robot | undefined): number {
+  return robot?.length_mm || ROBOT_MM;
+}
+
 export function sceneBefore(mission: Mission, world: World, catalogue: Catalogue | null = null): Scene {
   const places = placesOf(world, mission);
   const robots = new Map<string, Robot | undefined>(
@@ -130,7 +142,7 @@ export function sceneBefore(mission: Mission, world: World, catalogue: Catalogue
       const { name, program } = agent;
       const robot = robots.get(program);
       const board = { face: faceOf(robot, {}), keys: keysOf(robot, {}) };
-      return [{ name, program, number, ...place, senses: [], failed: false, ...board }];
+      return [{ name, program, number, ...place, length_mm: lengthOf(robot), senses: [], failed: false, ...board }];
     }),
     stock: Object.fromEntries(world.storehouses.map((house) => [house.name, house.stock])),
     delivered: 0,
@@ -149,7 +161,7 @@ export function sceneOfReal(world: World): Scene {
 
 type Standing = Pick<RunState, "stock" | "delivered" | "total" | "collisions">;
 
-const LOST: Place = { start: NOWHERE, role: "robot" };
+const LOST: Place = { start: NOWHERE, role: "robot", free: true };
 
 /** Those who take part in a run. */
 export function actorsOf(agents: readonly RunAgent[], mission: Mission, catalogue: Catalogue, world: World): Actor[] {
@@ -159,7 +171,8 @@ export function actorsOf(agents: readonly RunAgent[], mission: Mission, catalogu
     const failed = agent.state === "failed";
     const robot = catalogue.robots.find((one) => one.name === agent.robot);
     const board = { face: faceOf(robot, agent.shown), keys: keysOf(robot, agent.inputs) };
-    return { name, program, number, ...(places.get(name) ?? LOST), senses: sensesOf(agent, robot), failed, ...board };
+    const place = { ...(places.get(name) ?? LOST), length_mm: lengthOf(robot) };
+    return { name, program, number, ...place, senses: sensesOf(agent, robot), failed, ...board };
   });
 }
 

@@ -90,6 +90,8 @@ export interface Robot {
   tick_ms: number;
   wait_unit_ms: number;
   objects: RobotObject[];
+  /** How long it is; 0 for one without wheels. */
+  length_mm?: number;
 }
 
 export interface Catalogue {
@@ -235,7 +237,7 @@ export interface OwnWorld {
 /** The one right answer to a problem: `text` for its place, and what that is in a graph. */
 export interface Fix {
   text: string;
-  kind: "text" | "element" | "setting" | "unset" | "unwrap";
+  kind: "text" | "element" | "setting" | "unset" | "unwrap" | "before";
   name: string;
 }
 

@@ -49,6 +49,20 @@ describe("a fix of the graph", () => {
     expect(vertexNow()?.settings).toEqual({ speed: "100" });
   });
 
+  it("puts a part before the end", () => {
+    const early = problem({ kind: "before", name: "Wait", text: "WAIT(10);" }, { vertices: ["stop"] });
+    expect(applyFix(early)).toBe(true);
+    const { vertices, arcs } = useStudio.getState().mission.programs[0] ?? PROGRAM;
+    const pause = vertices.find(({ element }) => element === "Wait");
+    expect(arcs.map(({ source, target }) => [source, target])).toEqual([
+      ["start", "v1"],
+      ["v1", pause?.id],
+      [pause?.id, "stop"],
+    ]);
+    useStudio.getState().undo();
+    expect(useStudio.getState().mission.programs[0]?.arcs).toEqual(PROGRAM.arcs);
+  });
+
   it("is not offered for what is not there", () => {
     const fix: Fix = { kind: "setting", name: "speed", text: "100" };
     expect(canFix(problem(fix, { program: "q" }))).toBe(false);

@@ -7,6 +7,7 @@
 import { exactStretchOf } from "../code/places";
 import { typeText, useTyping } from "../code/typing";
 import { type Command, replaceProgram } from "../model/command";
+import { insertPart } from "../model/commands/insertPart";
 import { setField } from "../model/commands/setField";
 import { unwrapPart } from "../model/commands/wrapParts";
 import { partsOf } from "../model/parts";
@@ -44,6 +45,12 @@ export function fixOf({ fix, program: name, vertices: [id] }: Problem): Command 
     }
     case "unwrap":
       return unwrapPart(program, parts, vertex.id);
+    case "before": {
+      const place = program.arcs.find(({ target, at }) => target === vertex.id && at === "in");
+      return place === undefined
+        ? null
+        : insertPart(program, parts, { kind: "arc", source: place.source, out: place.out }, fix.name);
+    }
     case "text":
       return null;
   }

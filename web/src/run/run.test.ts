@@ -94,7 +94,7 @@ describe("a run", () => {
 
   it("ends with a sentence", () => {
     hear(STARTED);
-    hear({ type: "state", status: "done", tick: 9, seconds: 0.18, sentence: "B holds all.", hits: [] });
+    hear({ type: "state", status: "done", tick: 9, seconds: 0.18, sentence: "B holds all.", hits: [], problems: [] });
     expect([useRun.getState().status, useRun.getState().sentence]).toEqual(["done", "B holds all."]);
   });
 
@@ -132,7 +132,7 @@ describe("a run in its past", () => {
   it("says why it pauses", () => {
     hear(STARTED);
     const hits = [{ program: "carrier", vertex: "v1", agent: "c-1", visit: 2 }];
-    hear({ type: "state", status: "paused", tick: 3, seconds: 0.06, sentence: "", hits });
+    hear({ type: "state", status: "paused", tick: 3, seconds: 0.06, sentence: "", hits, problems: [] });
     expect(useRun.getState().hits).toEqual(hits);
   });
 
@@ -148,7 +148,7 @@ describe("a run that another page steers", () => {
 
   it("is watched: it shows everything, and nothing can be done to it", () => {
     hear(WATCHED);
-    hear({ type: "state", status: "paused", tick: 3, seconds: 0.06, sentence: "", hits: [] });
+    hear({ type: "state", status: "paused", tick: 3, seconds: 0.06, sentence: "", hits: [], problems: [] });
     const run = useRun.getState();
     expect([run.watching, run.another, run.status, run.seed, run.failRate]).toEqual([true, true, "paused", 3, 0.1]);
     expect(canInterfere(run)).toBe(false);

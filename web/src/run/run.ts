@@ -49,7 +49,7 @@ export interface RunState {
   /** program → name of the agent that is watched; the first one of that program where nothing is chosen. */
   selectedAgent: Record<string, string>;
   error: Failure | null;
-  /** Why a run could not start: problems of the mission as the server found them. */
+  /** Why a run could not start, or ended before anything could be seen, as the server says it. */
   problems: Problem[];
   /** The server's name for it; empty without a run. */
   name: string;
@@ -182,6 +182,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
         seconds: message.seconds,
         sentence: message.sentence,
         hits: message.hits,
+        problems: message.problems,
       };
     case "tick":
       return {

@@ -57,7 +57,7 @@ describe("a recording", () => {
 
   it("that ends while its run was on can be gone back in", () => {
     hear(STARTED);
-    hear({ type: "state", status: "end", tick: 9, seconds: 0.18, sentence: "It ends here.", hits: [] });
+    hear({ type: "state", status: "end", tick: 9, seconds: 0.18, sentence: "It ends here.", hits: [], problems: [] });
     const { status } = useRun.getState();
     expect([isLive(status), isEnded(status), canGoBack(status)]).toEqual([false, true, true]);
   });

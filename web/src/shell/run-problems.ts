@@ -1,6 +1,7 @@
 /**
- * A run that could not start says why: the list of problems opens, at the first of them. They were true of the mission that
- * was to run; once that is edited the checker's own report says what is left of them.
+ * A run that could not start, or ended before anything could be seen, says why: the list of problems opens, at the first
+ * of them. They were true of the mission that was to run; once that is edited the checker's own report says what is left
+ * of them.
  */
 import { useStudio } from "../model/studio";
 import { useProblemList } from "../problems/walk";

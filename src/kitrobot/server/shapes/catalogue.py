@@ -8,6 +8,7 @@ from pydantic import BaseModel, TypeAdapter
 
 from kitrobot.primitives import Catalogue, Constructor, Group, Method, Parameter, Robot, RobotObject, Slot
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
+from kitrobot.sim import length_of
 
 Texts = dict[str, str]
 Colour = Literal["loop", "choice", "parallel", "action", "test", "team"]
@@ -107,7 +108,7 @@ class RobotObjectShape(BaseModel):
 
 
 class RobotShape(BaseModel):
-    """A kind of robot."""
+    """A kind of robot; `length_mm` is how long it is, 0 for one without wheels."""
 
     name: str
     label: Texts
@@ -115,6 +116,7 @@ class RobotShape(BaseModel):
     tick_ms: int
     wait_unit_ms: int
     objects: list[RobotObjectShape]
+    length_mm: float = 0.0
 
 
 class CatalogueShape(BaseModel):
@@ -188,6 +190,7 @@ def _robot(robot: Robot) -> RobotShape:
         tick_ms=robot.tick_ms,
         wait_unit_ms=robot.wait_unit_ms,
         objects=[object_shape(part) for part in robot.objects],
+        length_mm=length_of(robot),
     )
 
 

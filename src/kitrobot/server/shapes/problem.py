@@ -15,7 +15,7 @@ class FixShape(BaseModel):
     """The one right answer: `text` for the place, and what that is in a graph."""
 
     text: str
-    kind: Literal["text", "element", "setting", "unset", "unwrap"]
+    kind: Literal["text", "element", "setting", "unset", "unwrap", "before"]
     name: str
 
 

@@ -197,7 +197,9 @@ class HitShape(BaseModel):
 
 
 class StateMessage(_Message):
-    """What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only."""
+    """What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only.
+    `problems` are hints on a run that ended before anything could be seen.
+    """
 
     type: Literal["state"] = "state"
     status: Literal["running", "paused", "done", "failed", "stuck", "time", "stopped", "end"]
@@ -205,6 +207,7 @@ class StateMessage(_Message):
     seconds: float
     sentence: Sentence
     hits: list[HitShape] = []
+    problems: list[ProblemShape] = []
 
 
 class AgentReportShape(BaseModel):

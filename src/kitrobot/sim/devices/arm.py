@@ -40,7 +40,7 @@ _LOAD, _UNLOAD = range(2)
 
 
 class Arm(Actuator):
-    """`Load()` takes a box from the storehouse to the carrier, `Unload()` back; it waits while that is full."""
+    """`Load()` takes a box from the storehouse to the carrier, `Unload()` back. It waits while that is full."""
 
     name = "arm"
     kind = ARM_DEVICE

@@ -1,0 +1,39 @@
+"""What a run that is over lets us advise: a program that ended before time passed, and the part that mends it."""
+
+from __future__ import annotations
+
+from kitrobot.compiler import lll_to_graph
+from kitrobot.diagnostics import Diagnostic, Fix, FixKind, KitRobotError
+from kitrobot.graph import START, STOP
+from kitrobot.lll import parse
+from kitrobot.sim import Simulation
+from kitrobot.sim import rules as sim_rules
+from kitrobot.workspace.opening import OpenMission
+
+PAUSE = "WAIT(10);"
+"""LLL of the part that is put before the end: which constructor draws it is up to the catalogue."""
+
+
+def advice(opened: OpenMission, simulation: Simulation) -> list[Diagnostic]:
+    """For a run whose programs all ended at once: one hint for each of them; else none."""
+    if not simulation.ended_at_once:
+        return []
+    programs = dict.fromkeys(agent.program for agent in simulation.members)
+    return [_pause_before_the_end(opened, simulation, name) for name in programs]
+
+
+def _pause_before_the_end(opened: OpenMission, simulation: Simulation, name: str) -> Diagnostic:
+    program = opened.mission.program(name)
+    robot = opened.catalogue.robots.get(program.robot) if program is not None else None
+    assert program is not None, "it has run"
+    assert robot is not None, "it has run"
+    stop = next((vertex.id for vertex in program.vertices if vertex.element == STOP), "")
+    try:
+        drawn = lll_to_graph(parse(PAUSE).program, robot, opened.catalogue, name)
+    except KitRobotError:
+        drawn = None  # A catalogue without a constructor for it.
+    element = next((one.element for one in drawn.vertices if one.element not in (START, STOP)), "") if drawn else ""
+    fix = Fix(PAUSE, FixKind.BEFORE, element) if element and stop else None
+    help = f"put a part that takes time before its end, such as `{element}`" if element else ""
+    message = f"the program `{name}` came to its end at once, without a part that takes time"
+    return sim_rules.AT_ONCE(message, help=help, program=name, vertices=(stop,) if stop else (), fix=fix)
