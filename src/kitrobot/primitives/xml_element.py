@@ -8,12 +8,10 @@ Whoever must know asks `faulty`: true when the element or anything inside it has
 
 from __future__ import annotations
 
-import difflib
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from itertools import islice
 from typing import TYPE_CHECKING, TypeVar
 
 from kitrobot.diagnostics import Diagnostic, Place, Rule
@@ -31,9 +29,6 @@ LONGEST_NAME = 100
 
 _SHOWN = 40
 """Characters of a value that a message repeats at most."""
-
-_COMPARED = 1000
-"""Words that a misspelt one is compared with, at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,7 +159,7 @@ class Element:
         if value in allowed:
             return value
         if value:
-            self.bad_value(name, one_of(allowed), did_you_mean(value, allowed))
+            self.bad_value(name, one_of(allowed), self.did_you_mean(value, allowed))
         return default if default is not None else allowed[0]
 
     def flag(self, name: str, default: bool = False) -> bool:
@@ -227,6 +222,10 @@ class Element:
                 element.faulty = True
                 element = element.parent
 
+    def did_you_mean(self, word: str, words: Iterable[str]) -> str:
+        """`did you mean X?` for a help line, or ""; of very many misspelt words in a file only for the first ones."""
+        return self.reader.suggestions.did_you_mean(word, words)
+
     def bad_value(self, name: str, expected: str, help: str = "") -> None:
         """Reports an attribute's value: what was expected, and what was found."""
         self.report(rules.BAD_VALUE, f"expected {expected} in {name}, found {shown(self.attributes[name])}", name, help)
@@ -242,18 +241,3 @@ def one_of(options: Iterable[str]) -> str:
     """`a, b or c`."""
     *front, last = options
     return f"{', '.join(front)} or {last}" if front else last
-
-
-def nearest(word: str, words: Iterable[str]) -> str:
-    """The known word that a misspelt one is most like, or ""."""
-    known = list(islice(words, _COMPARED))
-    for candidate in known:
-        if candidate.casefold() == word.casefold():
-            return candidate
-    return next(iter(difflib.get_close_matches(word[:100], known, 1, 0.6)), "")
-
-
-def did_you_mean(word: str, words: Iterable[str]) -> str:
-    """`did you mean X?` for a help line, or ""."""
-    near = nearest(word, words)
-    return f"did you mean {near}?" if near else ""
