@@ -6,7 +6,8 @@ read (an empty `object`) was reported by the parser and is passed over.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
+from functools import cached_property
 
 from kitrobot.compiler import rules
 from kitrobot.compiler.always import always_holds
@@ -34,7 +35,7 @@ from kitrobot.lll import (
     bodies,
     nodes,
 )
-from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType, did_you_mean, nearest
+from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, Suggestions, ValueType, listed
 
 
 def check(program: Seq, robot: Robot, source: Source, program_name: str = "") -> list[Diagnostic]:
@@ -49,20 +50,13 @@ def check(program: Seq, robot: Robot, source: Source, program_name: str = "") ->
     return in_reading_order(checker.found)
 
 
-def suggestion(name: str, known: Iterable[str]) -> str:
-    """A help sentence that names the most similar known name, or lists what there is."""
-    names = sorted(set(known))
-    return did_you_mean(name, names) or (
-        f"there is {', '.join(names[:8])}{' …' if len(names) > 8 else ''}" if names else ""
-    )
-
-
 class _Checker:
     def __init__(self, robot: Robot, source: Source, program_name: str) -> None:
         self.robot = robot
         self.source = source
         self.program_name = program_name
         self.flow = FlowAnalysis(robot, self.is_endless)
+        self.suggestions = Suggestions()
         self.found: list[Diagnostic] = []
 
     def report(
@@ -78,6 +72,26 @@ class _Checker:
     def is_endless(self, node: While) -> bool:
         """Whether only a BREAK leaves a loop."""
         return always_holds(node.condition, self.robot)
+
+    @cached_property
+    def methods(self) -> dict[str, list[Method]]:
+        """What each name of an object offers, in the order of the robot."""
+        table: dict[str, list[Method]] = {}
+        for (name, _), (_, method) in self.robot.calls.items():
+            table.setdefault(name, []).append(method)
+        return table
+
+    @cached_property
+    def objects(self) -> list[str]:
+        """The names of the robot's objects that can be called, in the order of the alphabet."""
+        return sorted(self.methods)
+
+    def suggested(self, name: str, known: Sequence[str]) -> tuple[str, str]:
+        """The most similar known name, and a help sentence with it; without one the sentence lists what there is."""
+        near = self.suggestions.nearest(name, known)
+        if near:
+            return near, f"did you mean {near}?"
+        return "", f"there is {listed(known)}" if known else ""
 
     # -- instructions
 
@@ -233,11 +247,7 @@ class _Checker:
 
     def offer(self, part: RobotObject, kind: Kind) -> str:
         """Names the methods of that kind which an object's name offers."""
-        known = [
-            method.name
-            for (name, _), (_, method) in self.robot.calls.items()
-            if name == part.name and method.kind is kind
-        ]
+        known = [method.name for method in self.methods[part.name] if method.kind is kind]
         return f"`{part.name}` has {', '.join(f'`{name}`' for name in known)}" if known else ""
 
     def procedure(self, call: Call, wanted: str, help: str) -> None:
@@ -254,24 +264,25 @@ class _Checker:
             return None
         meaning = self.robot.calls.get((call.object, call.method))
         if meaning is None:
-            methods = [method for name, method in self.robot.calls if name == call.object]
+            methods = sorted(method.name for method in self.methods.get(call.object, ()))
             if methods:
+                near, help = self.suggested(call.method, methods)
                 self.report(
                     rules.UNKNOWN_METHOD,
                     f"`{call.object}` of the robot `{self.robot.name}` has no `{call.method}`",
                     call,
-                    suggestion(call.method, methods),
+                    help,
                     start=call.method_start,
-                    fix=self.renaming(call, call.object, nearest(call.method, sorted(methods))),
+                    fix=self.renaming(call, call.object, near),
                 )
             else:
-                objects = sorted({name for name, _ in self.robot.calls})
+                near, help = self.suggested(call.object, self.objects)
                 self.report(
                     rules.UNKNOWN_OBJECT,
                     f"the robot `{self.robot.name}` has no `{call.object}`",
                     call,
-                    suggestion(call.object, objects),
-                    fix=self.renaming(call, nearest(call.object, objects), call.method),
+                    help,
+                    fix=self.renaming(call, near, call.method),
                 )
             for param in call.params:
                 if isinstance(param, Call):

@@ -6,12 +6,13 @@ graph (graph_to_lll) need not look at single arcs again.
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.diagnostics import ArcName, Diagnostic, Fix, FixKind
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind, did_you_mean, nearest
+from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind, Suggestions
 
 
 class Wiring:
@@ -23,6 +24,7 @@ class Wiring:
         self.program = program
         self.robot = robot
         self.catalogue = catalogue
+        self.suggestions = Suggestions()
         self.found: list[Diagnostic] = []
         self.vertices: dict[str, Vertex] = {}
         self.out: dict[tuple[str, str], Arc] = {}
@@ -67,13 +69,18 @@ class Wiring:
             self.report(rules.START_STOP(message, help="delete one of them", **self._at(found[0].id, extra.id)))
         return found[0] if found else None
 
+    @cached_property
+    def _calls(self) -> list[str]:
+        """The names of everything that the robot offers."""
+        return [f"{name}.{method}" for name, method in self.robot.calls]
+
     def _check_call(self, vertex: Vertex) -> None:
         name, dot, method = vertex.element.partition(".")
         if dot and name and method and (name, method) in self.robot.calls:
             return
-        known = [f"{a}.{b}" for a, b in self.robot.calls] if dot else list(self.catalogue.constructors)
+        known = self._calls if dot else self.catalogue.constructors
         where = f"the robot `{self.robot.name}`" if dot else "the constructors' XML"
-        near = nearest(vertex.element, known)
+        near = self.suggestions.nearest(vertex.element, known)
         self.report(
             rules.UNKNOWN_ELEMENT(
                 f"`{vertex.element}` is not in {where}",
@@ -90,7 +97,7 @@ class Wiring:
             self.report(
                 rules.DANGLING_ARC(
                     f"an arc from `{arc.source}` to `{arc.target}` names `{ends[0]}`, which is not there",
-                    help=did_you_mean(ends[0], self.vertices) or "delete the arc",
+                    help=self.suggestions.did_you_mean(ends[0], self.vertices) or "delete the arc",
                     program=self.program.name,
                     arcs=(name,),
                 )

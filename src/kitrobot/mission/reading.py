@@ -10,7 +10,7 @@ from kitrobot.mission import rules
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
 from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
-from kitrobot.primitives import OWN, TEXTS, Constructor, Element, OwnVariable, Reader, Tag, did_you_mean, shown
+from kitrobot.primitives import OWN, TEXTS, Constructor, Element, OwnVariable, Reader, Tag, shown
 from kitrobot.world import ATTRIBUTES, PARTS, World, keep_unknown, read_plan, with_things
 
 
@@ -129,10 +129,10 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
 
 def _check(mission: Mission, root: Element) -> None:
     """That every agent runs a program of this mission."""
-    names = [program.name for program in mission.programs]
+    names = dict.fromkeys(program.name for program in mission.programs)
     check_trial([agent.name for agent in mission.team.agents], root)
     for _, team in root.found_at(Team):
         for agent, element in team.found_at(Agent):
             if agent.program and agent.program not in names:
                 message = f"{agent.name} runs the program {shown(agent.program)}, which is not in this mission"
-                element.report(rules.NO_PROGRAM, message, "program", did_you_mean(agent.program, names))
+                element.report(rules.NO_PROGRAM, message, "program", element.did_you_mean(agent.program, names))

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from kitrobot.mission import rules
-from kitrobot.primitives import Element, Tag, attributes, did_you_mean, shown
+from kitrobot.primitives import Element, Tag, attributes, shown
 
 MOST_HITS = 1_000_000
 LONGEST_S = 1_000_000.0
@@ -123,7 +123,8 @@ def write_failure(failure: Failure) -> str:
 
 def check_trial(agents: list[str], root: Element) -> None:
     """That every failure happens to somebody of the team."""
+    names = dict.fromkeys(agents)
     for failure, element in root.found_at(Failure):
-        if failure.agent not in agents:
+        if failure.agent not in names:
             message = f"{shown(failure.agent)}, which is to {failure.kind}, is not in the team"
-            element.report(rules.FAILURE, message, "agent", did_you_mean(failure.agent, agents))
+            element.report(rules.FAILURE, message, "agent", element.did_you_mean(failure.agent, agents))

@@ -28,12 +28,13 @@ from kitrobot.primitives.robot import (
     ValueType,
 )
 from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.primitives.suggestions import Suggestions, did_you_mean, listed, nearest
 from kitrobot.primitives.template_xml import Template, read_template
 from kitrobot.primitives.templates import Shape, holes, shape
 from kitrobot.primitives.unfilling import Bound, fill_with, unfill, unfill_all, unfill_row
 from kitrobot.primitives.xml import MAX_DEPTH, TEXT, TEXTS, Reader
 from kitrobot.primitives.xml_decoding import MAX_BYTES
-from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, nearest, one_of, shown
+from kitrobot.primitives.xml_element import Element, Tag, one_of, shown
 from kitrobot.primitives.xml_writing import attributes, escape_text, escape_value, text_element
 
 __all__ = [
@@ -67,6 +68,7 @@ __all__ = [
     "Shape",
     "Slot",
     "SlotKind",
+    "Suggestions",
     "Tag",
     "Template",
     "Texts",
@@ -78,6 +80,7 @@ __all__ = [
     "escape_value",
     "fill_with",
     "holes",
+    "listed",
     "load_catalogue",
     "nearest",
     "one_of",

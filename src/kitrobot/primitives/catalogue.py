@@ -26,10 +26,10 @@ from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.own_xml import OWN_GROUP, OWN_LABEL, OwnVariable
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.primitives.suggestions import Suggestions, did_you_mean
 from kitrobot.primitives.templates import Shape, inverse_shape, shape, shape_drawn
 from kitrobot.primitives.unfilling import is_more_specific
 from kitrobot.primitives.xml_decoding import MAX_BYTES
-from kitrobot.primitives.xml_element import did_you_mean
 
 SHIPPED = Path(__file__).parent / "shipped"
 """The folder of the XML that comes with the package."""
@@ -105,15 +105,22 @@ class Catalogue:
         if constructors:
             groups.append(Group(OWN_GROUP, "action", tuple(constructors), OWN_LABEL))
         robots, problems = dict(self.robots), list(self.problems)
-        for variable in variables:
-            robot = robots.get(variable.robot)
+        taken: dict[str, set[str]] = {}
+        added: dict[str, list[RobotObject]] = {}
+        for own_variable in variables:
+            robot, variable = robots.get(own_variable.robot), own_variable.variable
             if robot is None:
                 continue
-            added = _with_variable(robot, variable.variable)
-            if added is None:
-                problems.append(rules.OWN_VARIABLE(f"{robot.name} has a {variable.variable.name} already"))
+            if robot.name not in taken:
+                taken[robot.name] = {part.name for part in robot.objects}
+            names = taken[robot.name]
+            if variable.name in names:
+                problems.append(rules.OWN_VARIABLE(f"{robot.name} has a {variable.name} already"))
             else:
-                robots[robot.name] = added
+                names.add(variable.name)
+                added.setdefault(robot.name, []).append(variable)
+        for name, more in added.items():
+            robots[name] = replace(robots[name], variables=(*robots[name].variables, *more))
         files = {name: path for name, path in self.constructor_files.items() if name not in own}
         return Catalogue(robots, groups, problems, self.robot_files, files)
 
@@ -141,13 +148,6 @@ class Catalogue:
 
 def _without(constructors: tuple[Constructor, ...], names: set[str]) -> tuple[Constructor, ...]:
     return tuple(constructor for constructor in constructors if constructor.name not in names)
-
-
-def _with_variable(robot: Robot, variable: RobotObject) -> Robot | None:
-    """The robot with one more variable; None when it has something of that name that this would hide."""
-    if any(part.name == variable.name for part in robot.objects):
-        return None
-    return replace(robot, variables=(*robot.variables, variable))
 
 
 def config_folder() -> Path:
@@ -223,6 +223,7 @@ class _Loading:
         return [f"the constructor {constructor.name}" for group in groups for constructor in group.constructors]
 
     def catalogue(self) -> Catalogue:
+        suggestions = Suggestions()
         members: dict[str, list[Constructor]] = {name: [] for name in self.groups}
         for constructor, place in self.constructors.values():
             if constructor.adds is not None:
@@ -231,7 +232,7 @@ class _Loading:
                 slot = found[0].slot(name) if found is not None else None
                 if slot is None or not slot.repeat:
                     message = f"{constructor.name} adds to {target}.{name}, which is no repeated slot"
-                    help = did_you_mean(target, self.constructors) if found is None else ""
+                    help = suggestions.did_you_mean(target, self.constructors) if found is None else ""
                     self.problems.append(rules.ADDS(message, place, help=help))
                     continue
             members[constructor.group].append(constructor)

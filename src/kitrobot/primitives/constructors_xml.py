@@ -21,7 +21,7 @@ from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
 from kitrobot.primitives.templates import holes
 from kitrobot.primitives.xml import TEXTS, Reader
-from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, one_of, shown
+from kitrobot.primitives.xml_element import Element, Tag, one_of, shown
 
 VERSION = 1
 """The newest version of the format that is read."""
@@ -124,7 +124,7 @@ def _check_holes(constructor: Element, element: Element, template: Template) -> 
         slot = slots.get(hole.name)
         message, help = "", ""
         if slot is None:
-            message, help = f"the hole {{{hole.name}}} has no slot", did_you_mean(hole.name, slots)
+            message, help = f"the hole {{{hole.name}}} has no slot", element.did_you_mean(hole.name, slots)
         elif hole.name in filled and slot.kind not in (SlotKind.NUMBER, SlotKind.TEXT):
             message, help = f"the hole {{{hole.name}}} stands there twice", "only what is typed in can be used twice"
         elif slot.kind not in fitting:

@@ -10,7 +10,7 @@ Left to others: who holds them (mission), and what they mean (catalogue).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.diagnostics import Diagnostic
@@ -46,8 +46,7 @@ def _own_constructor(element: Element) -> Constructor | None:
     made = CONSTRUCTOR.close(element)
     if not isinstance(made, Constructor) or element.parent is None:
         return None
-    others = [other.name for other in element.parent.found(Constructor)]
-    if _is_one_too_many(element, made.name in others, f"the constructor {shown(made.name)}", len(others)):
+    if _is_one_too_many(element, made.name, f"the constructor {shown(made.name)}"):
         return None
     return replace(made, group=OWN_GROUP)
 
@@ -58,19 +57,19 @@ def _own_variable(element: Element) -> OwnVariable | None:
     made = VARIABLE.close(element)
     if element.faulty or not isinstance(made, RobotObject) or element.parent is None:
         return None
-    others = [(other.robot, other.variable.name) for other in element.parent.found(OwnVariable)]
-    what = f"the variable {shown(made.name)} of {robot}"
-    if _is_one_too_many(element, (robot, made.name) in others, what, len(others)):
+    if _is_one_too_many(element, (robot, made.name), f"the variable {shown(made.name)} of {robot}"):
         return None
     return OwnVariable(robot, made)
 
 
-def _is_one_too_many(element: Element, is_twice: bool, what: str, before: int) -> bool:
-    if is_twice:
+def _is_one_too_many(element: Element, name: Hashable, what: str) -> bool:
+    before = element.reader.own.setdefault(element.name, set())
+    if name in before:
         element.report(rules.DUPLICATE, f"{what} is there already", "name")
-    elif before >= MOST_OWN:
+    elif len(before) >= MOST_OWN:
         element.report(rules.TOO_MANY_OWN, f"expected at most {MOST_OWN} of <{element.name}> in a mission, found more")
     else:
+        before.add(name)
         return False
     return True
 

@@ -31,7 +31,7 @@ from kitrobot.primitives.robot import (
     ValueType,
 )
 from kitrobot.primitives.xml import TEXT, TEXTS, Reader
-from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, shown
+from kitrobot.primitives.xml_element import Element, Tag, shown
 
 VERSION = 1
 """The newest version of the format that is read."""
@@ -118,7 +118,7 @@ def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
     for text in given.values():
         for hole in _HOLE.findall(text):
             if hole not in holes:
-                help = did_you_mean(hole, holes)
+                help = element.did_you_mean(hole, holes)
                 element.report(
                     rules.PHRASE, f"the phrase {shown(text)} has a hole {{{hole}}} that nothing fills", None, help
                 )
@@ -208,7 +208,7 @@ def _actuator(element: Element) -> RobotObject:
     for method, around in element.found_at(Method):
         if method.stop is not None and method.stop not in plain:
             message = f"expected in stop a procedure of {made.name} without parameters, found {shown(method.stop)}"
-            around.report(rules.STOP, message, "stop", did_you_mean(method.stop, plain))
+            around.report(rules.STOP, message, "stop", around.did_you_mean(method.stop, plain))
     return made
 
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from itertools import accumulate
 from typing import NoReturn
 from xml.sax import SAXParseException
@@ -27,8 +27,9 @@ from defusedxml.sax import make_parser
 from kitrobot.diagnostics import Diagnostic, Place
 from kitrobot.lll import collection_paused
 from kitrobot.primitives import rules
+from kitrobot.primitives.suggestions import Suggestions
 from kitrobot.primitives.xml_decoding import decode
-from kitrobot.primitives.xml_element import Element, Tag, did_you_mean, one_of, shown
+from kitrobot.primitives.xml_element import Element, Tag, one_of, shown
 from kitrobot.primitives.xml_mistakes import explain
 
 MAX_DEPTH = 64
@@ -55,6 +56,9 @@ class Reader:
     def __init__(self, data: bytes, name: str) -> None:
         self.name = name
         self.text = ""
+        self.suggestions = Suggestions()
+        self.own: dict[str, set[Hashable]] = {}
+        """What tells a mission's own parts apart, by the name of their element, as far as they were read."""
         self._data = data
         self._problems: list[Diagnostic] = []
         self._left_out = 0
@@ -215,7 +219,7 @@ class _Events(ContentHandler):
         if not tag.free_attributes:
             for attribute in element.attributes:
                 if attribute not in tag.attributes and not attribute.startswith(("xmlns", "xsi:")):
-                    help = did_you_mean(attribute, tag.attributes)
+                    help = element.did_you_mean(attribute, tag.attributes)
                     message = f"<{name}> has no attribute {shown(attribute)}; it is left out"
                     element.report(rules.UNKNOWN_ATTRIBUTE, message, attribute, help)
         self.open.append(element)
@@ -231,7 +235,7 @@ class _Events(ContentHandler):
             )
         fate = "left out" if parent.tag.keep is None else "kept as it is"
         message = f"<{parent.name}> has no element <{shown(name)[1:-1]}>; it is {fate}"
-        self.reader.add(rules.UNKNOWN_ELEMENT(message, place, help=did_you_mean(name, parent.tag.children)))
+        self.reader.add(rules.UNKNOWN_ELEMENT(message, place, help=parent.did_you_mean(name, parent.tag.children)))
         self.skipping = (len(self.names), line, column)
 
     def endElement(self, name: str) -> None:

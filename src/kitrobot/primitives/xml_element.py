@@ -8,12 +8,10 @@ Whoever must know asks `faulty`: true when the element or anything inside it has
 
 from __future__ import annotations
 
-import difflib
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from itertools import islice
 from typing import TYPE_CHECKING, TypeVar
 
 from kitrobot.diagnostics import Diagnostic, Place, Rule
@@ -31,15 +29,6 @@ LONGEST_NAME = 100
 
 _SHOWN = 40
 """Characters of a value that a message repeats at most."""
-
-_COMPARED = 1000
-"""Words that a misspelt one is compared with, at most."""
-
-_LONGEST_GUESS = 100
-"""Characters of a misspelt word that are compared, at most."""
-
-_GUESSES = 5
-"""Words that are alike enough to be looked at closely, at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,7 +159,7 @@ class Element:
         if value in allowed:
             return value
         if value:
-            self.bad_value(name, one_of(allowed), did_you_mean(value, allowed))
+            self.bad_value(name, one_of(allowed), self.did_you_mean(value, allowed))
         return default if default is not None else allowed[0]
 
     def flag(self, name: str, default: bool = False) -> bool:
@@ -233,6 +222,10 @@ class Element:
                 element.faulty = True
                 element = element.parent
 
+    def did_you_mean(self, word: str, words: Iterable[str]) -> str:
+        """`did you mean X?` for a help line, or ""; of very many misspelt words in a file only for the first ones."""
+        return self.reader.suggestions.did_you_mean(word, words)
+
     def bad_value(self, name: str, expected: str, help: str = "") -> None:
         """Reports an attribute's value: what was expected, and what was found."""
         self.report(rules.BAD_VALUE, f"expected {expected} in {name}, found {shown(self.attributes[name])}", name, help)
@@ -248,36 +241,3 @@ def one_of(options: Iterable[str]) -> str:
     """`a, b or c`."""
     *front, last = options
     return f"{', '.join(front)} or {last}" if front else last
-
-
-def nearest(word: str, words: Iterable[str]) -> str:
-    """The known word that a misspelt one is most like, or "" where none is a near spelling.
-
-    Near are words that become one another by few changes: one, and one more for each three letters beyond five.
-    """
-    known = list(islice(words, _COMPARED))
-    for candidate in known:
-        if candidate.casefold() == word.casefold():
-            return candidate
-    word = word[:_LONGEST_GUESS]
-    alike = difflib.get_close_matches(word, known, _GUESSES, 0.6)
-    return next((one for one in alike if _changes(word.casefold(), one.casefold()) <= max(1, len(word) // 3)), "")
-
-
-def _changes(one: str, other: str) -> int:
-    """How many letters are changed, put in, taken out, or swapped with the next, from one word to the other."""
-    before, row = [0] * (len(other) + 1), list(range(len(other) + 1))
-    for i, letter in enumerate(one, 1):
-        last, row, before = before, [i], row
-        for j, wanted in enumerate(other, 1):
-            least = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (letter != wanted))
-            if i > 1 and j > 1 and letter == other[j - 2] and one[i - 2] == wanted:
-                least = min(least, last[j - 2] + 1)
-            row.append(least)
-    return row[-1]
-
-
-def did_you_mean(word: str, words: Iterable[str]) -> str:
-    """`did you mean X?` for a help line, or ""."""
-    near = nearest(word, words)
-    return f"did you mean {near}?" if near else ""

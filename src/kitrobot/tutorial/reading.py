@@ -10,7 +10,7 @@ import re
 
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.lll import Node, children, is_name
-from kitrobot.primitives import TEXT, TEXTS, Element, Reader, Tag, Template, did_you_mean, holes, one_of, read_template
+from kitrobot.primitives import TEXT, TEXTS, Element, Reader, Tag, Template, holes, one_of, read_template
 from kitrobot.tutorial import rules
 from kitrobot.tutorial.model import EVENTS, Pattern, Point, Range, Step, Tutorial
 
@@ -106,7 +106,7 @@ def _pattern(element: Element) -> Pattern | None:
         assert isinstance(value, tuple)
         name, bounds = value
         if name not in known:
-            inner.report(rules.PATTERN, f"the code has no hole {{{name}}}", "name", did_you_mean(name, known))
+            inner.report(rules.PATTERN, f"the code has no hole {{{name}}}", "name", inner.did_you_mean(name, known))
         elif name in ranges:
             inner.report(rules.PATTERN, f"the range of {{{name}}} is given already", "name")
         ranges[name] = bounds

@@ -7,13 +7,14 @@ Nothing different is ever left out: where no words fit better, the part that dif
 
 from __future__ import annotations
 
-import difflib
 from bisect import bisect_left
+from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
+from kitrobot.compiler.common_order import common_order
 from kitrobot.diagnostics import KitRobotError, Source
 from kitrobot.graph import START, STOP, Note, Program, Vertex
 from kitrobot.mission import NO_PROGRAM, Agent, Goal, Mission, read_mission
@@ -27,6 +28,9 @@ from kitrobot.workspace.problems import ProblemsError
 _LONGEST_QUOTE = 60
 _ALIKE = 0.6
 """So much of two programs' vertices must be the same for one to be the other renamed."""
+
+_MOST_COMPARED = 1_000_000
+"""Vertices that are held against others to find renamed programs; where it would be more, only equal ones are found."""
 
 
 class CompareError(KitRobotError):
@@ -66,9 +70,8 @@ def text_differences(before: str, after: str) -> list[Difference]:
     """What is different between two LLL texts, both in the true layout, by their lines."""
     old, new = before.splitlines(), after.splitlines()
     found = []
-    for kind, i, j, k, m in difflib.SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
-        if kind == "equal":
-            continue
+    i = k = 0
+    for j, m in (*common_order(old, new), (len(old), len(new))):
         pairs = min(j - i, m - k)
         for step in range(pairs):
             words = f"line {k + step + 1}: `{old[i + step].strip()}` → `{new[k + step].strip()}`"
@@ -77,6 +80,7 @@ def text_differences(before: str, after: str) -> list[Difference]:
             Difference("line-removed", f"line {at + 1} removed: `{old[at].strip()}`") for at in range(i + pairs, j)
         ]
         found += [Difference("line-added", f"line {at + 1} added: `{new[at].strip()}`") for at in range(k + pairs, m)]
+        i, k = j + 1, m + 1
     return found
 
 
@@ -84,46 +88,73 @@ def renamed_programs(before: Mission, after: Mission) -> dict[str, str]:
     """Old name → new name of the programs that only go by another name, as far as what they hold tells."""
     old_names = {program.name for program in before.programs}
     new_names = {program.name for program in after.programs}
-    free = [program for program in after.programs if program.name not in old_names]
+    gone = [_marks(program) for program in before.programs if program.name not in new_names]
+    free = [_marks(program) for program in after.programs if program.name not in old_names]
+    if sum(len(one.marks) for one in gone) * len(free) + len(gone) * len(free) > _MOST_COMPARED:
+        return _renamed_as_they_are(gone, free)
     found: dict[str, str] = {}
-    for program in before.programs:
-        if program.name in new_names or not free:
-            continue
-        best = max(free, key=lambda other: _likeness(program, other))
-        if _likeness(program, best) >= _ALIKE:
-            found[program.name] = best.name
+    for one in gone:
+        if not free:
+            break
+        best = max(free, key=one.likeness)
+        if one.likeness(best) >= _ALIKE:
+            found[one.name] = best.name
             free.remove(best)
     return found
 
 
-def _likeness(one: Program, other: Program) -> float:
-    old, new = _marks(one), _marks(other)
-    if not old and not new:
-        return float(one.robot == other.robot)
-    return len(old & new) / max(len(old), len(new))
+def _renamed_as_they_are(gone: Sequence[_Marks], free: Sequence[_Marks]) -> dict[str, str]:
+    """Of very many programs only those that hold the very same."""
+    names: dict[object, deque[str]] = {}
+    for one in free:
+        names.setdefault(one.key, deque()).append(one.name)
+    return {one.name: names[one.key].popleft() for one in gone if names.get(one.key)}
 
 
-def _marks(program: Program) -> set[tuple[str, str]]:
-    return {(vertex.id, vertex.element) for vertex in program.vertices if vertex.element not in (START, STOP)}
+@dataclass(frozen=True, eq=False)
+class _Marks:
+    """A program by what it holds: the ids and elements of its vertices."""
+
+    name: str
+    robot: str
+    marks: frozenset[tuple[str, str]]
+
+    @property
+    def key(self) -> object:
+        """Equal for programs that are wholly alike."""
+        return self.marks or self.robot
+
+    def likeness(self, other: _Marks) -> float:
+        """How alike two programs are, 0 to 1."""
+        if not self.marks and not other.marks:
+            return float(self.robot == other.robot)
+        return len(self.marks & other.marks) / max(len(self.marks), len(other.marks))
+
+
+def _marks(program: Program) -> _Marks:
+    marks = ((vertex.id, vertex.element) for vertex in program.vertices if vertex.element not in (START, STOP))
+    return _Marks(program.name, program.robot, frozenset(marks))
 
 
 def _programs(before: Mission, after: Mission) -> Iterator[Difference]:
     renamed = renamed_programs(before, after)
     came_from = {new: old for old, new in renamed.items()}
     kept = {renamed.get(program.name, program.name) for program in before.programs}
+    was = {program.name: program for program in reversed(before.programs)}
+    now = {program.name for program in after.programs}
     for program in before.programs:
         name = renamed.get(program.name, program.name)
-        if after.program(name) is None:
+        if name not in now:
             yield Difference("program-removed", f"the program {program.name} removed")
     for program in after.programs:
-        old = before.program(came_from.get(program.name, program.name))
+        old = was.get(came_from.get(program.name, program.name))
         if old is None:
             yield Difference("program-added", f"the program {program.name} added, for the robot {program.robot}")
             continue
         if old.name != program.name:
             yield Difference("program-renamed", f"the program {old.name} renamed to {program.name}")
         yield from _program(old, program)
-    order = [name for name in (renamed.get(one.name, one.name) for one in before.programs) if after.program(name)]
+    order = [name for name in (renamed.get(one.name, one.name) for one in before.programs) if name in now]
     if order != [program.name for program in after.programs if program.name in kept]:
         yield Difference("order", "the programs stand in another order")
 
@@ -193,15 +224,16 @@ def _inside(before: Vertex, after: Vertex, name: str) -> Iterator[Difference]:
 
 def _note_pairs(before: Sequence[Note], after: Sequence[Note]) -> list[tuple[Note | None, Note | None]]:
     """The notes that differ, old beside new where they stand at one place."""
-    old = [note for note in before if note not in after]
-    new = [note for note in after if note not in before]
-    pairs: list[tuple[Note | None, Note | None]] = []
-    for note in old:
-        same = next((other for other in new if other.at == note.at), None)
-        if same is not None:
-            new.remove(same)
-        pairs.append((note, same))
-    pairs += [(None, note) for note in new]
+    had, has = {(note.at, note.text) for note in before}, {(note.at, note.text) for note in after}
+    old = [note for note in before if (note.at, note.text) not in has]
+    new: dict[str, deque[Note]] = {}
+    for note in after:
+        if (note.at, note.text) not in had:
+            new.setdefault(note.at, deque()).append(note)
+    pairs: list[tuple[Note | None, Note | None]] = [
+        (note, new[note.at].popleft() if new.get(note.at) else None) for note in old
+    ]
+    pairs += [(None, note) for notes in new.values() for note in notes]
     if not pairs and list(before) != list(after):
         pairs = [(note, None) for note in before] + [(None, note) for note in after]
     return pairs
@@ -246,8 +278,9 @@ def _longest_rising(places: Sequence[int]) -> set[int]:
 
 def _agents(before: Sequence[Agent], after: Sequence[Agent]) -> Iterator[Difference]:
     old, new = {agent.name: agent for agent in before}, {agent.name: agent for agent in after}
-    for name in old.keys() - new.keys():
-        yield Difference("agent-removed", f"the team: {name} removed")
+    for name in old:
+        if name not in new:
+            yield Difference("agent-removed", f"the team: {name} removed")
     for name, agent in new.items():
         was = old.get(name)
         if was is None:
@@ -262,13 +295,14 @@ def _agents(before: Sequence[Agent], after: Sequence[Agent]) -> Iterator[Differe
 
 
 def _goals(before: Sequence[Goal], after: Sequence[Goal]) -> Iterator[Difference]:
+    had, has = {(goal.storehouse, goal.stock) for goal in before}, {(goal.storehouse, goal.stock) for goal in after}
     for goal in before:
-        if goal not in after:
+        if (goal.storehouse, goal.stock) not in has:
             yield Difference("goal-removed", f"the goals: {goal.storehouse} holds {goal.stock} removed")
     for goal in after:
-        if goal not in before:
+        if (goal.storehouse, goal.stock) not in had:
             yield Difference("goal-added", f"the goals: {goal.storehouse} holds {goal.stock} added")
-    if list(before) != list(after) and all(goal in after for goal in before) and all(goal in before for goal in after):
+    if list(before) != list(after) and had == has:
         yield Difference("order", "the goals stand in another order")
 
 

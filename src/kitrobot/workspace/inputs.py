@@ -16,10 +16,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 
 from kitrobot.diagnostics import Diagnostic, Severity, Source, rule
-from kitrobot.primitives import Robot
+from kitrobot.primitives import Robot, Suggestions, listed
 
 HEADER = rule(
     "inputs-header",
@@ -105,12 +104,15 @@ def read_inputs(text: str, name: str, robot: Robot) -> tuple[Inputs, list[Diagno
     if header is None or header[0].text != "tick":
         problems.append(_header_problem(source, header))
         return Inputs(), problems
-    columns = [_column(source, cell, robot, problems) for cell in header[1:]]
-    for number, cell in enumerate(header[1:], start=1):
-        if cell.text and cell.text in [other.text for other in header[1:number]]:
+    names = _Names(robot)
+    columns = [_column(source, cell, names, problems) for cell in header[1:]]
+    seen: set[str] = set()
+    for cell in header[1:]:
+        if cell.text and cell.text in seen:
             place = source.place(cell.start, cell.end)
             problems.append(TWICE(f"The column `{cell.text}` stands here a second time", place))
-    changes: dict[int, tuple[Change, ...]] = {}
+        seen.add(cell.text)
+    changes: dict[int, list[Change]] = {}
     last = -1
     for row in rows:
         if len(row) != len(header):
@@ -129,16 +131,15 @@ def read_inputs(text: str, name: str, robot: Robot) -> tuple[Inputs, list[Diagno
             message = f"tick {tick} stands in two rows; where both fill a cell, this one wins"
             problems.append(REPEATED(message, source.place(row[0].start, row[0].end)))
         last = tick
-        made = changes.get(tick, ())
+        made = changes.setdefault(tick, [])
         for cell, column in zip(row[1:], columns, strict=True):
             if not cell.text or column is None:
                 continue
             input_name, done = column
             value = _number(source, cell, "0 or 1" if done else "a whole number", *_bounds(done), problems)
             if value is not None:
-                made += (Change(input_name, done, value),)
-        changes[tick] = made
-    return Inputs(changes), problems
+                made.append(Change(input_name, done, value))
+    return Inputs({tick: tuple(made) for tick, made in changes.items()}), problems
 
 
 def _rows(text: str) -> Iterator[list[_Cell]]:
@@ -176,21 +177,32 @@ def _header_problem(source: Source, header: list[_Cell] | None) -> Diagnostic:
     return HEADER(message, source.place(first.start, first.end), help=help)
 
 
-def _column(source: Source, cell: _Cell, robot: Robot, problems: list[Diagnostic]) -> tuple[str, bool] | None:
+class _Names:
+    """What the columns of a robot's table of inputs may be called."""
+
+    def __init__(self, robot: Robot) -> None:
+        self.robot = robot.name
+        self.sensors = {part.name for part in robot.sensors}
+        self.actuators = {part.name for part in robot.actuators}
+        self.columns = [part.name for part in robot.sensors] + [DONE + part.name for part in robot.actuators]
+        self.suggestions = Suggestions()
+
+
+def _column(source: Source, cell: _Cell, names: _Names, problems: list[Diagnostic]) -> tuple[str, bool] | None:
     """(input, whether it is a done flag) of a column, or None when the robot has no such input."""
     done = cell.text.startswith(DONE)
     wanted = cell.text.removeprefix(DONE).strip() if done else cell.text
-    names = [part.name for part in (robot.actuators if done else robot.sensors)]
-    if wanted in names:
+    if wanted in (names.actuators if done else names.sensors):
         return wanted, done
-    known = [part.name for part in robot.sensors] + [DONE + part.name for part in robot.actuators]
-    near = get_close_matches(cell.text, known, n=1)
+    near = names.suggestions.nearest(cell.text, names.columns)
     if near:
-        help = f"did you mean `{near[0]}`?"
+        help = f"did you mean `{near}`?"
+    elif names.columns:
+        help = f"known: {listed(f'`{name}`' for name in names.columns)}"
     else:
-        help = "known: " + ", ".join(f"`{name}`" for name in known) if known else "this robot has no inputs"
+        help = "this robot has no inputs"
     what = "actuator" if done else "sensor"
-    message = f"the robot `{robot.name}` has no {what} `{wanted}`"
+    message = f"the robot `{names.robot}` has no {what} `{wanted}`"
     problems.append(UNKNOWN(message, source.place(cell.start, cell.end), help=help))
     return None
 

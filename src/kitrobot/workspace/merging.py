@@ -114,11 +114,14 @@ def _bring_back(
     programs: list[Program], agents: Sequence[Agent], sides: Iterable[Mission], conflicts: list[str]
 ) -> None:
     """Programs that one side removed and that the other's agents run."""
+    have = {program.name for program in programs}
     for side in sides:
+        known = {program.name: program for program in reversed(side.programs)}
         for name in dict.fromkeys(agent.program for agent in agents):
-            found = side.program(name)
-            if found is not None and all(program.name != name for program in programs):
+            found = known.get(name)
+            if found is not None and name not in have:
                 programs.append(found)
+                have.add(name)
                 conflicts.append(f"the program {name} was removed in one and runs on an agent of the other: it is kept")
 
 
@@ -166,16 +169,17 @@ def _order(base: Iterable[Any], ours: Iterable[Any], theirs: Iterable[Any]) -> l
     """Everybody's names: in our order, what only they have behind what it follows with them."""
     old, mine, other = list(base), list(ours), list(theirs)
     if mine == old:
-        return [*other, *(name for name in mine if name not in set(other))]
-    found = list(mine)
-    have = set(found)
+        theirs_too = set(other)
+        return [*other, *(name for name in mine if name not in theirs_too)]
+    have = set(mine)
+    behind: dict[Any, list[Any]] = {}  # what only they have, by the name before it; None at the end
     before: Any = None
     for name in other:
         if name not in have:
-            found.insert(found.index(before) + 1 if before in have else len(found), name)
-            have.add(name)
-        before = name
-    return found
+            behind.setdefault(before, []).append(name)
+        else:
+            before = name
+    return [one for name in (*mine, None) for one in (*([] if name is None else [name]), *behind.get(name, ()))]
 
 
 def _programs(base: Mission, ours: Mission, theirs: Mission, conflicts: list[str]) -> list[Program]:
@@ -332,20 +336,21 @@ def _ports(program: Program) -> dict[Port, Arc] | None:
 def _hangs_together(merged: Program, ours: Program, theirs: Program) -> bool:
     """Whether nothing came loose, every in-port is entered once, and no chain ends where both sides' went on."""
     into = [(arc.target, arc.at) for arc in merged.arcs if arc.at != RETURN]
-    single = [(target, at) for target, at in into if at != IN or target not in _stops(merged)]
+    stops = _ids(merged, STOP)
+    single = [(target, at) for target, at in into if at != IN or target not in stops]
     if len(single) != len(set(single)):
         return False
     now, mine, other = Outline(merged), Outline(ours), Outline(theirs)
     for vertex in now.spots:
         if now.is_parked(vertex) and not any(vertex in side.spots and side.is_parked(vertex) for side in (mine, other)):
             return False
-    loose = {vertex.id for vertex in merged.vertices} - {arc.source for arc in merged.arcs}
-    return all(any(_is_loose(id, side) for side in (ours, theirs)) for id in loose if id not in _stops(merged))
+    return _loose(merged) - stops <= _loose(ours) | _loose(theirs)
 
 
-def _is_loose(id: str, program: Program) -> bool:
-    return any(vertex.id == id for vertex in program.vertices) and all(arc.source != id for arc in program.arcs)
+def _loose(program: Program) -> set[str]:
+    """The vertices that no arc leaves."""
+    return _ids(program) - {arc.source for arc in program.arcs}
 
 
-def _stops(program: Program) -> set[str]:
-    return {vertex.id for vertex in program.vertices if vertex.element == STOP}
+def _ids(program: Program, element: str | None = None) -> set[str]:
+    return {vertex.id for vertex in program.vertices if element in (None, vertex.element)}

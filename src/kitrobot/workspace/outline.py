@@ -46,6 +46,7 @@ class Outline:
         for vertex in program.vertices:
             if vertex.id not in self._into:
                 self._follow((vertex.id, PARKED), vertex.id)
+        self._parked: dict[str, bool] = {}
         for vertex in program.vertices:  # what goes round in a circle and hangs on nothing
             self._follow((vertex.id, PARKED), vertex.id)
 
@@ -75,11 +76,14 @@ class Outline:
 
     def is_parked(self, vertex: str) -> bool:
         """Whether a vertex hangs on nothing, or on something that does."""
-        seen: set[str] = set()
-        while vertex in self.spots and vertex not in seen:
-            seen.add(vertex)
+        seen: dict[str, None] = {}
+        while vertex in self.spots and vertex not in seen and vertex not in self._parked:
+            seen[vertex] = None
             holder, slot = self.spots[vertex].chain
             if slot == PARKED:
-                return True
+                self._parked[vertex] = True
+                break
             vertex = holder
-        return vertex in seen
+        found = self._parked.get(vertex, vertex in seen)
+        self._parked.update(dict.fromkeys(seen, found))
+        return found

@@ -6,6 +6,7 @@ stands at one place of the list in both and differs is one thing that changed.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields, replace
 from typing import Any
@@ -49,8 +50,7 @@ def _within(old: World, new: World) -> Iterator[tuple[str, str]]:
 
 
 def _nameless(kind: str, old: Sequence[Any], new: Sequence[Any]) -> Iterator[tuple[str, str]]:
-    gone = [at for at, part in enumerate(old) if old[: at + 1].count(part) > new.count(part)]
-    come = [at for at, part in enumerate(new) if new[: at + 1].count(part) > old.count(part)]
+    gone, come = _beyond(old, new), _beyond(new, old)
     if len(old) == len(new) and gone == come:
         for at in gone:
             yield "world-thing", f"the world: {kind} {at + 1} changed"
@@ -61,6 +61,17 @@ def _nameless(kind: str, old: Sequence[Any], new: Sequence[Any]) -> Iterator[tup
         yield "world-thing-added", f"the world: {kind} {at + 1} added"
     if old != new and sorted(map(repr, old)) == sorted(map(repr, new)):
         yield "order", f"the world: its {kind}s stand in another order"
+
+
+def _beyond(parts: Sequence[Any], others: Sequence[Any]) -> list[int]:
+    """Where parts stand that the others have not, or not so often."""
+    left = Counter(others)
+    found = []
+    for at, part in enumerate(parts):
+        left[part] -= 1
+        if left[part] < 0:
+            found.append(at)
+    return found
 
 
 def _by_name(kind: str, old: Sequence[Any], new: Sequence[Any]) -> Iterator[tuple[str, str]]:
@@ -119,5 +130,6 @@ def merge_places(
 
 def _merged(old: Sequence[Any], mine: Sequence[Any], other: Sequence[Any]) -> tuple[Any, ...]:
     """Ours without what they took away, and with what they brought."""
-    kept = [part for part in mine if part not in old or part in other]
-    return (*kept, *(part for part in other if part not in old and part not in mine))
+    before, here, there = set(old), set(mine), set(other)
+    kept = [part for part in mine if part not in before or part in there]
+    return (*kept, *(part for part in other if part not in before and part not in here))

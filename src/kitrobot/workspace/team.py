@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from kitrobot.diagnostics import Diagnostic, Place, Severity, rule
 from kitrobot.mission import NO_PROGRAM, Mission
-from kitrobot.primitives import Catalogue, did_you_mean
+from kitrobot.primitives import Catalogue, Suggestions, listed
 from kitrobot.workspace.places import Places
 from kitrobot.world import World
 
@@ -51,6 +51,7 @@ class _Look:
         self.catalogue = catalogue
         self.world = world
         self.places = places
+        self.suggestions = Suggestions()
 
     def programs(self) -> Iterable[Diagnostic]:
         names = Counter(program.name for program in self.mission.programs)
@@ -60,7 +61,7 @@ class _Look:
         for program in self.mission.programs:
             if program.robot not in robots:
                 message = f"the program `{program.name}` is for the robot `{program.robot}`, which is not at hand"
-                help = did_you_mean(program.robot, robots) or f"robots at hand: {', '.join(robots)}"
+                help = self._help(program.robot, robots) or f"robots at hand: {listed(robots)}"
                 yield NO_ROBOT(message, self._program(program.name), help=help, program=program.name)
 
     def agents(self) -> Iterable[Diagnostic]:
@@ -68,29 +69,33 @@ class _Look:
         names = Counter(agent.name for agent in team.agents)
         for name in (name for name, count in names.items() if count > 1):
             yield SAME_NAME(f"{names[name]} agents are called `{name}`", self._agent(name))
-        programs = [program.name for program in self.mission.programs]
-        starts = [] if self.world is None else [start.name for start in self.world.starts]
-        known = set(starts)
+        programs = dict.fromkeys(program.name for program in self.mission.programs)
+        known = dict.fromkeys(start.name for start in (self.world.starts if self.world is not None else ()))
         for agent in team.agents:
             # Of a file, its reader has told this.
             if self.places is None and agent.program not in programs:
                 message = f"`{agent.name}` runs the program `{agent.program}`, which is not in this mission"
-                help = did_you_mean(agent.program, programs) or f"its programs: {', '.join(programs) or 'none'}"
+                help = self._help(agent.program, programs) or f"its programs: {listed(programs) or 'none'}"
                 yield NO_PROGRAM(message, help=help)
             if self.world is not None and agent.start_name not in known:
                 message = (
                     f"`{agent.name}` would start at `{agent.start_name}`, which the world `{self.world.name}` has not"
                 )
-                help = did_you_mean(agent.start_name, starts) or f"starts there: {', '.join(starts) or 'none'}"
+                help = self._help(agent.start_name, known) or f"starts there: {listed(known) or 'none'}"
                 yield NO_START(message, self._agent(agent.name), help=help)
 
     def goals(self) -> Iterable[Diagnostic]:
+        if self.world is None:
+            return
+        houses = [house.name for house in self.world.storehouses]
         for index, goal in enumerate(self.mission.team.goals):
-            if self.world is not None and self.world.storehouse(goal.storehouse) is None:
-                houses = [house.name for house in self.world.storehouses]
+            if self.world.storehouse(goal.storehouse) is None:
                 message = f"the world `{self.world.name}` has no storehouse `{goal.storehouse}`"
-                help = did_you_mean(goal.storehouse, houses) or f"storehouses there: {', '.join(houses) or 'none'}"
+                help = self._help(goal.storehouse, houses) or f"storehouses there: {listed(houses) or 'none'}"
                 yield NO_STOREHOUSE(message, self.places.goal(index) if self.places else None, help=help)
+
+    def _help(self, name: str, names: Iterable[str]) -> str:
+        return self.suggestions.did_you_mean(name, names)
 
     def _program(self, name: str) -> Place | None:
         return self.places.program(name) if self.places else None

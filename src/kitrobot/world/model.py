@@ -177,21 +177,39 @@ class World:
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
 
+    # What is looked up by its name: the first one of a name.
+
+    @cached_property
+    def _roads(self) -> dict[str, Road]:
+        return {road.name: road for road in reversed(self.roads)}
+
+    @cached_property
+    def _docks(self) -> dict[str, Dock]:
+        return {dock.name: dock for dock in reversed(self.docks)}
+
+    @cached_property
+    def _storehouses(self) -> dict[str, Storehouse]:
+        return {house.name: house for house in reversed(self.storehouses)}
+
+    @cached_property
+    def _starts(self) -> dict[str, Start]:
+        return {start.name: start for start in reversed(self.starts)}
+
     def road(self, name: str) -> Road | None:
         """The road of that name, or None."""
-        return next((road for road in self.roads if road.name == name), None)
+        return self._roads.get(name)
 
     def dock(self, name: str) -> Dock | None:
         """The dock of that name, or None."""
-        return next((dock for dock in self.docks if dock.name == name), None)
+        return self._docks.get(name)
 
     def storehouse(self, name: str) -> Storehouse | None:
         """The storehouse of that name, or None."""
-        return next((house for house in self.storehouses if house.name == name), None)
+        return self._storehouses.get(name)
 
     def start(self, name: str) -> Start | None:
         """The start of that name, or None."""
-        return next((start for start in self.starts if start.name == name), None)
+        return self._starts.get(name)
 
     def dock_pose(self, dock: Dock) -> Pose:
         """Where a carrier stands in the dock, and where it looks."""

@@ -114,6 +114,7 @@ def _sections(element: Element, road_mm: float) -> tuple[Section, ...]:
     """The sections of a road, checked one after another: each begins where the one before ended."""
     found = element.found_at(Section)
     sections: list[Section] = []
+    signs: set[int] = set()
     at = 0.0
     for number, (section, where) in enumerate(found, 1):
         final = number == len(found)
@@ -129,9 +130,10 @@ def _sections(element: Element, road_mm: float) -> tuple[Section, ...]:
         elif final and abs(end - road_mm) > SECTION_SLACK_MM:
             message = f"expected the last section to end with its road at {mm(road_mm)} mm, found {mm(end)}"
             where.report(rules.SECTIONS, message, "to", "without `to` the last section ends with its road")
-        if any(other.sign == section.sign for other in sections):
+        if section.sign in signs:
             where.report(xml_rules.DUPLICATE, f"the sign {section.sign} stands on this road already", "sign")
         at = start if math.isinf(end) else end
+        signs.add(section.sign)
         sections.append(Section(section.sign, start, end))
     return tuple(sections)
 

@@ -6,14 +6,15 @@ a world looks at the diagnostics first.
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TypeVar
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.primitives import TEXTS, Element, Reader, Tag, did_you_mean, shown
+from kitrobot.primitives import TEXTS, Element, Reader, Tag, shown
 from kitrobot.primitives import rules as xml_rules
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, distance_to_stretch
@@ -171,6 +172,18 @@ class _Whole:
     def __init__(self, root: Element, frame: World) -> None:
         self.root = root
         self.so_far = frame
+        self._declared: dict[str, dict[str, None]] = {}
+
+    @cached_property
+    def walls(self) -> _WallsAround:
+        """The sound walls; asked for when there are no more to come."""
+        return _WallsAround(self.so_far.walls)
+
+    def declared(self, kind: str) -> Mapping[str, None]:
+        """The names of all parts of a kind, sound or not, in the order of the file."""
+        if kind not in self._declared:
+            self._declared[kind] = dict.fromkeys(part.name for part in self.root.found(_NAMED[kind]))
+        return self._declared[kind]
 
     def world(self) -> World:
         """The world of all sound parts."""
@@ -232,10 +245,7 @@ class _Whole:
             return
         pose = world.start_pose(start)
         self._inside(where, [(pose.x_mm, pose.y_mm)])
-        for wall in world.walls:
-            # Of very many walls most are told apart from near ones by this alone.
-            if not _is_around(wall, pose.x_mm, pose.y_mm, WALL_CLEARANCE_MM):
-                continue
+        for wall in self.walls.around(pose.x_mm, pose.y_mm):
             away, _ = distance_to_stretch(pose.x_mm, pose.y_mm, wall.x1_mm, wall.y1_mm, wall.x2_mm, wall.y2_mm)
             if away < WALL_CLEARANCE_MM:
                 where.report(rules.START, f"{start.name} starts in a wall", help="move the start away from the wall")
@@ -245,12 +255,14 @@ class _Whole:
 
     def _exists(self, where: Element, attribute: str, name: str, found: object) -> None:
         """Whether `name` stands for something; one that was declared but left out has been reported already."""
-        declared = [part.name for part in self.root.found(_NAMED[attribute])]
-        if found is None and name in declared:
+        if found is not None:
+            return
+        declared = self.declared(attribute)
+        if name in declared:
             where.faulty = True
-        elif found is None:
+        else:
             message = f"expected the name of a <{attribute}> of this world, found {shown(name)}"
-            where.report(rules.UNKNOWN, message, attribute, did_you_mean(name, declared))
+            where.report(rules.UNKNOWN, message, attribute, where.did_you_mean(name, declared))
 
     def _inside(self, where: Element, points: Iterable[tuple[float, float]]) -> None:
         width, height = self.so_far.width_mm, self.so_far.height_mm
@@ -261,12 +273,31 @@ class _Whole:
                 return
 
 
-def _is_around(wall: Wall, x_mm: float, y_mm: float, within_mm: float) -> bool:
-    """Whether a point is in the rectangle around a wall, with so much to spare."""
-    if wall.x1_mm < x_mm - within_mm and wall.x2_mm < x_mm - within_mm:
-        return False
-    if wall.x1_mm > x_mm + within_mm and wall.x2_mm > x_mm + within_mm:
-        return False
-    if wall.y1_mm < y_mm - within_mm and wall.y2_mm < y_mm - within_mm:
-        return False
-    return not (wall.y1_mm > y_mm + within_mm and wall.y2_mm > y_mm + within_mm)
+class _WallsAround:
+    """The walls of a world by where they are, so that of very many walls only the near ones are looked at.
+
+    Squares of several sizes, each twice as wide as the one before: a wall is in those squares of one size, at most
+    four, which it and `WALL_CLEARANCE_MM` around it touch and than which it is not wider.
+    """
+
+    def __init__(self, walls: Iterable[Wall]) -> None:
+        self.squares: dict[tuple[int, int, int], list[Wall]] = {}
+        self.sizes: set[int] = set()
+        for wall in walls:
+            left, right = sorted((wall.x1_mm, wall.x2_mm))
+            bottom, top = sorted((wall.y1_mm, wall.y2_mm))
+            spare = WALL_CLEARANCE_MM
+            size = math.frexp(max(right - left, top - bottom) + 2 * spare)[1]
+            self.sizes.add(size)
+            for column in {_square(left - spare, size), _square(right + spare, size)}:
+                for row in {_square(bottom - spare, size), _square(top + spare, size)}:
+                    self.squares.setdefault((size, column, row), []).append(wall)
+
+    def around(self, x_mm: float, y_mm: float) -> Iterator[Wall]:
+        """Every wall that is within `WALL_CLEARANCE_MM` of a point, and others."""
+        for size in self.sizes:
+            yield from self.squares.get((size, _square(x_mm, size), _square(y_mm, size)), ())
+
+
+def _square(at_mm: float, size: int) -> int:
+    return math.floor(math.ldexp(at_mm, -size))

@@ -1,0 +1,157 @@
+"""Whatever a file holds, reading and checking it takes work in proportion to its size.
+
+Work is counted in calls of functions, Python's own among them: no clock decides. From `N` things to twice as many the
+number of calls may double; a reader that looks at all others for each of them comes near to four times as many.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+import sys
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.primitives import Catalogue, Robot, Suggestions, load_catalogue
+from kitrobot.primitives.suggestions import MOST_COMPARISONS
+from kitrobot.workspace import check_file, compare_files, convert, lay_out_file, merge_files
+from kitrobot.workspace.inputs import read_inputs
+from tests.growth.shapes import SHAPES, content
+
+N = 110
+MOST = 2.3
+"""How much more work twice as much may be."""
+
+
+def calls(work: Callable[[], object]) -> int:
+    """How many functions are called."""
+    counted = 0
+
+    def count(frame: object, event: str, argument: object) -> None:
+        nonlocal counted
+        counted += event in ("call", "c_call")
+
+    gc.collect()
+    gc.disable()
+    sys.setprofile(count)
+    try:
+        work()
+    except KitRobotError:
+        pass  # refused, which is work too
+    finally:
+        sys.setprofile(None)
+        gc.enable()
+    return counted
+
+
+def grows(work: Callable[[int], Callable[[], object]]) -> float:
+    """How many times as many calls twice as much takes."""
+    once, twice = work(N), work(2 * N)
+    for one in (once, twice):
+        with contextlib.suppress(KitRobotError):
+            one()  # what is remembered is remembered for both
+    return calls(twice) / calls(once)
+
+
+@pytest.fixture(scope="module")
+def robot() -> Robot:
+    """The robot that texts and inputs are for."""
+    return load_catalogue([]).robot("mini-robot")
+
+
+@cache
+def _catalogue() -> Catalogue:
+    return load_catalogue([])
+
+
+@pytest.fixture(autouse=True)
+def small_limits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing of the user's own is read, and what is done up to a limit only comes to its limit early."""
+    monkeypatch.setenv("KITROBOT_CONFIG", str(tmp_path / "no-config"))
+    monkeypatch.setattr("kitrobot.primitives.suggestions._COMPARED", 10)
+    monkeypatch.setattr("kitrobot.primitives.xml.MAX_PROBLEMS", 20)
+    # What is the same for every file would only hide how the rest grows.
+    for module in ("opening", "conversion"):
+        monkeypatch.setattr(f"kitrobot.workspace.{module}.load_catalogue", lambda folders=(): _catalogue())
+
+
+def made(folder: Path, name: str, n: int, stem: str = "x") -> Path:
+    """A file of a shape."""
+    place = folder / str(n)
+    place.mkdir(exist_ok=True)
+    file = place / f"{stem}.{name.partition(' ')[0]}"
+    file.write_bytes(content(SHAPES[name](n)))
+    return file
+
+
+@pytest.mark.parametrize("name", [name for name in SHAPES if not name.startswith(("lll", "csv"))])
+def test_twice_as_much_in_a_file_is_no_more_than_twice_the_work_of_checking_it(tmp_path, name):
+    def work(n: int) -> Callable[[], object]:
+        file = made(tmp_path, name, n)
+        return lambda: check_file(file)
+
+    assert grows(work) < MOST
+
+
+@pytest.mark.parametrize("name", [name for name in SHAPES if name.startswith("lll")])
+def test_twice_as_much_text_is_no_more_than_twice_the_work_of_laying_it_out_and_checking_it(tmp_path, robot, name):
+    def work(n: int) -> Callable[[], object]:
+        file = made(tmp_path, name, n)
+        return lambda: (lay_out_file(file), check_file(file, robot))
+
+    assert grows(work) < MOST
+
+
+@pytest.mark.parametrize("name", [name for name in SHAPES if name.startswith("csv")])
+def test_twice_as_many_inputs_are_no_more_than_twice_the_work(tmp_path, robot, name):
+    def work(n: int) -> Callable[[], object]:
+        text = made(tmp_path, name, n).read_text()
+        return lambda: read_inputs(text, "x.csv", robot)
+
+    assert grows(work) < MOST
+
+
+@pytest.mark.parametrize("name", [name for name in SHAPES if name.startswith("krt")])
+def test_twice_as_much_is_no_more_than_twice_the_work_of_comparing_merging_and_converting_it(tmp_path, name):
+    def work(n: int) -> Callable[[], object]:
+        one, half = made(tmp_path, name, n), made(tmp_path, name, n // 2, "half")
+        other = one.with_stem("other")
+        other.write_bytes(one.read_bytes().replace(b"Wheel.Stop", b"Lamp.LightOn").replace(b'"q', b'"z'))
+        out = one.with_name("out.lll")
+
+        def all_of_it() -> None:
+            for act in (
+                lambda: compare_files(one, other),
+                lambda: compare_files(half, one),
+                lambda: merge_files(half, one, other, one.with_name("merged.krt")),
+                lambda: convert(one, out),
+            ):
+                with contextlib.suppress(KitRobotError):
+                    act()
+
+        return all_of_it
+
+    assert grows(work) < MOST
+
+
+def test_ten_thousand_columns_of_one_name_and_as_many_rows_of_one_tick_are_read(robot):
+    inputs, problems = read_inputs("tick" + ",Captor" * 10_000 + "\n0" + ",1" * 10_000, "x.csv", robot)
+    assert len(problems) == 9_999
+    assert len(inputs.at(0)) == 10_000
+    inputs, problems = read_inputs("tick,Captor\n" + "5,1\n" * 80_000, "x.csv", robot)
+    assert len(problems) == 79_999
+    assert len(inputs.at(5)) == 80_000
+
+
+def test_of_very_many_misspelt_words_the_first_ones_get_a_suggestion(monkeypatch):
+    monkeypatch.setattr("kitrobot.primitives.suggestions._COMPARED", 1000)
+    words = [f"word-{number}" for number in range(1000)]
+    suggestions = Suggestions()
+    found = [suggestions.did_you_mean(f"wort-{number}", words) for number in range(1000)]
+    some = MOST_COMPARISONS // len(words)
+    assert all(found[:some])
+    assert not any(found[some:])
