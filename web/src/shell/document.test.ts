@@ -74,6 +74,18 @@ describe("the first mission", () => {
     expect([opened(), useDocument.getState().ready]).toEqual(["b.krt", true]);
   });
 
+  it("does not cover what was asked for while it was on its way", async () => {
+    serve({
+      "GET api/session": [[200, { ...session, path: "b.krt" }]],
+      "GET api/mission?path=b.krt": [[200, file("b.krt")]],
+      "GET api/mission/new": [[200, file("")]],
+    });
+    const first = begin();
+    newMission();
+    await first;
+    await vi.waitFor(() => expect(opened()).toBe(""));
+  });
+
   it("is the first example when none was named", async () => {
     const entry = { name: "n", title: "t", modified: "" };
     serve({

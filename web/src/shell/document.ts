@@ -114,7 +114,15 @@ export function hasPlace(path: string): boolean {
   return path !== "" && !path.startsWith("example:") && !isFromRecording(path);
 }
 
+/** While the first mission is on its way. */
+let beginning: Promise<void> | null = null;
+
+/** Opens another mission; what is asked before the first one is there waits for it, and is not covered by it then. */
 function unlessUnsaved(go: () => void): void {
+  if (beginning !== null) {
+    void beginning.then(() => unlessUnsaved(go));
+    return;
+  }
   if (!useStudio.getState().dirty) {
     go();
     return;
@@ -235,7 +243,14 @@ export function openFromComputer(file: File): void {
 }
 
 /** The first mission: the one of the command line, else the first example, else an empty one. */
-export async function begin(): Promise<void> {
+export function begin(): Promise<void> {
+  beginning = openFirst().finally(() => {
+    beginning = null;
+  });
+  return beginning;
+}
+
+async function openFirst(): Promise<void> {
   try {
     const session = await api.session();
     set({ session });
