@@ -149,15 +149,21 @@ class Session:
                 return
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
-        if self._studio.runs >= MOST_RUNS:
-            await self._fail(f"this studio has {MOST_RUNS} runs already", "stop one of them, perhaps in another tab")
+        # Looked for and taken in one breath: nobody comes between.
+        if not self._take_place():
+            await self._no_place()
             return
-        self._let_go()
-        await self._stand_up()
+        try:
+            self._let_go()
+            await self._stand_up()
+        except BaseException:
+            self._count(False)
+            raise
         self._pace, self._watch, self._early, self._steps, self._jobs = None, None, [], 0, []
         self._stopping, self._said, self._state_now, self._audience, self._looks = False, ("", -1), None, None, ()
         self._wake.clear()
         self._task = asyncio.create_task(self._whole_run(request))
+        self._task.add_done_callback(self._give_back)
 
     async def _sit_down(self, request: WatchRequest) -> None:
         if self._task is not None and not self._task.done():
@@ -216,7 +222,6 @@ class Session:
         return self._stopping
 
     async def _whole_run(self, request: StartRequest | ReplayRequest) -> None:
-        self._count(True)
         try:
             watch = await asyncio.to_thread(self._prepare, request)
             if isinstance(watch, ProblemsMessage):
@@ -236,14 +241,27 @@ class Session:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a run broke: %s: %s", type(error).__name__, error, exc_info=debugging)
             await self._break_off("something went wrong inside KitRobot", "the run has ended; please report it")
-        finally:
-            self._count(False)
 
     async def _break_off(self, message: str, help: str) -> None:
         """Says to everybody why the run is over."""
         if self._audience is not None:
             self._audience.end(message, help)
         await self._fail(message, help, ended=True)
+
+    def _take_place(self) -> bool:
+        """Becomes one of the studio's runs; False when there are as many as it has."""
+        if not self._counts and self._studio.runs >= MOST_RUNS:
+            return False
+        self._count(True)
+        return True
+
+    def _give_back(self, task: asyncio.Task[None]) -> None:
+        """The place of a run that is over. Not for the task to do: one that is called off early runs no line of it."""
+        if task is self._task:
+            self._count(False)
+
+    async def _no_place(self) -> None:
+        await self._fail(f"this studio has {MOST_RUNS} runs already", "stop one of them, perhaps in another tab")
 
     def _count(self, counts: bool) -> None:
         self._studio.runs += counts - self._counts
@@ -287,7 +305,9 @@ class Session:
                 pace.set_paused(True, watch.tick)
                 self._count(False)
                 await self._wake.wait()
-                self._count(True)
+                if not self._is_stopping() and not self._take_place():
+                    self._jobs = []
+                    await self._no_place()
                 continue
             await self._state(watch, "paused" if pace.paused else "running")
             due = pace.due(watch.tick)
