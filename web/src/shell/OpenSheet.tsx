@@ -6,9 +6,9 @@ import { Card } from "../gallery/Card";
 import { Icon } from "../theme";
 import { TutorialCards } from "../tutorial/Cards";
 import { lookForTutorials } from "../tutorial/opening";
-import { t } from "../words/words";
-import { openFromComputer, openPath, show, useDocument } from "./document";
-import { useMissions, useRecordings } from "./missions";
+import { languageInUse, t } from "../words/words";
+import { openFromComputer, openLeft, openPath, show, shownName, useDocument } from "./document";
+import { useLeft, useMissions, useRecordings } from "./missions";
 import { Sheet } from "./Sheet";
 
 function open(entry: MissionEntry): void {
@@ -34,6 +34,7 @@ export function OpenSheet() {
   const chooser = useRef<HTMLInputElement>(null);
   useEffect(() => void lookForTutorials(), []);
   const recordings = useRecordings();
+  const left = useLeft();
   const own = missions?.filter((entry) => !entry.example) ?? [];
   const examples = missions?.filter((entry) => entry.example) ?? [];
   return (
@@ -44,6 +45,31 @@ export function OpenSheet() {
           <p className="sheet-note">{t("open.loading")}</p>
         ) : (
           <>
+            {left.length === 0 ? null : (
+              <>
+                <h3>{t("journal.list")}</h3>
+                <ul data-testid="open-left">
+                  {left.map(({ journal, path, name, modified }) => (
+                    <li key={journal}>
+                      <button
+                        type="button"
+                        className="open-entry"
+                        onClick={() => {
+                          show(null);
+                          openLeft(journal);
+                        }}
+                      >
+                        <Icon name="file" size={18} />
+                        <span className="open-title">{shownName(name)}</span>
+                        <span className="open-path">
+                          {path} {new Date(modified).toLocaleString(languageInUse())}
+                        </span>
+                      </button>
+                    </li>
+                  ))}
+                </ul>
+              </>
+            )}
             <h3>{t("open.workspace", { folder: workspace })}</h3>
             {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
             <ul>

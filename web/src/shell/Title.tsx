@@ -3,8 +3,9 @@ import { useEffect } from "react";
 
 import { useStudio } from "../model/studio";
 import { t } from "../words/words";
-import { useDisk } from "./disk";
+import { isOther, useDisk } from "./disk";
 import { shownName, useDocument } from "./document";
+import { useLink } from "./journal";
 import { isFromRecording } from "./recordings";
 
 export function Title() {
@@ -12,20 +13,22 @@ export function Title() {
   const dirty = useStudio((studio) => studio.dirty);
   const ready = useDocument((document) => document.ready);
   const others = useDisk((disk) => (disk.path === file.path ? disk.others : 0));
+  const lost = useLink((link) => link.connected === false);
+  const changed = useDisk((disk) => isOther(disk, file));
   const name = shownName(file.name);
   useEffect(() => {
     document.title = ready ? `${dirty ? "• " : ""}${name} · ${t("app.name")}` : t("app.name");
   }, [name, dirty, ready]);
   if (!ready) return null;
   const state = dirty
-    ? t("file.not-saved")
+    ? t(lost ? "file.not-kept" : "file.not-saved")
     : file.path === ""
       ? t("file.new-program")
       : file.path.startsWith("example:")
         ? t("file.example")
         : isFromRecording(file.path)
           ? t("recording.title")
-          : t("file.saved");
+          : t(lost ? "file.unknown" : changed ? "file.changed" : "file.saved");
   return (
     <div className="title" data-testid="title">
       <h1>{name}</h1>

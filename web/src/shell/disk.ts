@@ -15,6 +15,13 @@ export const useDisk = create<News>(() => ({ path: "", revision: "", others: 0, 
 
 /** A revision that is not worth a word: the person was asked, or it is what our own save has just replaced. */
 let settled = "";
+/** What our own save has replaced: news of it are from before. */
+let overtaken: string | null = null;
+
+/** Whether what is on disk is said to be something else than what was opened or saved here. */
+export function isOther({ path, revision }: News, file: { path: string; revision: string }): boolean {
+  return path === file.path && revision !== file.revision && revision !== overtaken;
+}
 
 export function hearOfDisk(news: News): void {
   useDisk.setState(news);
@@ -47,8 +54,10 @@ function offer(): void {
 export function watchDisk(): () => void {
   const offStudio = useStudio.subscribe((state, before) => {
     // The disk's last word is from before our own save; the next one will be true again.
-    if (state.file !== before.file) settled = useDisk.getState().revision;
-    else if (state.dirty !== before.dirty) offer();
+    if (state.file !== before.file) {
+      settled = useDisk.getState().revision;
+      overtaken = state.file.revision === before.file.revision ? null : settled;
+    } else if (state.dirty !== before.dirty) offer();
   });
   const offDocument = useDocument.subscribe((state, before) => {
     if (state.banner === null && before.banner !== null) offer();

@@ -4,17 +4,8 @@ import type { Mission, MissionFile } from "../api/types";
 import { emptyProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
 import { useRun } from "../run/run";
-import {
-  begin,
-  hasPlace,
-  newMission,
-  openFromComputer,
-  openPath,
-  save,
-  saveAs,
-  shownName,
-  useDocument,
-} from "./document";
+import { begin } from "./beginning";
+import { hasPlace, newMission, openFromComputer, openPath, save, saveAs, shownName, useDocument } from "./document";
 
 const MISSION: Mission = {
   version: 1,
@@ -202,6 +193,10 @@ describe("unsaved changes", () => {
     serve({ "GET api/mission/new": [[200, file("")]] });
     newMission();
     choose("Go on without saving");
+    // Here nobody keeps a journal.
+    await vi.waitFor(() => expect(banner()?.message).toContain("without saving they would be lost"));
+    expect(opened()).toBe("a.krt");
+    choose("Discard it");
     await vi.waitFor(() => expect(opened()).toBe(""));
   });
 

@@ -9,16 +9,15 @@ import { create } from "zustand";
 import { api, ApiError, type Saved, type Session } from "../api/client";
 import { type Claimed, journalApi, type Left } from "../api/journal";
 import { type Recording, traceApi } from "../api/traces";
-import type { MissionFile, Problem } from "../api/types";
+import type { Mission, MissionFile, Problem } from "../api/types";
 import { isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import { holdParts } from "../parts/files";
 import { useRun } from "../run/run";
 import { type Key, sentence, t } from "../words/words";
-import { download } from "./download";
-import { claim, journalBefore, keepsJournal, openWith } from "./journal";
+import { claim, flush, isKept, openWith } from "./journal";
 import { recover } from "./journal-records";
-import { begin as play, isFromRecording, isRecording, saveRun } from "./recordings";
+import { begin as play, isFromRecording, isRecording } from "./recordings";
 
 export interface BannerAction {
   label: string;
@@ -117,25 +116,61 @@ export function hasPlace(path: string): boolean {
 /** While the first mission is on its way. */
 let beginning: Promise<void> | null = null;
 
-/** Opens another mission; what is asked before the first one is there waits for it, and is not covered by it then. */
-function unlessUnsaved(go: () => void): void {
+/** What is asked before the first mission is there waits for it, and is not covered by it then. */
+export function holdUntil(begun: Promise<void>): Promise<void> {
+  beginning = begun.finally(() => {
+    beginning = null;
+  });
+  return beginning;
+}
+
+/** Goes on where nothing is unsaved; else asks. `path` is what will be open then, "" for nothing that has a place. */
+function unlessUnsaved(go: () => Promise<boolean>, path = ""): void {
   if (beginning !== null) {
-    void beginning.then(() => unlessUnsaved(go));
+    void beginning.then(() => unlessUnsaved(go, path));
     return;
   }
-  if (!useStudio.getState().dirty) {
-    go();
+  const { dirty, file } = useStudio.getState();
+  if (!dirty) {
+    void go();
     return;
   }
-  question(t("banner.unsaved", { name: fileName() }), [
-    ["banner.save", () => void save().then((saved) => saved && go())],
-    ["banner.discard", go],
-    ["banner.cancel", () => undefined],
-  ]);
+  const name = fileName();
+  // The file in the place of its own changes: they are what the person wants to be rid of.
+  const again = path !== "" && path === file.path;
+  question(
+    t("banner.unsaved", { name }),
+    [
+      ["banner.save", () => void save().then((saved) => saved && go())],
+      again ? ["journal.discard", () => void go()] : ["banner.discard", () => void leave(go, name)],
+      ["banner.cancel", () => undefined],
+    ],
+    "question",
+    t(again ? "journal.again-help" : "journal.leave-help"),
+  );
+}
+
+/** Goes on from unsaved work that is in the journal, and says where it is; asks once more when it is not there. */
+async function leave(go: () => Promise<boolean>, name: string): Promise<void> {
+  await flush();
+  if (!isKept()) {
+    question(
+      t("journal.not-kept", { name }),
+      [
+        ["banner.save", () => void save().then((saved) => saved && go())],
+        ["journal.discard", () => void go()],
+        ["banner.cancel", () => undefined],
+      ],
+      "error",
+    );
+    return;
+  }
+  if (!(await go()) || useDocument.getState().banner !== null) return;
+  question(t("journal.left", { name }), [], "note", t("journal.left-help"));
 }
 
 /** Opens a mission, with the work that was left on it; `journal` is the one that is wanted, "" for any. */
-async function take(file: MissionFile, journal = ""): Promise<void> {
+export async function take(file: MissionFile, journal = ""): Promise<void> {
   resume(file, await claim(file.path, journal));
 }
 
@@ -167,7 +202,7 @@ function discard(): void {
 }
 
 /** Opens work that was left behind; false when it is gone. */
-async function takeLeft(journal: string): Promise<boolean> {
+export async function takeLeft(journal: string): Promise<boolean> {
   const claimed = await claim("", journal);
   if (claimed === null || claimed.records.length === 0) return false;
   resume({ ...(await under(claimed.path)), path: claimed.path, name: claimed.name }, claimed);
@@ -184,12 +219,25 @@ async function under(path: string): Promise<MissionFile> {
   }
 }
 
+/** Opens work that was left behind, when the person asks for it. */
+export function openLeft(journal: string): void {
+  unlessUnsaved(async () => {
+    try {
+      if (await takeLeft(journal)) return true;
+      complain(new ApiError(t("journal.gone")));
+    } catch (cause) {
+      complain(cause);
+    }
+    return false;
+  });
+}
+
 /** Says that work on a new mission was left behind, which no file's name leads to. */
-function offerLeft(left: readonly Left[]): void {
+export function offerLeft(left: readonly Left[]): void {
   const [first] = left.filter((one) => one.path === "");
   if (first === undefined || useDocument.getState().banner !== null) return;
   const choices: [Key, () => void][] = [
-    ["journal.open", () => unlessUnsaved(() => void takeLeft(first.journal).catch(complain))],
+    ["journal.open", () => openLeft(first.journal)],
     ["journal.discard", () => void journalApi.forget(first.journal).then(offerLeft, complain)],
     ["journal.later", () => undefined],
   ];
@@ -202,101 +250,51 @@ export function loadFromDisk(): void {
   void bring(() => api.mission(path));
 }
 
-async function bring(get: () => Promise<MissionFile>): Promise<void> {
+/** True when it is open; a failure is told, and leaves open what is open. */
+async function bring(get: () => Promise<MissionFile>): Promise<boolean> {
   try {
     await take(await get());
+    return true;
   } catch (cause) {
     complain(cause);
+    return false;
   }
 }
 
 /** Opens the mission of a recording, and plays it. */
-async function bringRecording(get: () => Promise<Recording>): Promise<void> {
+async function bringRecording(get: () => Promise<Recording>): Promise<boolean> {
   try {
     const found = await get();
     await take(found.file);
     play(found);
+    return true;
   } catch (cause) {
     complain(cause);
+    return false;
   }
 }
 
 export function newMission(): void {
-  unlessUnsaved(() => void bring(api.newMission));
+  unlessUnsaved(() => bring(api.newMission));
 }
 
 export function openPath(path: string): void {
-  unlessUnsaved(
-    () => void (isRecording(path) ? bringRecording(() => traceApi.open(path)) : bring(() => api.mission(path))),
-  );
+  const go = () => (isRecording(path) ? bringRecording(() => traceApi.open(path)) : bring(() => api.mission(path)));
+  unlessUnsaved(go, path);
 }
 
 /** Opens a file that the person chose or dropped; it has no place on our disk until it is saved. */
 export function openFromComputer(file: File): void {
   unlessUnsaved(() => {
-    if (isRecording(file.name)) {
-      void bringRecording(async () => traceApi.read(file.name, await file.arrayBuffer()));
-    } else {
-      void bring(async () => api.readMission(file.name, await file.arrayBuffer()));
-    }
+    if (isRecording(file.name)) return bringRecording(async () => traceApi.read(file.name, await file.arrayBuffer()));
+    return bring(async () => api.readMission(file.name, await file.arrayBuffer()));
   });
-}
-
-/** The first mission: the one of the command line, else the first example, else an empty one. */
-export function begin(): Promise<void> {
-  beginning = openFirst().finally(() => {
-    beginning = null;
-  });
-  return beginning;
-}
-
-async function openFirst(): Promise<void> {
-  try {
-    const session = await api.session();
-    set({ session });
-    if (await beginWhereItEnded(session)) return;
-    if (session.path === null) {
-      const example = (await api.missions()).find((entry) => entry.example);
-      await take(example === undefined ? await api.newMission() : await api.mission(example.path));
-    } else {
-      await beginWith(session.path);
-    }
-    if (keepsJournal()) offerLeft(await journalApi.left());
-  } catch (cause) {
-    complain(cause, () => void begin());
-  }
-}
-
-/**
- * The work of this tab before it was loaded again, else, when no mission was named, the newest that was left behind. False
- * when there is none.
- */
-async function beginWhereItEnded(session: Session): Promise<boolean> {
-  if (!keepsJournal()) return false;
-  const before = journalBefore();
-  if (before !== "" && (await takeLeft(before))) return true;
-  const [newest] = session.path === null ? await journalApi.left() : [];
-  return newest !== undefined && takeLeft(newest.journal);
-}
-
-/** A file that cannot be read leaves an empty mission, and the sentence about it above. */
-async function beginWith(path: string): Promise<void> {
-  try {
-    if (isRecording(path)) {
-      const found = await traceApi.open(path);
-      await take(found.file);
-      play(found);
-    } else {
-      await take(await api.mission(path));
-    }
-  } catch (cause) {
-    await take(await api.newMission());
-    complain(cause);
-  }
 }
 
 /** Saves where the mission is from, or asks for a name. True when it is on disk. */
 export async function save(): Promise<boolean> {
+  // One after another: the next needs the revision that this one gives.
+  while (writing !== null) await writing;
   const { path, revision } = useStudio.getState().file;
   if (!hasPlace(path)) {
     show("save-as");
@@ -308,22 +306,39 @@ export async function save(): Promise<boolean> {
 /** Whether it was said that the folder knows no locks: once is enough. */
 let toldOfLocks = false;
 
-/** A mission is on disk. */
-function written({ locked }: Saved): void {
+/** A mission is on disk, as it was when `before` was open and asked to be saved; true when that is what is shown. */
+function written({ path, revision, locked }: Saved, mission: Mission, before: unknown): boolean {
+  const studio = useStudio.getState();
+  // Another one was opened meanwhile: its place is its own.
+  if (studio.file !== before) return false;
+  studio.markSaved(path, revision, undefined, mission);
+  saidOfSave(locked);
+  return studio.mission === mission;
+}
+
+function saidOfSave(locked: boolean | undefined): void {
   set({ banner: null, overlay: null, fileProblems: [] });
   if (locked !== false || toldOfLocks) return;
   toldOfLocks = true;
   question(t("disk.no-locks"), [], "note", t("disk.no-locks-help"));
 }
 
+/** The save that is on its way. */
+let writing: Promise<boolean> | null = null;
+
 export async function write(path: string, revision: string): Promise<boolean> {
-  const { mission } = useStudio.getState();
+  const mine = writeNow(path, revision).finally(() => {
+    if (writing === mine) writing = null;
+  });
+  writing = mine;
+  return mine;
+}
+
+async function writeNow(path: string, revision: string): Promise<boolean> {
+  const { mission, file } = useStudio.getState();
   set({ saving: true });
   try {
-    const saved = await api.saveMission(path, revision, mission);
-    if (useStudio.getState().mission === mission) useStudio.getState().markSaved(saved.path, saved.revision);
-    written(saved);
-    return true;
+    return written(await api.saveMission(path, revision, mission), mission, file);
   } catch (cause) {
     if (cause instanceof ApiError && cause.status === 409 && path === useStudio.getState().file.path) {
       conflict(path, cause.revision);
@@ -361,38 +376,12 @@ export function showDifference(again: () => void): void {
 
 /** A new name inside the workspace: null when saved, else the revision of the file that is already there. */
 export async function saveAs(path: string, over: string): Promise<{ taken: string } | null> {
-  const { mission } = useStudio.getState();
+  const { mission, file } = useStudio.getState();
   try {
-    const saved = await api.saveMission(path, over, mission);
-    useStudio.getState().markSaved(saved.path, saved.revision);
-    written(saved);
+    written(await api.saveMission(path, over, mission), mission, file);
     return null;
   } catch (cause) {
     if (cause instanceof ApiError && cause.status === 409) return { taken: cause.revision };
     throw cause;
   }
-}
-
-export async function downloadMission(): Promise<void> {
-  try {
-    const { text } = await api.missionText(useStudio.getState().mission);
-    download(fileName(), text, "application/xml");
-  } catch (cause) {
-    complain(cause);
-  }
-}
-
-/** The run so far, as a recording. */
-export async function saveTheRun(): Promise<void> {
-  try {
-    await saveRun();
-  } catch (cause) {
-    complain(cause);
-  }
-}
-
-export function downloadProgram(): void {
-  const { activeProgram, report } = useStudio.getState();
-  const found = report?.programs.find((program) => program.name === activeProgram);
-  if (found !== undefined) download(`${activeProgram}.lll`, found.lll, "text/plain");
 }

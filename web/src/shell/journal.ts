@@ -6,6 +6,8 @@
  * connection, a failure, a save, too many bytes) the whole history is sent in its place. Left to others: what the person is
  * told of it (returning.ts, disk.ts).
  */
+import { create } from "zustand";
+
 import { ApiError } from "../api/client";
 import { type Claimed, journalApi } from "../api/journal";
 import { type News, openWatch } from "../api/watch";
@@ -31,6 +33,9 @@ interface Keeping {
   store: Store;
   fail: (cause: unknown, again: () => void) => void;
 }
+
+/** Whether the server that keeps the journal is there; null before it was asked. */
+export const useLink = create<{ connected: boolean | null }>(() => ({ connected: null }));
 
 let keeping: Keeping | null = null;
 let tab = "";
@@ -227,10 +232,14 @@ export function keepJournal(
   store: Store = { api: journalApi, watch: openWatch },
 ): () => void {
   const close = store.watch({
-    onHello: (name) => void greet(name),
+    onHello: (name) => {
+      useLink.setState({ connected: true });
+      void greet(name);
+    },
     onNews,
     onLost: () => {
       tab = "";
+      useLink.setState({ connected: false });
     },
   });
   const off = useStudio.subscribe((state, before) => {

@@ -26,7 +26,8 @@ import { type Key, type Language, languageInUse, LANGUAGES, t } from "../words/w
 import { changeSpeed, goToProgram, moveActiveProgram, pause, removeProgramNamed, run, stepVertex } from "./actions";
 import { printSheet } from "../out/print";
 import { robotEntries } from "./AddProgram";
-import { complain, downloadMission, downloadProgram, newMission, save, saveTheRun, show } from "./document";
+import { complain, newMission, save, show } from "./document";
+import { downloadMission, downloadProgram, saveTheRun } from "./downloads";
 import { editEntries, viewEntries } from "./graph-menu";
 import { type Panel, useLayout } from "./layout";
 import type { MenuEntry, MenuPart } from "./menu-model";

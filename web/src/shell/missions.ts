@@ -2,6 +2,7 @@
 import { useEffect, useState } from "react";
 
 import { api, type MissionEntry } from "../api/client";
+import { journalApi, type Left } from "../api/journal";
 import { type RecordingEntry, traceApi } from "../api/traces";
 import { complain } from "./document";
 
@@ -30,6 +31,11 @@ function useList<T>(ask: () => Promise<T[]>): T[] | null {
 /** null while the list is on its way. */
 export function useMissions(): MissionEntry[] | null {
   return useList(api.missions);
+}
+
+/** Unsaved work that nobody has open; empty while the list is on its way. */
+export function useLeft(): Left[] {
+  return useList(journalApi.left) ?? [];
 }
 
 /** Empty while the list is on its way. */

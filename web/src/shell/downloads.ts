@@ -1,0 +1,30 @@
+/** The open mission, a program of it, and its run as files for the person to keep. */
+import { api } from "../api/client";
+import { useStudio } from "../model/studio";
+import { complain, fileName } from "./document";
+import { download } from "./download";
+import { saveRun } from "./recordings";
+
+export async function downloadMission(): Promise<void> {
+  try {
+    const { text } = await api.missionText(useStudio.getState().mission);
+    download(fileName(), text, "application/xml");
+  } catch (cause) {
+    complain(cause);
+  }
+}
+
+/** The run so far, as a recording. */
+export async function saveTheRun(): Promise<void> {
+  try {
+    await saveRun();
+  } catch (cause) {
+    complain(cause);
+  }
+}
+
+export function downloadProgram(): void {
+  const { activeProgram, report } = useStudio.getState();
+  const found = report?.programs.find((program) => program.name === activeProgram);
+  if (found !== undefined) download(`${activeProgram}.lll`, found.lll, "text/plain");
+}
