@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from kitrobot.diagnostics import Diagnostic, Place, Severity, rule
 from kitrobot.mission import NO_PROGRAM, Mission
 from kitrobot.primitives import Catalogue, did_you_mean
+from kitrobot.sim import free_start
 from kitrobot.workspace.places import Places
 from kitrobot.world import World
 
@@ -81,7 +82,7 @@ class _Look:
                 message = (
                     f"`{agent.name}` would start at `{agent.start_name}`, which the world `{self.world.name}` has not"
                 )
-                help = did_you_mean(agent.start_name, starts) or f"starts there: {', '.join(starts) or 'none'}"
+                help = free_start(agent.start_name, team, starts)
                 yield NO_START(message, self._agent(agent.name), help=help)
 
     def goals(self) -> Iterable[Diagnostic]:
