@@ -230,12 +230,6 @@ def test_a_world_that_is_not_there_is_shown(kitrobot, write):
     assert (problem["code"], problem["line"], problem["column"]) == ("mission-no-world", 2, 3)
 
 
-def test_a_mission_without_a_team_can_be_right(kitrobot, write):
-    text = TEAM[: TEAM.index('  <program name="q"')] + "</kitrobot>\n"
-    said = kitrobot("check", write("m.krt", text))
-    assert (said.status, said.out) == (0, "")
-
-
 def test_two_agents_in_one_place_are_shown(kitrobot, write):
     agents = '<agent name="a" program="p" start="robot-1"/><agent name="b" program="p" start="robot-1"/>'
     text = TEAM[: TEAM.index('  <program name="q"')] + f"  <team>{agents}</team>\n</kitrobot>\n"

@@ -161,6 +161,41 @@ def test_a_mission_without_agents_is_not_run(kitrobot, here):
     assert "no agents" in said.err
 
 
+def test_check_tells_a_mission_without_agents_as_a_run_does(kitrobot, here):
+    (here / "m.krt").write_text(SHORT[: SHORT.index("  <team>")] + "</kitrobot>\n")
+    checked = kitrobot("check", "m.krt", "--json")
+    assert (checked.status, [one["code"] for one in checked.json]) == (1, ["run-no-agent"])
+    assert "run-no-agent" in kitrobot("run", "m.krt").err
+
+
+TEAM = """<kitrobot version="1">
+  <program name="p" robot="mini-robot">
+    <vertex id="a" element="Start"/><vertex id="b" element="Stop"/><arc from="a" to="b"/>
+  </program>
+  <world href="merge.world.xml"/>
+  <team>{agents}</team>
+</kitrobot>
+"""
+
+
+def test_help_for_a_start_that_is_not_there_names_one_that_is_free(kitrobot, here):
+    from kitrobot.workspace import open_mission
+
+    (here / "m.krt").write_text(TEAM.format(agents='<agent name="x" program="p"/>'))
+    world = open_mission(here / "m.krt").world
+    assert world is not None
+    starts = [start.name for start in world.starts]
+    others = "".join(f'<agent name="{one}" program="p"/>' for one in starts[1:])
+    lost = f'<agent name="y" program="p" start="{starts[1]}x"/>'
+    (here / "m.krt").write_text(TEAM.format(agents=others + lost))
+    (told,) = (one for one in kitrobot("check", "m.krt", "--json").json if one["code"] == "mission-no-start")
+    assert told["help"] in (f"did you mean {starts[0]}?", f"starts that are free there: {starts[0]}")
+    taken = "".join(f'<agent name="{one}" program="p"/>' for one in starts)
+    (here / "m.krt").write_text(TEAM.format(agents=taken + lost))
+    (told,) = (one for one in kitrobot("check", "m.krt", "--json").json if one["code"] == "mission-no-start")
+    assert told["help"].startswith("no start of this world is free")
+
+
 @pytest.mark.parametrize("data", [b"", b"<kitrobot", b"\xff", b'<!DOCTYPE k [<!ENTITY a "b">]><kitrobot version="1"/>'])
 def test_a_damaged_mission_is_told_with_its_place(kitrobot, here, data):
     (here / "m.krt").write_bytes(data)

@@ -39,7 +39,7 @@ def mended(text: str, problem: Diagnostic) -> str:
         ("°Wheel.Advance(5)°;", "Wheel.Advance(5);"),
         ("*[Captor.LesThan(5)]( Wheel.Stop(); );", "*[Captor.LessThan(5)]( Wheel.Stop(); );"),
         ("Count.Set(Captor.Valeu());", "Count.Set(Captor.Value());"),
-        ("Wheel.Stop() WAIT(1);", "Wheel.Stop(); WAIT(1);"),
+        ("Wheel.Stop() Door.Open();", "Wheel.Stop(); Door.Open();"),
         ("Motor.AbsoluteTurn(30);", "Motor.AbsoluteTurn(30, 50);"),
     ],
 )

@@ -28,6 +28,12 @@ MISTAKES = [
     ("no vertices at all", [], [("start-stop", ()), ("start-stop", ())], ""),
     # ids and arcs
     (
+        "an unknown constructor as a condition",
+        ["start > v1:While > stop", "v1.body > v1.return", "v2:Perhaps > v1.condition"],
+        [("unknown-element", ("v2",))],
+        "*[]();",
+    ),
+    (
         "an id used twice",
         ["start > v1:Wheel.Stop > stop", "v1:Door.Open"],
         [("same-id", ("v1",))],

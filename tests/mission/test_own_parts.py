@@ -97,7 +97,7 @@ def test_programs_use_them(tmp_path: Path) -> None:
     data = "\n".join((HEAD, DANCE, TRIPS, PROGRAM, "</kitrobot>")).encode()
     opened = read_mission_data(data, "m.krt", tmp_path)
     report = opened.check()
-    assert report.problems == ()
+    assert [problem.code for problem in report.problems] == ["run-no-agent"]
     assert "Trips.LessThan(5)" in report.programs[0].lll
     assert "4*(" in report.programs[0].lll
     assert report.programs[0].instructions > 0

@@ -30,6 +30,7 @@ def convert_file(
     - `.kri` image → `.kra`
     - `.kra` three-address listing → `.kri`, byte for byte the image that was listed
 
+    A text becomes a mission that runs at once: its program, and one agent `robot-1` that runs it in the empty world.
     Nothing is written when the program has errors.
     """
     from kitrobot.workspace import convert

@@ -11,8 +11,8 @@ import typer
 from kitrobot.diagnostics import KitRobotError
 
 COMMANDS = (
-    *("boards", "check", "convert", "deploy", "exec", "format", "log", "replay", "run", "start", "stop", "studio"),
-    "watch",
+    *("boards", "check", "convert", "deploy", "diff", "exec", "format", "log", "merge", "replay", "run", "start"),
+    *("stop", "studio", "watch"),
 )
 
 

@@ -18,7 +18,7 @@ from kitrobot.compiler import graph_rules as rules
 from kitrobot.compiler.filling import fill
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule
-from kitrobot.graph import IN, NEXT, RETURN, STOP, Arc, Program, Vertex
+from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
 from kitrobot.lll import (
     MAX_NESTING,
     MAX_NUMBER,
@@ -328,8 +328,9 @@ class _Walk:
         """The call that a test, value or action vertex is."""
         if not self.enter(vertex):
             return Call("", "")
-        if self.wiring.constructor(vertex) is not None or "." not in vertex.element:
-            self.report(rules.WRONG_PLACE, f"`{vertex.id}` ({vertex.element}) does not fit into a slot", vertex.id)
+        if "." not in vertex.element or self.wiring.constructor(vertex) is not None:
+            if vertex.element in (START, STOP) or self.wiring.constructor(vertex) is not None:  # others are unknown
+                self.report(rules.WRONG_PLACE, f"`{vertex.id}` ({vertex.element}) does not fit into a slot", vertex.id)
             return Call("", "")
         return self.call(vertex)
 

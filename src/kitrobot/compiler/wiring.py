@@ -78,9 +78,12 @@ class Wiring:
         name, dot, method = vertex.element.partition(".")
         if dot and name and method and (name, method) in self.robot.calls:
             return
-        known = self._calls if dot else self.catalogue.constructors
         where = f"the robot `{self.robot.name}`" if dot else "the constructors' XML"
-        near = self.suggestions.nearest(vertex.element, known)
+        near = (
+            self._nearest_call(name, method)
+            if dot
+            else self.suggestions.nearest(vertex.element, self.catalogue.constructors)
+        )
         self.report(
             rules.UNKNOWN_ELEMENT(
                 f"`{vertex.element}` is not in {where}",
@@ -89,6 +92,13 @@ class Wiring:
                 **self._at(vertex.id),
             )
         )
+
+    def _nearest_call(self, name: str, method: str) -> str:
+        """The call of the robot that was meant, or ""."""
+        calls = self.robot.calls
+        near = self.suggestions.nearest(name, dict.fromkeys(known for known, _ in calls))
+        of_it = self.suggestions.nearest(method, [known for owner, known in calls if owner == near])
+        return f"{near}.{of_it}" if of_it else ""
 
     def _add_arc(self, arc: Arc) -> None:
         name: ArcName = (arc.source, arc.out, arc.target, arc.at)

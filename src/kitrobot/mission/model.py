@@ -7,6 +7,7 @@ world itself.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from kitrobot.graph import Program
@@ -49,6 +50,11 @@ class Team:
 
     agents: list[Agent] = field(default_factory=list)
     goals: list[Goal] = field(default_factory=list)
+
+    def free(self, starts: Iterable[str]) -> list[str]:
+        """Those starts of a world at which no agent starts, in their order."""
+        taken = {agent.start_name for agent in self.agents}
+        return [start for start in starts if start not in taken]
 
 
 @dataclass(slots=True)

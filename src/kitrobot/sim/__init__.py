@@ -5,7 +5,7 @@ from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
 from kitrobot.sim.sayings import Event
 from kitrobot.sim.settings import device_problems, length_of, simulated_devices
 from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Outcome, Simulation
-from kitrobot.sim.staging import MAX_AGENTS, SimulationError
+from kitrobot.sim.staging import MAX_AGENTS, SimulationError, free_start
 
 __all__ = [
     "ALARM",
@@ -23,6 +23,7 @@ __all__ = [
     "SimulationError",
     "device_problems",
     "expect_run",
+    "free_start",
     "length_of",
     "record_again",
     "simulate",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter, defaultdict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import reduce
 
 from kitrobot.compiler import Compiled
@@ -16,7 +16,7 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.image import Machine
 from kitrobot.mission import ALL, Mission
 from kitrobot.mission import Agent as Member
-from kitrobot.primitives import Catalogue, Robot, RobotObject, did_you_mean, shown
+from kitrobot.primitives import Catalogue, Robot, RobotObject, Suggestions, did_you_mean, shown
 from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.columns import AT, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
@@ -32,6 +32,13 @@ MAX_AGENTS = 100_000
 
 MAX_OVERLAPS = 100
 """So many robots in one another's way are told at most; there may be millions of pairs."""
+
+
+def free_start(name: str, free: Sequence[str], suggestions: Suggestions) -> str:
+    """The help for an agent whose start a world has not: the free one that was meant, or those there are."""
+    if free:
+        return suggestions.did_you_mean(name, free) or f"starts that are free there: {', '.join(free[:20])}"
+    return "no start of this world is free: add one to it, or take an agent out of the team"
 
 
 class SimulationError(KitRobotError):
@@ -68,6 +75,8 @@ class Staging:
         self._standings: dict[tuple[str, str, str], Standing] = {}
         self._checked: dict[tuple[str, str, str], tuple[type[Device] | None, Values | None]] = {}
         self._starts = {start.name: start for start in world.starts}
+        self._free_starts = mission.team.free(self._starts)
+        self._suggestions = Suggestions()
         self._kinds: Counter[str] = Counter()
         self._build()
         if self.problems:
@@ -77,7 +86,8 @@ class Staging:
     def _build(self) -> None:
         members = self.mission.team.agents
         if not members:
-            self.problems.append(rules.NO_AGENT("this mission has no agents, so there is nobody to run"))
+            help = 'add one in the studio, or write <agent name="robot-1" program="…"/> into its <team>'
+            self.problems.append(rules.NO_AGENT("this mission has no agents, so there is nobody to run", help=help))
             return
         if len(members) > MAX_AGENTS:
             message = f"expected at most {MAX_AGENTS} agents in a run, found {len(members)}"
@@ -125,9 +135,8 @@ class Staging:
     def _member(self, member: Member, robot: Robot) -> None:
         start = self._starts.get(member.start_name)
         if start is None:
-            free = list(self._starts)
             message = f"{member.name} has no start {shown(member.start_name)} in the world {self.world.name}"
-            help = did_you_mean(member.start_name, free) or f"starts of this world: {', '.join(free[:20]) or 'none'}"
+            help = free_start(member.start_name, self._free_starts, self._suggestions)
             self.problems.append(rules.START(message, help=help))
             return
         tables = self.tables
@@ -232,11 +241,17 @@ class Staging:
                 for other in cells.get(near, ()):
                     if self._overlap(robot, other):
                         message = f"{self.agents[other].name} and {self.agents[robot].name} start in the same place"
-                        self.problems.append(rules.START(message, help="give them starts that are apart"))
+                        self.problems.append(rules.START(message, help=self._apart()))
                         found += 1
                         if found == MAX_OVERLAPS:
                             return
             cells[column, row].append(robot)
+
+    def _apart(self) -> str:
+        free = self._free_starts
+        if not free:
+            return "every start of this world is taken: add one to it, or take an agent out of the team"
+        return f"give one of them a start that is free: {', '.join(free[:20])}"
 
     def _overlap(self, robot: int, other: int) -> bool:
         real, road = self.tables.real, self.tables.whole[ROAD]

@@ -127,7 +127,7 @@ class OpenMission:
     def report(self) -> Report:
         """What `check` gives; worked out once."""
         found = list(self.before_staging)
-        if self.mission.team.agents and not any(item.is_error for item in found):
+        if not any(item.is_error for item in found):
             found += self._stage_problems()
         sources = [*self.sources, *(compiled.source for compiled in self.compiled.values())]
         return Report(tuple(self._program_reports()), tuple(found), tuple(sources))

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from kitrobot.diagnostics import Diagnostic, Place, Severity, rule
 from kitrobot.mission import NO_PROGRAM, Mission
 from kitrobot.primitives import Catalogue, Suggestions, listed
+from kitrobot.sim import free_start
 from kitrobot.workspace.places import Places
 from kitrobot.world import World
 
@@ -71,6 +72,7 @@ class _Look:
             yield SAME_NAME(f"{names[name]} agents are called `{name}`", self._agent(name))
         programs = dict.fromkeys(program.name for program in self.mission.programs)
         known = dict.fromkeys(start.name for start in (self.world.starts if self.world is not None else ()))
+        free = team.free(known)
         for agent in team.agents:
             # Of a file, its reader has told this.
             if self.places is None and agent.program not in programs:
@@ -81,7 +83,7 @@ class _Look:
                 message = (
                     f"`{agent.name}` would start at `{agent.start_name}`, which the world `{self.world.name}` has not"
                 )
-                help = self._help(agent.start_name, known) or f"starts there: {listed(known) or 'none'}"
+                help = free_start(agent.start_name, free, self.suggestions)
                 yield NO_START(message, self._agent(agent.name), help=help)
 
     def goals(self) -> Iterable[Diagnostic]:
