@@ -11,7 +11,7 @@ from tests.studio.conftest import Studio
 
 pytestmark = pytest.mark.browser
 
-OpenStudio = Callable[[str | None], Studio]
+OpenStudio = Callable[..., Studio]
 
 
 AT_ONCE = """<kitrobot version="1">

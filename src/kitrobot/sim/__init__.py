@@ -1,11 +1,12 @@
 """The simulator: a mission in its world, fixed step, seeded, the same run every time."""
 
 from kitrobot.sim.hurry import expect_run
+from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED, check_limits
 from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
 from kitrobot.sim.sayings import Event
 from kitrobot.sim.settings import length_of
 from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Outcome, Simulation
-from kitrobot.sim.staging import MAX_AGENTS, SimulationError
+from kitrobot.sim.staging import MAX_AGENTS, SimulationError, look_over
 
 __all__ = [
     "ALARM",
@@ -14,6 +15,8 @@ __all__ = [
     "FAILED",
     "LAMP",
     "MAX_AGENTS",
+    "MAX_SECONDS",
+    "MAX_SEED",
     "MOVING",
     "AgentView",
     "Event",
@@ -21,8 +24,10 @@ __all__ = [
     "Recorder",
     "Simulation",
     "SimulationError",
+    "check_limits",
     "expect_run",
     "length_of",
+    "look_over",
     "record_again",
     "simulate",
 ]

@@ -171,6 +171,7 @@ class _Whole:
     def __init__(self, root: Element, frame: World) -> None:
         self.root = root
         self.so_far = frame
+        self._declared: dict[str, dict[str, None]] = {}
 
     def world(self) -> World:
         """The world of all sound parts."""
@@ -245,10 +246,15 @@ class _Whole:
 
     def _exists(self, where: Element, attribute: str, name: str, found: object) -> None:
         """Whether `name` stands for something; one that was declared but left out has been reported already."""
-        declared = [part.name for part in self.root.found(_NAMED[attribute])]
-        if found is None and name in declared:
+        if found is not None:
+            return
+        # Very many starts may name what is not there.
+        if attribute not in self._declared:
+            self._declared[attribute] = dict.fromkeys(part.name for part in self.root.found(_NAMED[attribute]))
+        declared = self._declared[attribute]
+        if name in declared:
             where.faulty = True
-        elif found is None:
+        else:
             message = f"expected the name of a <{attribute}> of this world, found {shown(name)}"
             where.report(rules.UNKNOWN, message, attribute, did_you_mean(name, declared))
 
