@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -13,7 +14,7 @@ from kitrobot.compiler import compile_program, compile_text
 from kitrobot.graph import empty_program
 from kitrobot.mission import Agent, Failure, FailureKind, Goal, Mission, Team
 from kitrobot.primitives import Catalogue
-from kitrobot.sim import MAX_AGENTS, Simulation, SimulationError
+from kitrobot.sim import MAX_AGENTS, Simulation, SimulationError, look_over
 from kitrobot.sim.columns import CHANCE, STUCK
 from kitrobot.world import Pose, Start, Wall, World
 from tests.sim.building import (
@@ -379,6 +380,44 @@ def test_everything_in_the_way_is_said_at_once() -> None:
 def test_a_million_agents_are_refused_in_a_sentence() -> None:
     error = refused(team(*[Agent("a", "p")] * 10**6))
     assert error.message == f"expected at most {MAX_AGENTS} agents in a run, found 1000000"
+
+
+@pytest.mark.parametrize(
+    ("limits", "words"),
+    [
+        ({"seconds": 1e308}, "expected a time limit of more than 0 and at most 1000000000 seconds, found 1e+308"),
+        ({"seconds": float("nan")}, "found nan"),
+        ({"seconds": float("inf")}, "found inf"),
+        ({"seconds": 0}, "found 0"),
+        ({"seed": -1}, "expected a seed from 0 to 9007199254740992, found -1"),
+        ({"seed": 2**53 + 1}, "found 9007199254740993"),
+        ({"seed": 10**400}, "expected a seed"),
+        ({"fail_rate": float("nan")}, "expected a probability from 0 to 1 that a robot fails, found nan"),
+        ({"fail_rate": 1.5}, "found 1.5"),
+    ],
+)
+def test_numbers_that_no_run_can_have_are_refused_in_a_sentence(limits: dict[str, Any], words: str) -> None:
+    agents = {"a": (catalogue().robots[MINI], "")}
+    with pytest.raises(SimulationError) as caught:
+        run_of(agents, ROOM, **limits)
+    assert words in caught.value.message
+    assert caught.value.help
+
+
+@pytest.mark.parametrize("limits", [{"seconds": 1e9}, {"seed": 2**53}, {"fail_rate": 1.0}])
+def test_the_largest_numbers_of_a_run_are_taken(limits: dict[str, Any]) -> None:
+    assert gone_on(run_of({"a": (catalogue().robots[MINI], "")}, ROOM, **limits)).outcome is not None
+
+
+def test_looking_over_a_mission_says_what_making_its_run_says() -> None:
+    wrong = team(Agent("c", "p"), Agent("a", "p"), Agent("b", "p", "a"), goals=[Goal("Z")])
+    for mission in (wrong, team(Agent("a", "p"), Agent("b", "p", "a")), team()):
+        images = {program.name: compile_program(program, catalogue()) for program in mission.programs}
+        with pytest.raises(SimulationError) as caught:
+            look_over(mission, ROOM, images, catalogue())
+        assert caught.value.diagnostics == refused(mission).diagnostics
+    fine = team(Agent("a", "p"), Agent("b", "p"))
+    look_over(fine, ROOM, {"p": compile_program(fine.programs[0], catalogue())}, catalogue())
 
 
 @pytest.mark.slow

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 
 import pytest
 import xmlschema
@@ -11,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.diagnostics import Severity
+from kitrobot.primitives import Element
 from kitrobot.world import SHIPPED, World, find_world, read_world, write_world
 
 GOOD = """\
@@ -262,3 +264,28 @@ def test_schema_knows_floors() -> None:
     schema = xmlschema.XMLSchema(str(SHIPPED.parents[1] / "primitives" / "schemas" / "world.xsd"))
     assert schema.is_valid(FLOORS)
     assert not schema.is_valid(FLOORS.replace('colour="red"', 'colour="yellow"'))
+
+
+@pytest.mark.parametrize("road", ["lane", "nowhere"])
+def test_what_is_declared_is_gathered_once_however_many_starts_name_it(
+    road: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gathered = 0
+    found = Element.found
+
+    def counted(self: Element, kind: type[Any]) -> list[Any]:
+        nonlocal gathered
+        gathered += 1
+        return found(self, kind)
+
+    monkeypatch.setattr(Element, "found", counted)
+    counts = []
+    for many in (10, 40):
+        gathered = 0
+        lane = '<road name="lane" width="125"><point x="100" y="500"/><point x="9000" y="500"/></road>'
+        starts = "".join(f'<start name="s{n}" road="{road}" at="{n}"/>' for n in range(many))
+        text = f'<world version="1" name="m" width="10000" height="1000">{lane}{starts}</world>'
+        _, problems = read_world(text.encode(), "m.world.xml")
+        assert len(problems) == (0 if road == "lane" else many)
+        counts.append(gathered)
+    assert counts[0] == counts[1]

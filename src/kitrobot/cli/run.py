@@ -42,9 +42,14 @@ def run_mission(
     """
     if not math.isfinite(fail_rate):
         raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
-    if not (math.isfinite(seconds) and seconds > 0):
-        raise typer.BadParameter("a run takes more than 0 seconds", param_hint="'--seconds'")
+    from kitrobot.sim import MAX_SECONDS, MAX_SEED
     from kitrobot.workspace import open_mission
+
+    if not 0 < seconds <= MAX_SECONDS:
+        words = f"a run takes more than 0 and at most {MAX_SECONDS:.0f} seconds"
+        raise typer.BadParameter(words, param_hint="'--seconds'")
+    if seed > MAX_SEED:
+        raise typer.BadParameter(f"a seed is a whole number from 0 to {MAX_SEED}", param_hint="'--seed'")
 
     mission = open_mission(file)
     report = mission.check()

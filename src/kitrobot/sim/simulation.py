@@ -49,9 +49,9 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_time
 from kitrobot.sim.failures import harm_by_hand, keep_untold, room_to_tell
 from kitrobot.sim.hurry import Hurry
+from kitrobot.sim.limits import check_limits
 from kitrobot.sim.sayings import Event, Sayings, sensor_names
-from kitrobot.sim.shared import SharedTables
-from kitrobot.sim.staging import SimulationError, Staging
+from kitrobot.sim.staging import SimulationError, Staging, shared_by
 from kitrobot.sim.standstill import stirred
 from kitrobot.sim.state import Packing, State, as_arrays, numbers
 from kitrobot.sim.stepping import advance, is_reached
@@ -114,12 +114,13 @@ class Simulation:
         world: where; it must have been read without errors.
         images: the compiled programs by name.
         catalogue: the robots.
-        seed: decides all chance.
-        seconds: simulated time after which the run ends with the outcome "time"; None for no limit.
+        seed: decides all chance; 0 to `MAX_SEED`.
+        seconds: simulated time after which the run ends with the outcome "time", to `MAX_SECONDS`; None for no limit.
         fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
 
     Raises:
         SimulationError: the mission cannot be run in this world; its diagnostics say everything that is in the way.
+            Or a number makes no sense (see `limits`); then there are no diagnostics.
     """
 
     def __init__(
@@ -132,6 +133,7 @@ class Simulation:
         seconds: float | None = None,
         fail_rate: float = 0.0,
     ) -> None:
+        check_limits(seconds, seed, fail_rate)
         with collection_paused():
             staging = Staging(mission, world, images, catalogue, seed, fail_rate)
         self.mission = mission
@@ -145,10 +147,7 @@ class Simulation:
         self.events: list[Event] = []
         """What happened in the steps of the last `step` or `advance`."""
         self.members: list[Agent] = staging.agents
-        shared = SharedTables(self.members)
-        if shared.problems:
-            first = shared.problems[0]
-            raise SimulationError(first.message, first.help, tuple(shared.problems))
+        shared = shared_by(self.members)
         self.state = staging.tables.state(shared)
         self.stage = Stage(world, self.state)
         self._packing = Packing(self.state)

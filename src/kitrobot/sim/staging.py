@@ -14,6 +14,7 @@ from functools import reduce
 from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.image import Machine
+from kitrobot.lll import collection_paused
 from kitrobot.mission import ALL, Mission
 from kitrobot.mission import Agent as Member
 from kitrobot.primitives import Catalogue, Robot, RobotObject, Suggestions, did_you_mean, shown
@@ -24,6 +25,7 @@ from kitrobot.sim.devices import Device, Standing, Values
 from kitrobot.sim.failures import fates
 from kitrobot.sim.grids import cell_at, fixed
 from kitrobot.sim.settings import find_device, read_conflicts, read_settings
+from kitrobot.sim.shared import SharedTables
 from kitrobot.sim.tables import Tables, wall_rows
 from kitrobot.world import LOAD, Start, World, distance_to_stretch
 
@@ -46,7 +48,7 @@ class SimulationError(KitRobotError):
 
 
 class Staging:
-    """Builds the tables and the agents of a run.
+    """Builds the tables and the agents of a run; with `looks_only` no more of it than says whether it can be run.
 
     Raises:
         SimulationError: the mission cannot be run.
@@ -60,6 +62,7 @@ class Staging:
         catalogue: Catalogue,
         seed: int,
         fail_rate: float = 0.0,
+        looks_only: bool = False,
     ) -> None:
         self.mission = mission
         self.world = world
@@ -67,6 +70,7 @@ class Staging:
         self.catalogue = catalogue
         self.seed = seed
         self.fail_rate = fail_rate
+        self._looks_only = looks_only
         self.agents: list[Agent] = []
         self.problems: list[Diagnostic] = []
         self.step_ms = 1
@@ -115,6 +119,8 @@ class Staging:
                 self.problems.append(rules.GOAL(message, help=did_you_mean(goal.storehouse, houses)))
         if not self.problems:
             self._nobody_overlaps()
+        if self._looks_only:
+            return
         names = [agent.name for agent in self.agents]
         self.tables.fates = fates(self.mission.failures, names, self.step_ms, self.fail_rate, self.seed)
 
@@ -152,7 +158,11 @@ class Staging:
         for parts in (robot.actuators, robot.sensors):
             for number, part in enumerate(parts):
                 device, values = self._device(agent, part, standing, start)
-                if device is not None and values is not None:
+                if device is None or values is None:
+                    continue
+                if self._looks_only:
+                    device.fit(index, tables.real, tables.whole, values)
+                else:
                     tables.add_device(index, number, part, device, values, standing, agent.name)
         agent.kind = self._kind(agent, standing)
         self._kinds[agent.kind] += 1
@@ -165,7 +175,7 @@ class Staging:
             image = self.images[program].image
             assert image is not None, "checked before"
             first = self._machines[program] = Machine(image, robot)
-        return first.twin()
+        return first if self._looks_only else first.twin()
 
     def _standing(self, start: Start) -> Standing:
         key = (start.dock, start.road, start.storehouse)
@@ -263,3 +273,26 @@ class Staging:
             return way < (real[LENGTH][robot] + real[LENGTH][other]) / 2
         away = math.hypot(real[X][robot] - real[X][other], real[Y][robot] - real[Y][other])
         return away < real[RADIUS][robot] + real[RADIUS][other]
+
+
+def shared_by(agents: Sequence[Agent]) -> SharedTables:
+    """The variables that the agents share.
+
+    Raises:
+        SimulationError: one of them has two meanings.
+    """
+    shared = SharedTables(agents)
+    if shared.problems:
+        first = shared.problems[0]
+        raise SimulationError(first.message, first.help, tuple(shared.problems))
+    return shared
+
+
+def look_over(mission: Mission, world: World, images: Mapping[str, Compiled], catalogue: Catalogue) -> None:
+    """Looks whether a mission can be run in its world, without making the run: quicker where agents are very many.
+
+    Raises:
+        SimulationError: it cannot; its diagnostics say everything that is in the way.
+    """
+    with collection_paused():
+        shared_by(Staging(mission, world, images, catalogue, 0, looks_only=True).agents)

@@ -145,10 +145,10 @@ class OpenMission:
 
     def _stage_problems(self) -> tuple[Diagnostic, ...]:
         """What keeps a team from taking its places in the world."""
-        from kitrobot.workspace.running import stage
+        from kitrobot.workspace.running import look_whether_it_runs
 
         try:
-            stage(self, seed=0)
+            look_whether_it_runs(self)
         except ProblemsError as error:
             return error.diagnostics
         return ()

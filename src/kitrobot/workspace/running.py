@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place
-from kitrobot.sim import Simulation, SimulationError, simulate
+from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, simulate
 from kitrobot.workspace.advising import advice
 from kitrobot.workspace.files import same_file
 from kitrobot.workspace.opening import OpenMission
@@ -105,13 +105,32 @@ def stage(opened: OpenMission, seed: int, seconds: float | None = None, fail_rat
 
     Raises:
         ProblemsError: it does not fit its world.
+        SimulationError: a number makes no sense (see `check_limits`).
     """
     assert opened.world is not None, "a mission without its world has an error"
+    check_limits(seconds, seed, fail_rate)
     try:
         return Simulation(opened.mission, opened.world, opened.compiled, opened.catalogue, seed, seconds, fail_rate)
     except SimulationError as error:
-        found = tuple(_placed(opened, item) for item in error.diagnostics)
-        raise ProblemsError(f"`{opened.name}` cannot be run", "", found, opened.sources) from None
+        raise _refused(opened, error) from None
+
+
+def look_whether_it_runs(opened: OpenMission) -> None:
+    """As `stage`, without making the run.
+
+    Raises:
+        ProblemsError: it does not fit its world.
+    """
+    assert opened.world is not None, "a mission without its world has an error"
+    try:
+        look_over(opened.mission, opened.world, opened.compiled, opened.catalogue)
+    except SimulationError as error:
+        raise _refused(opened, error) from None
+
+
+def _refused(opened: OpenMission, error: SimulationError) -> ProblemsError:
+    found = tuple(_placed(opened, item) for item in error.diagnostics)
+    return ProblemsError(f"`{opened.name}` cannot be run", "", found, opened.sources)
 
 
 def run(
