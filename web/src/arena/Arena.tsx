@@ -123,7 +123,9 @@ function Heading({ scene, painter }: { scene: Scene | null; painter: Painter | n
   return (
     <header className="side-head">
       <h2>{t("arena.title")}</h2>
-      <span className="side-note">{what}</span>
+      <span className="side-note" title={what}>
+        {what}
+      </span>
       {world === undefined ? null : <Seed />}
       <span className="side-tools">
         {tools.map(([icon, label, act]) => (

@@ -65,6 +65,7 @@ export function Code() {
               role="tab"
               className="side-tab"
               id={`code-tab-${one}`}
+              title={t(`code.${one}`)}
               data-testid={`code-tab-${one}`}
               aria-selected={side === one}
               aria-controls="code-panel"

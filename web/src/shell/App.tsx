@@ -183,7 +183,7 @@ export function App() {
           <MenuBar menus={menus} />
           <Title />
         </div>
-        <Toolbar />
+        <Toolbar menus={menus} />
         <TeamStop />
       </header>
       <Banner />

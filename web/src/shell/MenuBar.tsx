@@ -3,8 +3,9 @@ import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
 import { t } from "../words/words";
 import { mirrored } from "../words/language";
+import { useFolding } from "./folding";
 import { Menu } from "./Menu";
-import type { MenuPart } from "./menu-model";
+import { menuInCommon, type MenuPart } from "./menu-model";
 
 /** Calls back when Alt is pressed and let go with nothing in between. */
 function useLoneAlt(callback: () => void): void {
@@ -36,10 +37,15 @@ function useLoneAlt(callback: () => void): void {
   }, [callback]);
 }
 
-export function MenuBar({ menus }: { menus: MenuPart[] }) {
-  const [open, setOpen] = useState(-1);
-  const [at, setAt] = useState(0);
+/** Menus without room have a menu in common, at the end; the last one gives way first. */
+export function MenuBar({ menus: all }: { menus: MenuPart[] }) {
+  const [opened, setOpen] = useState(-1);
+  const [reached, setAt] = useState(0);
   const bar = useRef<HTMLDivElement>(null);
+  const folded = useFolding(bar);
+  const common = menuInCommon(all.slice(all.length - folded), t("menu.more"));
+  const menus = folded === 0 ? all : [...all.slice(0, all.length - folded), common];
+  const [open, at] = [opened < menus.length ? opened : -1, Math.min(reached, menus.length - 1)];
   const cameFrom = useRef<HTMLElement | null>(null);
 
   const focusTitle = (index: number) => {
@@ -101,43 +107,54 @@ export function MenuBar({ menus }: { menus: MenuPart[] }) {
 
   return (
     <div className="menubar" role="menubar" aria-label={t("menu.bar")} ref={bar}>
-      {menus.map((menu, index) => (
-        <div className="menubar-part" key={menu.id} role="none">
-          <button
-            type="button"
-            role="menuitem"
-            className="menubar-title"
-            data-title=""
-            data-testid={`menu-${menu.id}`}
-            aria-haspopup="menu"
-            aria-expanded={open === index}
-            tabIndex={at === index ? 0 : -1}
-            onClick={() => {
-              setAt(index);
-              setOpen(open === index ? -1 : index);
-            }}
-            onPointerEnter={() => {
-              if (open < 0) return;
-              setAt(index);
-              setOpen(index);
-            }}
-            onFocus={() => setAt(index)}
-            onKeyDown={(event) => onTitleKey(event, index)}
+      {[...all, common].map((menu, place) => {
+        // The menu in common stands behind those that are shown; the others wait in the page to be measured.
+        const last = menu === common;
+        const index = menus.indexOf(menu);
+        const there = index >= 0;
+        return (
+          <div
+            className="menubar-part"
+            key={menu.id}
+            role="none"
+            {...(last ? { "data-folded": "" } : place === 0 ? {} : { "data-fold": all.length - place })}
           >
-            {menu.label}
-          </button>
-          {open === index ? (
-            <Menu
-              key={menu.id}
-              id={`menu-list-${menu.id}`}
-              label={menu.label}
-              entries={menu.entries}
-              onClose={close}
-              onAside={aside}
-            />
-          ) : null}
-        </div>
-      ))}
+            <button
+              type="button"
+              role="menuitem"
+              className="menubar-title"
+              {...(there ? { "data-title": "" } : {})}
+              data-testid={`menu-${menu.id}`}
+              aria-haspopup="menu"
+              aria-expanded={there && open === index}
+              tabIndex={there && at === index ? 0 : -1}
+              onClick={() => {
+                setAt(index);
+                setOpen(open === index ? -1 : index);
+              }}
+              onPointerEnter={() => {
+                if (open < 0) return;
+                setAt(index);
+                setOpen(index);
+              }}
+              onFocus={() => setAt(index)}
+              onKeyDown={(event) => onTitleKey(event, index)}
+            >
+              {menu.label}
+            </button>
+            {there && open === index ? (
+              <Menu
+                key={menu.id}
+                id={`menu-list-${menu.id}`}
+                label={menu.label}
+                entries={menu.entries}
+                onClose={close}
+                onAside={aside}
+              />
+            ) : null}
+          </div>
+        );
+      })}
     </div>
   );
 }

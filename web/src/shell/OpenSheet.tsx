@@ -21,8 +21,12 @@ function Entry({ entry }: { entry: MissionEntry }) {
     <li>
       <button type="button" className="open-entry" data-path={entry.path} onClick={() => open(entry)}>
         <Icon name="file" size={18} />
-        <span className="open-title">{entry.title || entry.name}</span>
-        <span className="open-path">{entry.path}</span>
+        <span className="open-title" dir="auto" title={entry.title || entry.name}>
+          {entry.title || entry.name}
+        </span>
+        <span className="open-path" dir="auto" title={entry.path}>
+          {entry.path}
+        </span>
       </button>
     </li>
   );
@@ -93,8 +97,12 @@ export function OpenSheet() {
                         }}
                       >
                         <Icon name="clapperboard" size={18} />
-                        <span className="open-title">{name}</span>
-                        <span className="open-path">{path}</span>
+                        <span className="open-title" dir="auto" title={name}>
+                          {name}
+                        </span>
+                        <span className="open-path" dir="auto" title={path}>
+                          {path}
+                        </span>
                       </button>
                     </li>
                   ))}

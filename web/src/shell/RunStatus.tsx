@@ -1,4 +1,6 @@
 /** What the run is doing, at the right of the toolbar: "Paused at 00:42.6", "Done: …". */
+import { type RefObject, useLayoutEffect, useRef, useState } from "react";
+
 import type { AgentActivity } from "../api/wire";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
@@ -28,7 +30,67 @@ function isAnother(mission: Mission, running: Mission): boolean {
   return parts.some((part) => mission[part] !== running[part]);
 }
 
+/** Whether the words take more lines than they have. */
+function useCut(words: RefObject<HTMLElement | null>): boolean {
+  const [cut, setCut] = useState(false);
+  useLayoutEffect(() => {
+    const element = words.current;
+    if (element === null || typeof ResizeObserver === "undefined") return;
+    const again = () => setCut(element.scrollHeight > element.clientHeight + 1);
+    const size = new ResizeObserver(again);
+    size.observe(element);
+    const content = new MutationObserver(again);
+    content.observe(element, { childList: true, characterData: true, subtree: true });
+    again();
+    return () => {
+      size.disconnect();
+      content.disconnect();
+    };
+  }, [words]);
+  return cut;
+}
+
+/** A sentence that is too long for its place is opened, over what stands below. */
+function Whole({ text }: { text: string }) {
+  const [open, setOpen] = useState(false);
+  const button = useRef<HTMLButtonElement>(null);
+  return (
+    <span
+      className="run-status-more"
+      onKeyDown={(event) => {
+        if (event.key !== "Escape" || !open) return;
+        event.stopPropagation();
+        setOpen(false);
+        button.current?.focus();
+      }}
+      onBlur={(event) => {
+        if (!event.currentTarget.contains(event.relatedTarget)) setOpen(false);
+      }}
+    >
+      <button
+        type="button"
+        className="tool small"
+        ref={button}
+        aria-label={t("status.whole")}
+        title={t("status.whole")}
+        aria-expanded={open}
+        data-testid="status-more"
+        onClick={() => setOpen(!open)}
+      >
+        <Icon name="ellipsis" size={16} />
+      </button>
+      {open ? (
+        <span className="run-status-whole" tabIndex={-1} data-testid="status-whole">
+          <Said text={text} />
+        </span>
+      ) : null}
+    </span>
+  );
+}
+
 export function RunStatus() {
+  const words = useRef<HTMLSpanElement>(null);
+  const cut = useCut(words);
   const status = useRun((run) => run.status);
   const sentence = useRun((run) => run.sentence);
   const time = useRun((run) => clock(run.seconds));
@@ -39,18 +101,19 @@ export function RunStatus() {
   const edited = useStudio(({ mission }) => running !== null && isAnother(mission, running));
   const hit = useRun(({ hits }) => hits[0]);
   const ended = status === "done" || status === "failed" || status === "stuck" || status === "time" || status === "end";
+  const said =
+    ended && sentence !== ""
+      ? sentence
+      : hit !== undefined && status === "paused"
+        ? t("debug.paused-at", { agent: hit.agent, visit: hit.visit })
+        : t(key);
   return (
-    <div className="run-status" data-testid="status" data-status={status} title={ended ? sentence : undefined}>
+    <div className="run-status" data-testid="status" data-status={status} title={said}>
       <StateShape state={SHAPES[status]} />
-      <span className="run-status-words" role="status">
-        {ended && sentence !== "" ? (
-          <Said text={sentence} />
-        ) : hit !== undefined && status === "paused" ? (
-          t("debug.paused-at", { agent: hit.agent, visit: hit.visit })
-        ) : (
-          t(key)
-        )}
+      <span className="run-status-words" role="status" ref={words}>
+        <Said text={said} />
       </span>
+      {cut ? <Whole text={said} /> : null}
       {edited ? (
         <span
           className="run-status-edited"

@@ -1,26 +1,28 @@
 /**
  * The programs of the mission as tabs, then what runs in the one that is open.
  *
- * Each tab shows how many agents run its program and, during a run, the state of the one that is watched. At the end of
- * the row: which agent that is, where there are several, and a token per live thread that jumps to its vertex.
+ * Each tab shows how many agents run its program and, during a run, the state of the one that is watched. Programs without
+ * room are in a list behind their row; team and world stand behind it and keep their place. At the end of the row: what runs
+ * in the program (`Running`).
  */
-import { type KeyboardEvent, useEffect, useRef, useState } from "react";
-
-import { useShallow } from "zustand/react/shallow";
+import { type KeyboardEvent, useCallback, useEffect, useRef, useState } from "react";
 
 import type { AgentActivity } from "../api/wire";
 import { renameProgram } from "../model/commands/changePrograms";
-import { programInView, useStudio } from "../model/studio";
-import { isLive, type RunState, useActiveVertices, useRun, watchedAgent } from "../run/run";
+import { useStudio } from "../model/studio";
+import { isLive, type RunState, useRun, watchedAgent } from "../run/run";
 import { Icon } from "../theme";
 import { closeTeam, openTeam, showWorld, useTeam } from "../team/view";
 import { TeamTab } from "../team/TeamTab";
 import { WorldTab } from "../world/WorldTab";
 import { mirrored } from "../words/language";
 import { t } from "../words/words";
-import { removeProgramNamed, reveal } from "./actions";
+import { removeProgramNamed } from "./actions";
 import { AddProgram } from "./AddProgram";
+import { useInView } from "./in-view";
+import { ProgramList } from "./ProgramList";
 import { useRenaming } from "./renaming";
+import { Running } from "./Running";
 import { StateShape } from "./StateShape";
 
 /** Lies over its tab: a list of tabs holds nothing but tabs. */
@@ -91,6 +93,7 @@ function Tab({ name, onKey }: { name: string; onKey: (event: KeyboardEvent) => v
       id={`tab-${name}`}
       data-testid={`tab-${name}`}
       data-program={name}
+      title={name}
       aria-selected={active}
       aria-controls="canvas-panel"
       tabIndex={active ? 0 : -1}
@@ -102,7 +105,9 @@ function Tab({ name, onKey }: { name: string; onKey: (event: KeyboardEvent) => v
       onKeyDown={onKey}
     >
       <StateShape state={state} label={t(`tabs.state-${state}`)} />
-      <span className="tab-name">{name}</span>
+      <span className="tab-name" dir="auto">
+        {name}
+      </span>
       {count === 1 ? null : (
         <span className="tab-count" aria-label={t("tabs.agents", { count })}>
           ×{count}
@@ -113,54 +118,40 @@ function Tab({ name, onKey }: { name: string; onKey: (event: KeyboardEvent) => v
   );
 }
 
-function Watched({ program }: { program: string }) {
-  const chosen = useRun((run) => watchedAgent(run, program)?.name ?? "");
-  // The names stay while what the agents do changes: there may be thousands.
-  const names = useRun(
-    useShallow((run) => run.agents.filter((agent) => agent.program === program).map((agent) => agent.name)),
-  );
-  if (names.length < 2) return null;
+/** The way to the programs whose tabs are not in view. */
+function MorePrograms({ hidden }: { hidden: number }) {
+  const [at, setAt] = useState<{ x: number; y: number } | null>(null);
+  const button = useRef<HTMLButtonElement>(null);
+  const leave = useCallback(() => setAt(null), []);
   return (
-    <select
-      className="watched"
-      data-testid="watched-agent"
-      aria-label={t("tabs.watch")}
-      value={chosen}
-      onChange={(event) => useRun.getState().selectAgent(event.target.value)}
-    >
-      {names.map((name) => (
-        <option key={name}>{name}</option>
-      ))}
-    </select>
-  );
-}
-
-function Threads({ program }: { program: string }) {
-  const active = useActiveVertices(program);
-  const vertices = useStudio((studio) => programInView(studio)?.vertices);
-  if (active.size === 0) return null;
-  const threads = [...active]
-    .flatMap(([vertex, slots]) => slots.map((slot) => ({ slot, vertex })))
-    .sort((a, b) => a.slot - b.slot);
-  return (
-    <>
-      <span className="tabs-running">{t("tabs.running")}</span>
-      {threads.map(({ slot, vertex }) => (
-        <button
-          type="button"
-          key={slot}
-          className="token"
-          data-testid={`thread-${String(slot)}`}
-          aria-label={t("tabs.thread", { slot, vertex: vertices?.find((one) => one.id === vertex)?.element ?? vertex })}
-          onClick={() => reveal(program, [vertex])}
-        >
-          <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
-            <path d="M0 0l7 4-7 4z" fill="currentColor" />
-          </svg>
-          {slot}
-        </button>
-      ))}
-    </>
+    <div className="more-programs" data-folded="">
+      <button
+        type="button"
+        className="tool tool-named"
+        ref={button}
+        title={t("tabs.all")}
+        aria-haspopup="listbox"
+        aria-expanded={at !== null}
+        data-testid="more-programs"
+        onClick={(event) => {
+          const box = event.currentTarget.getBoundingClientRect();
+          setAt(at === null ? { x: mirrored() ? window.innerWidth - box.right : box.left, y: box.bottom + 4 } : null);
+        }}
+      >
+        {t("tabs.more", { count: hidden })}
+        <Icon name="chevron-down" size={14} />
+      </button>
+      {at === null ? null : (
+        <ProgramList
+          at={at}
+          onLeave={leave}
+          onClose={() => {
+            leave();
+            button.current?.focus();
+          }}
+        />
+      )}
+    </div>
   );
 }
 
@@ -171,9 +162,8 @@ export function Tabs() {
   const team = useTeam((state) => state.open);
   const world = useTeam((state) => state.world);
   const list = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: "nearest", inline: "nearest" });
-  }, [activeProgram, team, world]);
+  const row = useRef<HTMLDivElement>(null);
+  const hidden = useInView(row);
 
   const onKey = (event: KeyboardEvent) => {
     // The team's tab and the world's are the last ones.
@@ -202,7 +192,7 @@ export function Tabs() {
     if (next === undefined) {
       if (place === last) showWorld();
       else openTeam();
-      list.current?.querySelector<HTMLElement>(place === last ? "[data-world]" : "[data-team]")?.focus();
+      document.getElementById(place === last ? "tab-of-world" : "tab-of-team")?.focus();
       return;
     }
     closeTeam();
@@ -212,21 +202,33 @@ export function Tabs() {
 
   return (
     <div className="tabs">
-      <div className="tabs-scroll">
-        <div className="tabs-list" role="tablist" aria-label={t("tabs.label")} ref={list}>
+      <div
+        className="tabs-scroll"
+        ref={row}
+        onWheel={(event) => {
+          if (event.deltaX === 0) event.currentTarget.scrollLeft += event.deltaY * (mirrored() ? -1 : 1);
+        }}
+      >
+        <div
+          className="tabs-list"
+          role="tablist"
+          aria-label={t("tabs.label")}
+          aria-owns="tab-of-team tab-of-world"
+          ref={list}
+        >
           {programs.map(({ name }) => (
             <Tab key={name} name={name} onKey={onKey} />
           ))}
-          <TeamTab onKey={onKey} />
-          <WorldTab onKey={onKey} />
         </div>
         {programs.some(({ name }) => name === renaming) ? <NameField key={renaming} name={renaming ?? ""} /> : null}
       </div>
+      <MorePrograms hidden={hidden} />
       <AddProgram />
-      <div className="tabs-end">
-        <Threads program={activeProgram} />
-        <Watched program={activeProgram} />
+      <div className="tabs-last">
+        <TeamTab onKey={onKey} />
+        <WorldTab onKey={onKey} />
       </div>
+      <Running program={activeProgram} />
     </div>
   );
 }

@@ -31,9 +31,13 @@ export function Title() {
           : t(lost ? "file.unknown" : changed ? "file.changed" : "file.saved");
   return (
     <div className="title" data-testid="title">
-      <h1>{name}</h1>
+      <h1 title={name} dir="auto">
+        {name}
+      </h1>
       <span aria-hidden="true">·</span>
-      <span data-testid="saved-state">{state}</span>
+      <span data-testid="saved-state" title={state}>
+        {state}
+      </span>
       {others > 0 ? (
         <>
           <span aria-hidden="true">·</span>

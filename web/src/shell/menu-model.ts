@@ -19,6 +19,15 @@ export interface MenuPart {
   entries: MenuEntry[];
 }
 
+/** One menu in place of several, each under its name. */
+export function menuInCommon(menus: readonly MenuPart[], label: string): MenuPart {
+  const entries = menus.flatMap((menu): MenuEntry[] => [
+    { kind: "heading", id: `${menu.id}-heading`, label: menu.label },
+    ...menu.entries,
+  ]);
+  return { id: "more", label, entries };
+}
+
 export function isItem(entry: MenuEntry): entry is MenuItem {
   return entry.kind !== "line" && entry.kind !== "heading";
 }

@@ -19,7 +19,8 @@ export function TeamTab({ onKey }: { onKey: (event: KeyboardEvent) => void }) {
       type="button"
       role="tab"
       className="tab tab-team"
-      data-team
+      id="tab-of-team"
+      title={t("team.tab")}
       data-testid="tab-of-team"
       aria-selected={open}
       {...(open ? { "aria-controls": "team-panel" } : {})}

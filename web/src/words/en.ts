@@ -33,6 +33,8 @@ export const EN = {
   "app.side": "Inspector, code and arena",
 
   "menu.bar": "Menu",
+  "menu.more": "More",
+  "tools.more": "More tools",
   "menu.file": "File",
   "menu.edit": "Edit",
   "menu.view": "View",
@@ -109,6 +111,7 @@ export const EN = {
   "stop.small": "whole team",
   "stop.label": "STOP the whole team",
 
+  "status.whole": "Read it all",
   "status.idle": "Not running",
   "status.connecting": "Starting…",
   "status.running": "Running",
@@ -180,6 +183,12 @@ export const EN = {
 
   "tabs.label": "Programs",
   "tabs.add": "Add a program",
+  "tabs.more": "{count} more",
+  "tabs.all": "All programs",
+  "tabs.find": "Find a program",
+  "tabs.none": "No program has these letters.",
+  "tabs.threads-count": { one: "{count} thread runs", other: "{count} threads run" },
+  "tabs.threads": "What is running",
   "tabs.agents": { one: "{count} agent", other: "{count} agents" },
   "tabs.running": "Running",
   "tabs.watch": "Agent that is watched",

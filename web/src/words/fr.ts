@@ -34,6 +34,8 @@ export const FR = {
   "app.side": "Inspecteur, code et arène",
 
   "menu.bar": "Menu",
+  "menu.more": "Plus",
+  "tools.more": "Plus d'outils",
   "menu.file": "Fichier",
   "menu.edit": "Édition",
   "menu.view": "Affichage",
@@ -110,6 +112,7 @@ export const FR = {
   "stop.small": "toute l'équipe",
   "stop.label": "STOP toute l'équipe",
 
+  "status.whole": "Tout lire",
   "status.idle": "À l'arrêt",
   "status.connecting": "Démarrage…",
   "status.running": "En marche",
@@ -181,6 +184,12 @@ export const FR = {
 
   "tabs.label": "Programmes",
   "tabs.add": "Ajouter un programme",
+  "tabs.more": "{count} autres",
+  "tabs.all": "Tous les programmes",
+  "tabs.find": "Chercher un programme",
+  "tabs.none": "Aucun programme ne contient ces lettres.",
+  "tabs.threads-count": { one: "{count} fil en marche", other: "{count} fils en marche" },
+  "tabs.threads": "Ce qui est en marche",
   "tabs.agents": { one: "{count} agent", other: "{count} agents" },
   "tabs.running": "En marche",
   "tabs.watch": "Agent observé",

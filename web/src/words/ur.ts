@@ -34,6 +34,8 @@ export const UR = {
   "app.side": "تفصیل، کوڈ اور میدان",
 
   "menu.bar": "مینو",
+  "menu.more": "مزید",
+  "tools.more": "مزید آلات",
   "menu.file": "فائل",
   "menu.edit": "ترمیم",
   "menu.view": "منظر",
@@ -110,6 +112,7 @@ export const UR = {
   "stop.small": "پوری ٹیم",
   "stop.label": "پوری ٹیم کو روک دیں: رکو",
 
+  "status.whole": "پورا پڑھیں",
   "status.idle": "نہیں چل رہا",
   "status.connecting": "شروع ہو رہا ہے…",
   "status.running": "چل رہا ہے",
@@ -181,6 +184,12 @@ export const UR = {
 
   "tabs.label": "پروگرام",
   "tabs.add": "پروگرام شامل کریں",
+  "tabs.more": "مزید {count}",
+  "tabs.all": "تمام پروگرام",
+  "tabs.find": "پروگرام تلاش کریں",
+  "tabs.none": "کسی پروگرام میں یہ حروف نہیں۔",
+  "tabs.threads-count": { one: "{count} دھاگا چل رہا ہے", other: "{count} دھاگے چل رہے ہیں" },
+  "tabs.threads": "کیا چل رہا ہے",
   "tabs.agents": { one: "{count} ایجنٹ", other: "{count} ایجنٹ" },
   "tabs.running": "چل رہا ہے",
   "tabs.watch": "زیرِ نظر ایجنٹ",

@@ -22,7 +22,8 @@ export function WorldTab({ onKey }: { onKey: (event: KeyboardEvent) => void }) {
       type="button"
       role="tab"
       className="tab tab-world"
-      data-world
+      id="tab-of-world"
+      title={t("world.tab")}
       data-testid="tab-of-world"
       aria-selected={open}
       {...(open ? { "aria-controls": "world-panel" } : {})}

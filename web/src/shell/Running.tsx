@@ -1,0 +1,141 @@
+/**
+ * What runs in the program in view: which agent is watched, where there are several, and a token per live thread that leads to
+ * its vertex. Tokens without room are a list behind their number.
+ */
+import { useRef, useState } from "react";
+
+import { useShallow } from "zustand/react/shallow";
+
+import { programInView, useStudio } from "../model/studio";
+import { useActiveVertices, useRun, watchedAgent } from "../run/run";
+import { t } from "../words/words";
+import { reveal } from "./actions";
+import { FloatingMenu } from "./FloatingMenu";
+import { useFolding } from "./folding";
+
+function Sign() {
+  return (
+    <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
+      <path d="M0 0l7 4-7 4z" fill="currentColor" />
+    </svg>
+  );
+}
+
+interface Thread {
+  slot: number;
+  label: string;
+  go: () => void;
+}
+
+function useThreads(program: string): Thread[] {
+  const active = useActiveVertices(program);
+  const vertices = useStudio((studio) => programInView(studio)?.vertices);
+  return [...active]
+    .flatMap(([vertex, slots]) => slots.map((slot) => ({ slot, vertex })))
+    .sort((a, b) => a.slot - b.slot)
+    .map(({ slot, vertex }) => ({
+      slot,
+      label: t("tabs.thread", { slot, vertex: vertices?.find((one) => one.id === vertex)?.element ?? vertex }),
+      go: () => reveal(program, [vertex]),
+    }));
+}
+
+/** All threads behind one token. */
+function ThreadList({ threads }: { threads: Thread[] }) {
+  const [at, setAt] = useState<{ x: number; y: number } | null>(null);
+  const button = useRef<HTMLButtonElement>(null);
+  return (
+    <span data-folded="2">
+      <button
+        type="button"
+        className="token"
+        ref={button}
+        title={t("tabs.threads")}
+        aria-label={t("tabs.threads-count", { count: threads.length })}
+        aria-haspopup="menu"
+        aria-expanded={at !== null}
+        data-testid="threads"
+        onClick={(event) => {
+          const box = event.currentTarget.getBoundingClientRect();
+          setAt({ x: box.left, y: box.bottom + 4 });
+        }}
+      >
+        <Sign />×{threads.length}
+      </button>
+      {at === null ? null : (
+        <FloatingMenu
+          id="threads"
+          label={t("tabs.threads")}
+          at={at}
+          entries={threads.map(({ slot, label, go }) => ({
+            kind: "item",
+            id: `thread-${String(slot)}`,
+            label,
+            run: go,
+          }))}
+          onLeave={() => setAt(null)}
+          onClose={() => {
+            setAt(null);
+            button.current?.focus();
+          }}
+        />
+      )}
+    </span>
+  );
+}
+
+function Row({ threads, names, chosen }: { threads: Thread[]; names: string[]; chosen: string }) {
+  const row = useRef<HTMLDivElement>(null);
+  useFolding(row);
+  return (
+    <div className="tabs-end" ref={row}>
+      {threads.length === 0 ? null : (
+        <>
+          <span className="tabs-running" data-fold={1}>
+            {t("tabs.running")}
+          </span>
+          {threads.map(({ slot, label, go }) => (
+            <button
+              type="button"
+              key={slot}
+              className="token"
+              data-testid={`thread-${String(slot)}`}
+              data-fold={2}
+              aria-label={label}
+              onClick={go}
+            >
+              <Sign />
+              {slot}
+            </button>
+          ))}
+          <ThreadList threads={threads} />
+        </>
+      )}
+      {names.length < 2 ? null : (
+        <select
+          className="watched"
+          data-testid="watched-agent"
+          aria-label={t("tabs.watch")}
+          title={chosen}
+          value={chosen}
+          onChange={(event) => useRun.getState().selectAgent(event.target.value)}
+        >
+          {names.map((name) => (
+            <option key={name}>{name}</option>
+          ))}
+        </select>
+      )}
+    </div>
+  );
+}
+
+export function Running({ program }: { program: string }) {
+  const threads = useThreads(program);
+  const chosen = useRun((run) => watchedAgent(run, program)?.name ?? "");
+  // The names stay while what the agents do changes: there may be thousands.
+  const names = useRun(
+    useShallow((run) => run.agents.filter((agent) => agent.program === program).map((agent) => agent.name)),
+  );
+  if (threads.length === 0 && names.length < 2) return null;
+  return <Row threads={threads} names={names} chosen={chosen} />;
+}
