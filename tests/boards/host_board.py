@@ -1,9 +1,10 @@
 """A board on CPython: the loop that runs on real boards, with a TCP socket on loopback for its serial line.
 
-    python -m tests.boards.host_board --port 0 [--program FILE.krp] [--generation N]
+    python -m tests.boards.host_board --port 0 [--program FILE.krp] [--generation N] [--pace P]
 
 prints its address (`socket://127.0.0.1:PORT`) once it runs, and serves one host after the other until one of them says
-`q`. Its drivers are those of `tests.boards.drivers`, by their plain names.
+`q`. Its drivers are those of `tests.boards.drivers`, by their plain names. Its clock goes P times as fast as that of
+the wall.
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ from tests.boards.booting import boot
 class SocketPort:
     """The port of `kitrobot_onboard.robot` over a listening socket; a host that goes is like a cable that is pulled."""
 
-    def __init__(self, port: int = 0) -> None:
+    def __init__(self, port: int = 0, pace: float = 1.0) -> None:
+        self.pace = pace
         self.listener = socket.create_server(("127.0.0.1", port))
         self.peer: socket.socket | None = None
         self.shows = False
@@ -31,7 +33,7 @@ class SocketPort:
         return f"socket://127.0.0.1:{self.listener.getsockname()[1]}"
 
     def ticks(self) -> int:
-        return time.monotonic_ns() // 1_000_000
+        return int(time.monotonic() * 1000 * self.pace)
 
     def diff(self, later: int, earlier: int) -> int:
         return later - earlier
@@ -41,7 +43,7 @@ class SocketPort:
 
     def read(self, ms: int) -> bytes:
         sockets = [self.listener] if self.peer is None else [self.listener, self.peer]
-        ready, _, _ = select.select(sockets, [], [], ms / 1000)
+        ready, _, _ = select.select(sockets, [], [], ms / 1000 / self.pace)
         if self.listener in ready:
             self.drop()
             self.peer, _ = self.listener.accept()
@@ -81,8 +83,9 @@ def main() -> None:
     parser.add_argument("--port", type=int, default=0)
     parser.add_argument("--program", type=Path)
     parser.add_argument("--generation", type=int, default=1)
+    parser.add_argument("--pace", type=float, default=1.0)
     given = parser.parse_args()
-    port = SocketPort(given.port)
+    port = SocketPort(given.port, given.pace)
     with tempfile.TemporaryDirectory() as folder:
         program = given.program.read_bytes() if given.program is not None else None
         robot, run = boot(port, Path(folder), program, given.generation)

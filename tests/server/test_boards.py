@@ -17,7 +17,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.board_links import RealLinks
 from kitrobot.server.board_room import BoardRoom
 from kitrobot.server.shapes import BoardsMessage
-from tests.boards.host import PULSER, HostBoard, host_board, write_pulse
+from tests.boards.host import HELD_PACE, PULSER, HostBoard, host_board, write_pulse
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 
 MESSAGE: TypeAdapter[Any] = TypeAdapter(BoardsMessage)
@@ -81,7 +81,7 @@ def visit(app, folder) -> Iterator[Callable[..., Any]]:
 def robot(folder, tmp_path) -> Iterator[HostBoard]:
     """A robot on the network with the program `pulse`."""
     write_pulse(folder)
-    with host_board(folder / "pulse.krt", "pulse", tmp_path) as board:
+    with host_board(folder / "pulse.krt", "pulse", tmp_path, HELD_PACE) as board:
         yield board
 
 
@@ -358,7 +358,7 @@ def test_what_a_program_shares_with_its_team_is_told_once_it_was_sent(
 
     app.state.studio.boards = BoardRoom(Sent())
     write_pulse(folder)
-    with host_board(folder / "pulse.krt", "pulse", tmp_path) as robot, visit() as page:
+    with host_board(folder / "pulse.krt", "pulse", tmp_path, HELD_PACE) as robot, visit() as page:
         page.give("send", robot.address, then="held")
         said = page.until("board", lambda said: "shared" in said["message"])
         assert "line 3, vertex `v4`" in said["message"]

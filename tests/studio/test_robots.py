@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from kitrobot.workspace import open_trace
-from tests.boards.host import HostBoard, host_board, write_pulse
+from tests.boards.host import HELD_PACE, HostBoard, host_board, write_pulse
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import running
 from tests.studio.conftest import LOOKS, Studio
@@ -44,7 +44,7 @@ def robots(tmp_path: Path) -> Iterator[Callable[..., HostBoard]]:
         def robot(broken: bool = False) -> HostBoard:
             folder = tmp_path / "robots"
             folder.mkdir(exist_ok=True)
-            return stack.enter_context(host_board(write_pulse(folder, broken), "pulse", folder))
+            return stack.enter_context(host_board(write_pulse(folder, broken), "pulse", folder, HELD_PACE))
 
         yield robot
 
