@@ -7,6 +7,7 @@
 import { create } from "zustand";
 
 import { api, ApiError, type Session } from "../api/client";
+import { rememberSecret } from "../api/again";
 import { type Claimed, journalApi, type Left } from "../api/journal";
 import { type Recording, traceApi } from "../api/traces";
 import type { MissionFile, Problem } from "../api/types";
@@ -16,7 +17,7 @@ import { holdParts } from "../parts/files";
 import { useRun } from "../run/run";
 import { type Key, sentence, t } from "../words/words";
 import { download } from "./download";
-import { claim, journalBefore, keepsJournal, openWith } from "./journal";
+import { claim, isKept, journalBefore, keepsJournal, openWith } from "./journal";
 import { recover } from "./journal-records";
 import { begin as play, isFromRecording, isRecording, saveRun } from "./recordings";
 
@@ -172,6 +173,16 @@ function offerLeft(left: readonly Left[]): void {
   question(t("journal.left", { name: shownName(first.name) }), choices);
 }
 
+/** The studio started anew, and the page has gone on with it. */
+export function sayReturned(): void {
+  question(t("journal.returned"), [], "note", isKept() ? t("journal.returned-help") : t("journal.failed"));
+}
+
+/** Somebody else is where the studio was. */
+export function sayStranger(): void {
+  question(t("journal.stranger"), [], "error", t("journal.stranger-help"));
+}
+
 /** Opens the file on disk in place of what is open. */
 export function loadFromDisk(): void {
   const { path } = useStudio.getState().file;
@@ -218,22 +229,46 @@ export function openFromComputer(file: File): void {
   });
 }
 
-/** The first mission: the one of the command line, else the first example, else an empty one. */
+/** What the address names, for a page that another `kitrobot` opened: null when it names nothing, "" for the folder. */
+function namedInAddress(): string | null {
+  return new URL(window.location.href).searchParams.get("open");
+}
+
+/** It is open: what happens to the page from now on counts more. */
+function forgetNamed(): void {
+  const address = new URL(window.location.href);
+  address.searchParams.delete("open");
+  window.history.replaceState(window.history.state, "", address);
+}
+
+/** The first mission: the one of the command line, else one of the folder. */
 export async function begin(): Promise<void> {
   try {
-    const session = await api.session();
+    const said = await api.session();
+    rememberSecret(said.secret);
+    const named = namedInAddress();
+    const session = named === null ? said : { ...said, path: named || null };
     set({ session });
-    if (await beginWhereItEnded(session)) return;
-    if (session.path === null) {
-      const example = (await api.missions()).find((entry) => entry.example);
-      await take(example === undefined ? await api.newMission() : await api.mission(example.path));
-    } else {
-      await beginWith(session.path);
-    }
+    const back = await beginWhereItEnded(session);
+    if (!back && session.path === null) await beginInFolder();
+    else if (!back && session.path !== null) await beginWith(session.path);
+    if (named !== null) forgetNamed();
+    if (back) return;
     if (keepsJournal()) offerLeft(await journalApi.left());
   } catch (cause) {
     complain(cause, () => void begin());
   }
+}
+
+/** The folder's only mission; of several the person chooses; where there is none a new one begins. */
+async function beginInFolder(): Promise<void> {
+  const [first, ...others] = (await api.missions()).filter((entry) => !entry.example);
+  if (first !== undefined && others.length === 0) {
+    await beginWith(first.path);
+    return;
+  }
+  await take(await api.newMission());
+  if (first !== undefined) show("open");
 }
 
 /**

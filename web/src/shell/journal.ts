@@ -8,7 +8,7 @@
  */
 import { ApiError } from "../api/client";
 import { type Claimed, journalApi } from "../api/journal";
-import { type News, openWatch } from "../api/watch";
+import { type News, openWatch, type Watcher } from "../api/watch";
 import { follow, type History, historyOf, isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
@@ -18,6 +18,7 @@ export const QUIET_MS = 250;
 const HELLO_WITHIN_MS = 4000;
 const LARGEST = 4_000_000;
 const KEY = "kitrobot.journal";
+const NOBODY_HEARS = { onReturn: () => undefined, onStranger: () => undefined };
 
 /** How the journal reaches the server; tests bring their own. */
 export interface Store {
@@ -214,10 +215,13 @@ export function keepJournal(
   fail: Keeping["fail"],
   onNews: (news: News) => void,
   store: Store = { api: journalApi, watch: openWatch },
+  { onReturn, onStranger }: Pick<Watcher, "onReturn" | "onStranger"> = NOBODY_HEARS,
 ): () => void {
   const close = store.watch({
-    onHello: (name) => void greet(name),
+    onHello: greet,
     onNews,
+    onReturn,
+    onStranger,
     onLost: () => {
       tab = "";
     },

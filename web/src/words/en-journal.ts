@@ -8,6 +8,11 @@ export const JOURNAL_EN = {
   "journal.open": "Open it",
   "journal.later": "Later",
   "journal.failed": "Your changes are not kept safe at the moment.",
+  "journal.returned": "The studio started anew, and this page goes on with it.",
+  "journal.returned-help": "Your changes are kept.",
+  "journal.stranger": "Somebody else is where this page's studio was.",
+  "journal.stranger-help":
+    "Your changes are still in this page: leave it open, and start `kitrobot` on the same folder and port again. Or open the address that it prints.",
   "disk.changed": "{name} was changed on disk.",
   "disk.load": "Load it",
   "disk.keep": "Keep this one",

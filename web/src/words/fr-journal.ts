@@ -10,6 +10,11 @@ export const JOURNAL_FR = {
   "journal.open": "L'ouvrir",
   "journal.later": "Plus tard",
   "journal.failed": "Vos changements ne sont pas mis à l'abri en ce moment.",
+  "journal.returned": "Le studio a redémarré, et cette page continue avec lui.",
+  "journal.returned-help": "Vos changements sont gardés.",
+  "journal.stranger": "Quelqu'un d'autre est à la place du studio de cette page.",
+  "journal.stranger-help":
+    "Vos changements sont encore dans cette page : laissez-la ouverte, et relancez `kitrobot` sur le même dossier et le même port. Ou ouvrez l'adresse qu'il affiche.",
   "disk.changed": "{name} a changé sur le disque.",
   "disk.load": "Le charger",
   "disk.keep": "Garder celui-ci",
