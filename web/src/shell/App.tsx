@@ -28,9 +28,9 @@ import { t } from "../words/words";
 import { reveal } from "./actions";
 import { Banner } from "./Banner";
 import { Brand } from "./Brand";
-import { keepChecking } from "./checking";
+import { checkAgain, keepChecking } from "./checking";
 import { hearOfDisk, watchDisk } from "./disk";
-import { begin, complain, show, useDocument } from "./document";
+import { begin, complain, sayReturned, sayStranger, show, useDocument } from "./document";
 import { EventStrip } from "./EventStrip";
 import { Examples } from "./Examples";
 import { isKept, keepJournal } from "./journal";
@@ -66,7 +66,11 @@ let begun = false;
 /** Opens the first mission once, and keeps the report fresh while the page is there. */
 function useDocumentFlow(): void {
   useEffect(() => {
-    const offJournal = keepJournal(complain, hearOfDisk);
+    const onReturn = () => {
+      sayReturned();
+      checkAgain();
+    };
+    const offJournal = keepJournal(complain, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
     const offDisk = watchDisk();
     const offWorld = keepWorld();
     const offTeam = keepTeamView();
@@ -109,10 +113,14 @@ function carriesFile(event: DragEvent): boolean {
   return event.dataTransfer.types.includes("Files");
 }
 
-/** Under an empty program: ways to learn from others' work. Who follows a tutorial has been told what to do. */
+/**
+ * Under an empty program: ways to learn from others' work. Who follows a tutorial has been told what to do, and the sheet of
+ * all missions has the same.
+ */
 function EmptyExtras() {
   const learning = useTutorial(({ tutorial }) => tutorial !== null);
-  if (learning) return null;
+  const choosing = useDocument((document) => document.overlay === "open");
+  if (learning || choosing) return null;
   return (
     <>
       <TutorialCards brief />
