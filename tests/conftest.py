@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import tempfile
 
 import hypothesis
 import pytest
@@ -13,6 +14,10 @@ from tools import chromium
 # A shell starts what runs in its background deaf to Ctrl+C, and what that starts inherits it: some tests press it.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+# What studios keep of their folders goes away with the tests.
+_STATE = tempfile.TemporaryDirectory(prefix="kitrobot-state-")
+os.environ.setdefault("KITROBOT_STATE", _STATE.name)
 
 # No deadlines: on a busy machine they fail tests that are right.
 hypothesis.settings.register_profile("ci", max_examples=60, deadline=None, derandomize=True, print_blob=True)

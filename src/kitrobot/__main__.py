@@ -12,7 +12,7 @@ def _open_studio(opening: Opening) -> None:
     # Only now: nothing else needs a web server.
     from kitrobot.server import serve
 
-    serve(opening.target, opening.host, opening.port, opening.browser)
+    serve(opening.target, opening.host, opening.port, opening.browser, opening.new)
 
 
 def run() -> None:

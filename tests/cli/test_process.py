@@ -9,9 +9,12 @@ import os
 import re
 import signal
 import socket
+import stat
 import subprocess
 import sys
 from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import urlsplit
 
 import httpx
 import pytest
@@ -169,6 +172,47 @@ def test_the_studio_listens_on_this_machine_only(tmp_path, host):
     ended = call(tmp_path, "--no-browser", "--port", "0", "--host", host)
     assert ended.returncode == 1
     assert b"does not listen" in ended.stderr
+
+
+def test_a_second_kitrobot_on_a_folder_opens_a_page_of_the_first(tmp_path):
+    with opened(tmp_path) as (address, token, process):
+        for target, named in ((tmp_path, ""), (tmp_path / "transport.krt", "transport.krt")):
+            ended = call(target, "--no-browser")
+            assert ended.returncode == 0
+            assert ended.stdout.decode().strip() == f"{address}/?token={token}&open={named}"
+            assert b"runs already" in ended.stderr
+        with subprocess.Popen([*KITROBOT, str(tmp_path), "--no-browser", "--new"], stdout=subprocess.PIPE) as second:
+            assert second.stdout is not None
+            assert not second.stdout.readline().decode().startswith(address)
+            second.kill()
+        process.kill()
+        process.wait(SHORT_S)
+    with opened(tmp_path) as (again, other, _):
+        assert (again, other == token) == (address, False), "at the same address, with another token"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a browser of our own is a script there")
+def test_the_token_is_in_no_command_line_of_a_browser(tmp_path):
+    said, browser = tmp_path / "said", tmp_path / "browser"
+    os.mkfifo(said)
+    browser.write_text(f'#!/bin/sh\nprintf "%s\\n" "$@" > "{said}"\n')
+    browser.chmod(0o700)
+    missions = tmp_path / "missions"
+    missions.mkdir()
+    env = {**os.environ, "BROWSER": str(browser), "DISPLAY": ":0"}
+    with subprocess.Popen([*KITROBOT, str(missions)], stdout=subprocess.PIPE, env=env, text=True) as process:
+        assert process.stdout is not None
+        printed = process.stdout.readline().strip()
+        told = urlsplit(said.read_text().strip())
+        page = Path(told.path)
+        token = printed.partition("?token=")[2]
+        assert told.scheme == "file"
+        assert token not in told.geturl()
+        assert stat.S_IMODE(page.stat().st_mode) == 0o600
+        assert f"url={printed}" in page.read_text()
+        process.send_signal(signal.SIGINT)
+        assert process.wait(SHORT_S) == 0
+        assert not page.exists()
 
 
 def test_ctrl_c_ends_the_studio_in_the_middle_of_runs_and_pages_that_left_leave_no_trace(tmp_path):

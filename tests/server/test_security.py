@@ -41,26 +41,66 @@ def test_the_page_itself_is_told_in_json(stranger):
     assert answer.json()["help"] == "Open the address that `kitrobot` printed."
 
 
-@pytest.mark.parametrize("way", ["query", "header", "cookie"])
-def test_the_token_comes_in_the_address_a_header_or_a_cookie(stranger, way):
-    headers = {"header": {"X-KitRobot-Token": TOKEN}, "cookie": {"Cookie": f"kitrobot-8765={TOKEN}"}}.get(way, {})
+@pytest.mark.parametrize("way", ["query", "header"])
+def test_the_token_comes_in_the_address_or_a_header(stranger, way):
+    headers = {"X-KitRobot-Token": TOKEN} if way == "header" else {}
     query = f"?token={TOKEN}" if way == "query" else ""
     assert stranger.get(f"/api/session{query}", headers=headers).status_code == 200
 
 
+def cookie_of(stranger) -> str:
+    """What the first page load sets, as `name=value`."""
+    set_cookie = str(stranger.get(f"/?token={TOKEN}").headers["set-cookie"])
+    stranger.cookies.clear()
+    return set_cookie.partition(";")[0]
+
+
 def test_the_first_page_load_sets_a_cookie_that_no_script_and_no_other_page_can_use(stranger):
     cookie = stranger.get(f"/?token={TOKEN}").headers["set-cookie"]
-    assert cookie == f"kitrobot-8765={TOKEN}; Path=/; HttpOnly; SameSite=Strict"
+    assert cookie.startswith("kitrobot-8765=")
+    assert cookie.endswith("; Path=/; HttpOnly; SameSite=Strict")
     assert stranger.get("/").status_code == 200
+
+
+def test_the_cookie_is_not_the_token_and_opens_nothing_but_the_page(stranger):
+    """A browser shows the cookies of a machine to every server on it, also to those of its other users."""
+    cookie = cookie_of(stranger)
+    assert TOKEN not in cookie
+    assert stranger.get("/", headers={"Cookie": cookie}).status_code == 200
+    value = cookie.partition("=")[2]
+    for headers in ({"Cookie": cookie}, {"X-KitRobot-Token": value}, {"Cookie": f"kitrobot-8765={TOKEN}"}):
+        assert stranger.get("/api/session", headers=headers).status_code == 403
+    with (
+        pytest.raises(WebSocketDisconnect),
+        stranger.websocket_connect(f"{SOCKET}/api/run", headers={"Cookie": cookie}),
+    ):
+        pass
+
+
+@pytest.mark.parametrize(
+    "before",
+    [
+        'odd="unclosed; ',
+        "a=b=c; ",
+        "{json: [1,2]}; ",
+        "session id=1; ",
+        "; ; =; ",
+        "kitrobot-8765=old; ",
+        "\xe9=\xe9; ",
+    ],
+)
+def test_cookies_of_other_servers_on_this_machine_do_not_hide_ours(stranger, before):
+    ours = cookie_of(stranger)
+    assert stranger.get("/", headers={"Cookie": (before + ours).encode("latin-1")}).status_code == 200
 
 
 def test_a_wrong_token_sets_no_cookie(stranger):
     assert "set-cookie" not in stranger.get("/?token=wrong").headers
 
 
-def test_the_cookie_of_a_studio_on_another_port_does_not_serve(app):
-    client = TestClient(app, base_url="http://127.0.0.1:9000", cookies={"kitrobot-8765": TOKEN})
-    assert client.get("/").status_code == 403
+def test_the_cookie_of_a_studio_on_another_port_does_not_serve(app, stranger):
+    client = TestClient(app, base_url="http://127.0.0.1:9000")
+    assert client.get("/", headers={"Cookie": cookie_of(stranger)}).status_code == 403
 
 
 def test_the_built_files_need_no_token_and_hold_nothing_of_the_users(stranger):

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, expect
+from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
 
 from tests.studio.conftest import HEIGHT, WIDTH
 
@@ -108,6 +109,68 @@ def expect_wait(page: Page, value: int) -> None:
 def edit_and_keep(page: Page, value: int) -> None:
     with page.expect_response(re.compile("/api/journal$")):
         wait_for(page, value)
+
+
+def saved_journal(answer: Response) -> bool:
+    """Whether it is that of a journal in which nothing is unsaved."""
+    request = answer.request
+    sent = request.post_data_json or {}
+    return request.method == "PUT" and request.url.endswith("/api/journal") and not sent.get("unsaved", True)
+
+
+def test_a_page_goes_on_with_the_studio_that_started_after_a_kill(
+    start: Start, mission: Path, context: BrowserContext
+) -> None:
+    server = start(mission)
+    page = server.open(context)
+    edit_and_keep(page, 7)
+    server.kill()
+    page.locator(".vertex", has_text="Wait").first.click()
+    page.keyboard.press("Delete")
+    with page.expect_response(re.compile("/api/journal$")) as kept:
+        again = start(mission)
+    assert kept.value.ok
+    assert again.address != server.address
+    assert again.address.partition("?")[0] == server.address.partition("?")[0]
+    banner = page.get_by_test_id("banner")
+    expect(banner).to_contain_text("The studio started anew")
+    expect(banner).to_contain_text("Your changes are kept.")
+    expect(page.get_by_test_id("code")).not_to_contain_text("WAIT")
+    # It has the new studio's token: what it does is kept and saved, and it can be loaded again.
+    page.keyboard.press("Control+z")
+    with page.expect_response(re.compile("/api/journal$")):
+        wait_for(page, 9)
+    again.kill()
+    start(mission)
+    expect_wait(page, 9)
+    # Saved with the token of the studio that is gone: the page finds the next one by itself.
+    with (
+        page.expect_response(saved_journal),
+        page.expect_response(lambda one: one.url.endswith("/api/mission") and one.ok),
+    ):
+        page.keyboard.press("Control+s")
+    page.reload()
+    expect_wait(page, 9)
+    assert '<set name="duration">9</set>' in mission.read_text()
+
+
+def test_another_studio_at_the_address_gets_nothing_of_a_page(
+    start: Start, mission: Path, context: BrowserContext, tmp_path: Path
+) -> None:
+    server = start(mission)
+    page = server.open(context)
+    server.kill()
+    port = int(server.address.rpartition(":")[2].partition("/")[0])
+    shutil.rmtree(tmp_path / "state")  # it knows nothing of the first one
+    command = [sys.executable, "-m", "kitrobot", "studio", str(mission), "--no-browser", "--port", str(port)]
+    env = {**os.environ, "KITROBOT_STATE": str(tmp_path / "state")}
+    other = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=env)
+    try:
+        expect(page.get_by_test_id("banner")).to_contain_text("Somebody else is where this page's studio was")
+        expect(page.get_by_test_id("banner")).to_contain_text("Your changes are still in this page")
+    finally:
+        other.kill()
+        other.wait(10)
 
 
 def test_after_a_kill_the_work_is_there_with_its_undo(start: Start, mission: Path, context: BrowserContext) -> None:

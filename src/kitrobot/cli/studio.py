@@ -22,12 +22,15 @@ class StudioError(KitRobotError):
 
 @dataclass(frozen=True)
 class Opening:
-    """How the studio is to be opened: `target` is a mission, a folder, or None for an example; `port` None: any."""
+    """How the studio is to be opened: `target` is a mission, a folder, or None for an example; `port` None: any; `new`:
+    a second one, where one of the folder runs.
+    """
 
     target: Path | None
     host: str
     port: int | None
     browser: bool
+    new: bool = False
 
 
 class Studio(Protocol):
@@ -52,13 +55,14 @@ def open_studio(
         typer.Option(min=0, max=65535, help="The port to listen on; 0 is any free one.", show_default="8765 or near"),
     ] = None,
     host: Annotated[str, typer.Option(help="The address of this machine to listen on.")] = "127.0.0.1",
+    new: Annotated[bool, typer.Option("--new", help="Start a second studio where one of this folder runs.")] = False,
 ) -> None:
-    """Open the studio in the browser; Ctrl-C ends it."""
+    """Open the studio in the browser; Ctrl-C ends it. Where one of the same folder runs, open a page of that."""
     path = _existing(target) if target is not None else None
     studio: Studio | None = context.obj
     if studio is None:
         raise StudioError("this command line was started without a studio", "start it with `python -m kitrobot`")
-    studio(Opening(path, host, port, browser))
+    studio(Opening(path, host, port, browser, new))
 
 
 def _existing(target: str) -> Path:

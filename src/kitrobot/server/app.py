@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import secrets
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server import pages
 from kitrobot.server.board_routes import board_routes
 from kitrobot.server.fragments import routes as fragment_routes
+from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
 from kitrobot.server.image_routes import image_routes
 from kitrobot.server.journal_routes import journal_routes
 from kitrobot.server.own_part_routes import own_part_routes
@@ -45,7 +47,9 @@ STATIC = Path(__file__).parent / "static"
 """The built page; git does not keep it."""
 
 
-def create_app(workspace: Path, mission: Path | None, token: str, *, static: Path = STATIC) -> FastAPI:
+def create_app(
+    workspace: Path, mission: Path | None, token: str, *, static: Path = STATIC, secret: str = ""
+) -> FastAPI:
     """The studio's application.
 
     Args:
@@ -53,6 +57,7 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
         mission: the mission to begin with, in that folder or among the examples; None to let the page choose.
         token: what every request must bring along.
         static: the built page.
+        secret: what pages of this folder know its studios by; one of its own when it is empty.
     """
     app = FastAPI(
         title="KitRobot",
@@ -62,7 +67,9 @@ def create_app(workspace: Path, mission: Path | None, token: str, *, static: Pat
         separate_input_output_schemas=False,
     )
     app.state.studio = Studio(workspace, mission)
+    app.state.handshake = Handshake(secret or secrets.token_hex(32), token)
     app.include_router(routes)
+    app.include_router(handshake_routes)
     app.include_router(fragment_routes)
     app.include_router(run_routes)
     app.include_router(board_routes)
@@ -122,7 +129,7 @@ def _failed(request: Request, error: Exception) -> Response:
         conflict = ConflictShape(message=message, help=help, revision=error.revision)
         return JSONResponse(conflict.model_dump(), status_code=409)
     status = 422
-    if isinstance(error, (MissionNameError, ReadOnlyError)):
+    if isinstance(error, (MissionNameError, ReadOnlyError, StrangerError)):
         status = 403
     elif isinstance(error, FileError) and not error.path.exists():
         status = 404

@@ -41,5 +41,15 @@ def sentence(message: str, help: str) -> str:
     )
 
 
+def redirect(address: str) -> str:
+    """A page that leads on to an address at once."""
+    shown = html.escape(address)
+    return (
+        '<!doctype html>\n<meta charset="utf-8">\n<meta name="referrer" content="no-referrer">\n'
+        f'<title>KitRobot</title>\n<meta http-equiv="refresh" content="0; url={shown}">\n'
+        f'<a href="{shown}">KitRobot</a>\n'
+    )
+
+
 def _words(text: str) -> str:
     return re.sub(r"`([^`]*)`", r"<code>\1</code>", html.escape(text))

@@ -66,9 +66,14 @@ Name = Annotated[str, Query(max_length=LONGEST_NAME)]
 
 
 @routes.get("/session")
-def session(studio: StudioOf) -> SessionShape:
+def session(request: Request, studio: StudioOf) -> SessionShape:
     """What the page starts with."""
-    return SessionShape(version=version("kitrobot"), path=studio.first, workspace=studio.folder.root.name)
+    return SessionShape(
+        version=version("kitrobot"),
+        path=studio.first,
+        workspace=studio.folder.root.name,
+        secret=request.app.state.handshake.secret,
+    )
 
 
 @routes.get("/missions")

@@ -5,8 +5,10 @@ WebSocket:
 
 - `Host` must name this machine (a foreign name that was bent to 127.0.0.1, DNS rebinding, is refused);
 - `Origin`, when a browser sends one, must be the studio itself;
-- the token that `kitrobot` printed must come along: as `?token=`, as the header `X-KitRobot-Token`, or as the cookie
-  that the first page load set. Only the page's own built files, which hold nothing of the user's, are served without;
+- the token that `kitrobot` printed must come along: as `?token=` or as the header `X-KitRobot-Token`. Only the page's
+  own built files, which hold nothing of the user's, are served without, and what a page that lost its studio asks
+  (handshake). For the page itself the cookie of the first load serves too. It serves for nothing else: a browser shows
+  the cookies of a machine to every server on it, whoever's they are;
 - a body larger than `LARGEST_BODY_BYTES` (for a recording `LARGEST_TRACE_BYTES`) is refused, whether or not its length
   was announced.
 
@@ -15,11 +17,11 @@ Every answer carries headers that keep the page to itself. An exception that nob
 
 from __future__ import annotations
 
+import hashlib
 import hmac
 import ipaddress
 import logging
 import os
-from http.cookies import CookieError, SimpleCookie
 from typing import Any
 from urllib.parse import parse_qs
 
@@ -36,6 +38,8 @@ LARGEST_BODY_BYTES = 16 * 1024 * 1024
 LARGEST_TRACE_BYTES = 512 * 1024 * 1024
 """Of a recording, which goes to the disk as it comes: a day of ten robots."""
 TRACE_PATH = "/api/trace"
+
+AGAIN_PATHS = ("/api/again", "/api/again/token")
 
 TOKEN_HEADER = "x-kitrobot-token"
 
@@ -119,8 +123,7 @@ class Guard:
             await _refuse_body(scope, dressed, most)
             return
         if self._brings_the_token(scope):
-            set_cookie = f"{_cookie_name(headers)}={self.token}; Path=/; HttpOnly; SameSite=Strict"
-            scope.setdefault("state", {})["kitrobot_cookie"] = set_cookie
+            scope.setdefault("state", {})["kitrobot_cookie"] = page_cookie(headers, self.token)
         try:
             await self.app(scope, _limited(receive, most), dressed)
         except BodyTooLarge:
@@ -134,8 +137,11 @@ class Guard:
     def _token_is_right(self, scope: Scope, headers: Headers) -> bool:
         right = False
         # All are compared, always: how long this takes tells nothing.
-        for value in (*_query_tokens(scope), headers.get(TOKEN_HEADER, ""), _cookie(headers)):
+        for value in (*_query_tokens(scope), headers.get(TOKEN_HEADER, "")):
             right |= _same(self.token, value)
+        if scope["path"] == "/" and scope["type"] == "http":
+            for value in _cookies(headers):
+                right |= _same(_for_the_page(self.token), value)
         return right
 
     def _brings_the_token(self, scope: Scope) -> bool:
@@ -167,8 +173,12 @@ def _origin_is_ours(headers: Headers) -> bool:
 
 
 def _is_public(scope: Scope) -> bool:
-    """The built page's files; not the page itself, so that a wrong address is noticed at once."""
+    """The built page's files, and how a page and a studio know each other again; not the page itself, so that a wrong
+    address is noticed at once.
+    """
     path = scope["path"]
+    if scope["method"] == "POST" and path in AGAIN_PATHS:
+        return True
     return scope["method"] in ("GET", "HEAD") and path != "/" and path != "/api" and not path.startswith("/api/")
 
 
@@ -186,14 +196,21 @@ def _cookie_name(headers: Headers) -> str:
     return f"kitrobot-{port}" if port.isdecimal() else "kitrobot"
 
 
-def _cookie(headers: Headers) -> str:
-    jar: SimpleCookie = SimpleCookie()
-    try:
-        jar.load(headers.get("cookie", ""))
-    except CookieError:
-        return ""
-    morsel = jar.get(_cookie_name(headers))
-    return morsel.value if morsel else ""
+def page_cookie(headers: Headers, token: str) -> str:
+    """What is set when a page comes with the token, so that it can be loaded again."""
+    return f"{_cookie_name(headers)}={_for_the_page(token)}; Path=/; HttpOnly; SameSite=Strict"
+
+
+def _for_the_page(token: str) -> str:
+    """What shows that a browser had the token, and is not the token."""
+    return hmac.new(token.encode(), b"the page", hashlib.sha256).hexdigest()
+
+
+def _cookies(headers: Headers) -> list[str]:
+    """Every value of our cookie, whatever other servers of this machine put beside it."""
+    wanted = _cookie_name(headers)
+    pairs = [pair.partition("=") for line in headers.getlist("cookie") for pair in line.split(";")]
+    return [value.strip().strip('"') for name, _, value in pairs if name.strip() == wanted]
 
 
 def _dress(message: Message, scope: Scope) -> None:

@@ -13,14 +13,16 @@ import webbrowser
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from urllib.parse import urlencode
 
 import uvicorn
 from fastapi import FastAPI
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.app import create_app
+from kitrobot.server.presence import Presence, Running
 from kitrobot.server.runs import LARGEST_MESSAGE_BYTES
-from kitrobot.workspace import first_example
+from kitrobot.workspace import MissionFolder, first_example
 
 USUAL_PORT = 8765
 """Always the same where it is free: what the page remembers belongs to its address."""
@@ -41,34 +43,68 @@ class Place:
     mission: Path | None
 
 
-def serve(target: Path | None, host: str = "127.0.0.1", port: int | None = None, browser: bool = True) -> None:
-    """Serves the studio until Ctrl-C.
+def serve(
+    target: Path | None, host: str = "127.0.0.1", port: int | None = None, browser: bool = True, new: bool = False
+) -> None:
+    """Serves the studio until Ctrl-C; where one of the folder runs already, opens a page of that and comes back.
 
     Args:
         target: a mission's file, a folder of missions, or None for the first example.
         host: an address of this machine that only it can reach.
-        port: the port; 0 is any free one, None the usual one or one near it.
+        port: the port; 0 is any free one, None the usual one or one near it. The folder's last one goes before both.
         browser: whether to open the address in the browser.
+        new: whether to start a second studio where one of the folder runs.
 
     Raises:
         ServerError: the address is not this machine's alone, or the port is taken.
+        PresenceError: the folder's studio does not answer.
     """
     place = _place(target)
-    listening = _listen(_loopback(host), port)
-    token = secrets.token_urlsafe(24)
-    address = f"http://{_name(host)}:{listening.getsockname()[1]}/?token={token}"
-    app = create_app(place.workspace, place.mission, token)
+    bound = _loopback(host)
+    presence = Presence(place.workspace)
+    if new:
+        presence.take()
+    elif (running := presence.take_or_find()) is not None:
+        _join(presence, running, place, browser)
+        return
+    try:
+        _serve(place, presence, bound, port, browser)
+    finally:
+        presence.leave()
+
+
+def _join(presence: Presence, running: Running, place: Place, browser: bool) -> None:
+    """Opens another page of a studio that runs."""
+    wanted = MissionFolder(place.workspace).name_of(place.mission) if place.mission is not None else ""
+    address = f"{running.address}?{urlencode({'token': running.token, 'open': wanted})}"
+    print(address, flush=True)
+    print(
+        "The studio of this folder runs already: this is another page of it. --new starts a second one.",
+        file=sys.stderr,
+        flush=True,
+    )
+    if browser and _has_screen():
+        _show(presence, address)
+
+
+def _serve(place: Place, presence: Presence, bound: str, port: int | None, browser: bool) -> None:
+    listening = _listen(bound, port, presence.port)
+    number = listening.getsockname()[1]
+    running = Running(f"http://{_name(bound)}:{number}/", secrets.token_urlsafe(24))
+    address = f"{running.address}?token={running.token}"
+    app = create_app(place.workspace, place.mission, running.token, secret=presence.secret)
     config = server_config(app)
 
     _calm_collector()
 
     def ready() -> None:
+        presence.listens(running, number)
         threading.Thread(target=app.state.studio.folder.sweep, daemon=True).start()
         print(address, flush=True)
         print("Ctrl-C ends the studio.", file=sys.stderr, flush=True)
         if browser and _has_screen():
             # A browser that is slow to start must not keep the server waiting.
-            threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
+            threading.Thread(target=_show, args=(presence, address), daemon=True).start()
 
     try:
         _Server(config, ready).run(sockets=[listening])
@@ -76,6 +112,13 @@ def serve(target: Path | None, host: str = "127.0.0.1", port: int | None = None,
         pass
     finally:
         listening.close()
+
+
+def _show(presence: Presence, address: str) -> None:
+    """Opens the browser, without the token in its command line: other users of this machine can read that."""
+    page = presence.page_to(address)
+    if page is not None:
+        webbrowser.open(page.as_uri())
 
 
 def server_config(app: FastAPI) -> uvicorn.Config:
@@ -147,9 +190,12 @@ def _name(host: str) -> str:
     return f"[{host.strip('[]')}]" if ":" in host else host
 
 
-def _listen(address: str, port: int | None) -> socket.socket:
+def _listen(address: str, port: int | None, last: int | None = None) -> socket.socket:
+    """A socket that listens: on the port, or, where none is named, on the last one if it is free."""
     family = socket.AF_INET6 if ":" in address else socket.AF_INET
-    wanted = [port] if port is not None else [*range(USUAL_PORT, USUAL_PORT + MORE_PORTS), 0]
+    wanted = [*range(USUAL_PORT, USUAL_PORT + MORE_PORTS), 0] if port is None else [port]
+    if last is not None and not port:
+        wanted.insert(0, last)
     reason = ""
     for number in wanted:
         listening = socket.socket(family, socket.SOCK_STREAM)

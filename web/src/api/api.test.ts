@@ -21,7 +21,7 @@ async function refused(promise: Promise<unknown>): Promise<ApiError> {
 }
 
 beforeEach(() => {
-  sessionStorage.clear();
+  localStorage.clear();
   forgetToken();
 });
 afterEach(() => {
@@ -30,7 +30,7 @@ afterEach(() => {
 });
 
 describe("the token", () => {
-  it("moves from the address into this tab's storage", () => {
+  it("moves from the address into the storage of this address", () => {
     window.history.replaceState(null, "", "/?token=abc&other=1");
     expect(token()).toBe("abc");
     expect(window.location.search).toBe("?other=1");

@@ -5,6 +5,7 @@
  * to do; 409 keeps the revision that is on disk. Addresses are relative, so the page works under any path.
  */
 import { languageInUse, t } from "../words/words";
+import { meetAgain } from "./again";
 import { type DrawnProgram, drawn, forget, learn, sent } from "./known";
 import { token } from "./token";
 import type { Fragment, Mission, MissionFile, Problem, Program, Report, Texts, World, SpanEntry } from "./types";
@@ -14,6 +15,8 @@ export interface Session {
   /** The mission that the person named on the command line. */
   path: string | null;
   workspace: string;
+  /** What this page knows the folder's next studio by. */
+  secret: string;
 }
 
 /** What the small picture of an example is drawn from. */
@@ -107,7 +110,20 @@ export async function askBytes(address: string): Promise<Uint8Array<ArrayBuffer>
   return new Uint8Array(await (await answer(address, {})).arrayBuffer());
 }
 
-async function answer(address: string, { method = "GET", json, bytes, signal }: Asked): Promise<Response> {
+const REFUSED = 403;
+
+/** One request; where it is refused because the studio started anew, once more with the token of that. */
+async function answer(address: string, asked: Asked): Promise<Response> {
+  const response = await request(address, asked);
+  if (response.ok) return response;
+  const told = refusal(response);
+  if (response.status !== REFUSED || (await meetAgain()) !== "new") throw await told;
+  const again = await request(address, asked);
+  if (!again.ok) throw await refusal(again);
+  return again;
+}
+
+async function request(address: string, { method = "GET", json, bytes, signal }: Asked): Promise<Response> {
   const headers: Record<string, string> = { "X-KitRobot-Token": token(), "Accept-Language": languageInUse() };
   if (json !== undefined) headers["Content-Type"] = "application/json";
   if (bytes !== undefined) headers["Content-Type"] = "application/octet-stream";
@@ -123,7 +139,6 @@ async function answer(address: string, { method = "GET", json, bytes, signal }: 
     if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
     throw new ApiError(t("error.offline"), t("error.offline-help"));
   }
-  if (!response.ok) throw await refusal(response);
   return response;
 }
 

@@ -10,6 +10,29 @@ export interface Adds {
   slot: string;
 }
 
+/** The studio's own number, and the proof that it is one of the same folder. */
+export interface Again {
+  answered: string;
+  proof: string;
+}
+
+/** A page that lost its studio: a number that was never used. */
+export interface AgainAsk {
+  asked: string;
+}
+
+/** Both numbers, and the proof that the page is one of the same folder. */
+export interface AgainProof {
+  asked: string;
+  answered: string;
+  proof: string;
+}
+
+/** What every request must bring along from now on. */
+export interface AgainToken {
+  token: string;
+}
+
 /** A robot of the team; `start` is a place of the world, "" for the one with the agent's name. */
 export interface Agent {
   name: string;
@@ -1002,11 +1025,15 @@ export interface SentProgram {
   arcs: (Arc | [number, number])[];
 }
 
-/** What the page starts with: the mission to open, and the name of the folder that missions are in. */
+/**
+ * What the page starts with: the mission to open, and the name of the folder that missions are in. `secret` is what the
+ * page knows the next studio of this folder by; it keeps it in its memory and never sends it.
+ */
 export interface Session {
   version: string;
   path: string | null;
   workspace: string;
+  secret: string;
 }
 
 /** Set a variable of an agent. */

@@ -1,7 +1,8 @@
 /**
  * The secret that the server put into the address when it opened the page.
  *
- * It moves from the address bar to this tab's session storage at once, so that it is neither bookmarked nor shown.
+ * It moves from the address bar to the storage of this address at once, so that it is neither bookmarked nor shown. Another
+ * tab finds it there. It serves for one studio only: the next one has another.
  */
 const KEY = "kitrobot.token";
 
@@ -17,8 +18,8 @@ function take(): string {
   const address = new URL(window.location.href);
   const given = address.searchParams.get("token");
   try {
-    if (given === null) return sessionStorage.getItem(KEY) ?? "";
-    sessionStorage.setItem(KEY, given);
+    if (given === null) return localStorage.getItem(KEY) ?? "";
+    localStorage.setItem(KEY, given);
   } catch {
     // Without storage the secret stays in the address: a reload needs it there.
     return given ?? "";
@@ -26,6 +27,16 @@ function take(): string {
   address.searchParams.delete("token");
   window.history.replaceState(window.history.state, "", address);
   return given;
+}
+
+/** The secret of a studio that started anew at this address. */
+export function takeToken(given: string): void {
+  held = given;
+  try {
+    localStorage.setItem(KEY, given);
+  } catch {
+    // Then this page alone has it.
+  }
 }
 
 /** For tests: forget what was taken. */

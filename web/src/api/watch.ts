@@ -1,8 +1,10 @@
 /**
  * The socket that is open as long as the page is: it gives the page its name and tells what changes on disk.
  *
- * When the connection is lost it is sought again, since nothing that it carried is gone: the page has it all.
+ * When the connection is lost it is sought again, since nothing that it carried is gone: the page has it all. A studio that
+ * started anew meanwhile is known by its proof (again.ts).
  */
+import { type Met, meetAgain } from "./again";
 import { token } from "./token";
 
 export interface News {
@@ -20,34 +22,62 @@ export interface News {
 type Message = { type: "hello"; tab: string } | ({ type: "news" } & News);
 
 export interface Watcher {
-  onHello: (tab: string) => void;
+  onHello: (tab: string) => void | Promise<void>;
   onNews: (news: News) => void;
   onLost: () => void;
+  /** After the hello of a studio that started anew. */
+  onReturn: () => void;
+  /** Somebody else is where the studio was. */
+  onStranger: () => void;
 }
 
 const AGAIN_MS = 2000;
 
 /** Opens the socket; the returned function closes it for good. */
-export function openWatch({ onHello, onNews, onLost }: Watcher): () => void {
+export function openWatch({ onHello, onNews, onLost, onReturn, onStranger }: Watcher): () => void {
   let socket: WebSocket | null = null;
   let timer: ReturnType<typeof setTimeout> | undefined;
   let over = false;
-  const open = () => {
+  let warned = false;
+  let known = "";
+  const open = (met: Met = "same") => {
+    if (over) return;
+    let greeted = false;
+    const given = token();
     const address = new URL("api/watch", window.location.href);
     address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-    address.search = `?token=${encodeURIComponent(token())}`;
+    address.search = `?token=${encodeURIComponent(given)}`;
     address.hash = "";
     socket = new WebSocket(address);
     socket.addEventListener("message", (event: MessageEvent<string>) => {
       if (over) return;
       const message = JSON.parse(event.data) as Message;
-      if (message.type === "hello") onHello(message.tab);
-      else onNews(message);
+      if (message.type === "news") {
+        onNews(message);
+        return;
+      }
+      const anew = known !== "" && known !== given;
+      [greeted, warned, known] = [true, false, given];
+      void Promise.resolve(onHello(message.tab)).then(() => {
+        if (anew) onReturn();
+      });
     });
     socket.addEventListener("close", () => {
       if (over) return;
       onLost();
-      timer = setTimeout(open, AGAIN_MS);
+      if (met === "stranger" && !greeted && !warned) {
+        warned = true;
+        onStranger();
+      }
+      timer = setTimeout(seek, AGAIN_MS);
+    });
+  };
+  const seek = () => {
+    void meetAgain().then((met) => {
+      if (over) return;
+      // Who is no studio of this folder does not take the old token; a page through a tunnel is let in by it.
+      if (met === "nobody") timer = setTimeout(seek, AGAIN_MS);
+      else open(met);
     });
   };
   open();

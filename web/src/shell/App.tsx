@@ -29,9 +29,9 @@ import { reveal } from "./actions";
 import { Banner } from "./Banner";
 import { begin } from "./beginning";
 import { Brand } from "./Brand";
-import { keepChecking } from "./checking";
+import { checkAgain, keepChecking } from "./checking";
 import { hearOfDisk, watchDisk } from "./disk";
-import { complain, complainOfJournal, show, useDocument } from "./document";
+import { complain, complainOfJournal, sayReturned, sayStranger, show, useDocument } from "./document";
 import { EventStrip } from "./EventStrip";
 import { Examples } from "./Examples";
 import { isKept, keepJournal } from "./journal";
@@ -67,7 +67,11 @@ let begun = false;
 /** Opens the first mission once, and keeps the report fresh while the page is there. */
 function useDocumentFlow(): void {
   useEffect(() => {
-    const offJournal = keepJournal(complainOfJournal, hearOfDisk);
+    const onReturn = () => {
+      sayReturned();
+      checkAgain();
+    };
+    const offJournal = keepJournal(complainOfJournal, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
     const offDisk = watchDisk();
     const offWorld = keepWorld();
     const offTeam = keepTeamView();
@@ -110,10 +114,14 @@ function carriesFile(event: DragEvent): boolean {
   return event.dataTransfer.types.includes("Files");
 }
 
-/** Under an empty program: ways to learn from others' work. Who follows a tutorial has been told what to do. */
+/**
+ * Under an empty program: ways to learn from others' work. Who follows a tutorial has been told what to do, and the sheet of
+ * all missions has the same.
+ */
 function EmptyExtras() {
   const learning = useTutorial(({ tutorial }) => tutorial !== null);
-  if (learning) return null;
+  const choosing = useDocument((document) => document.overlay === "open");
+  if (learning || choosing) return null;
   return (
     <>
       <TutorialCards brief />

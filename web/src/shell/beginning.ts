@@ -1,31 +1,56 @@
-/** What is open when the page begins: the work of this tab before, what the command line named, or something to try. */
+/** What is open when the page begins: the work of this tab before, what the command line named, or what the folder has. */
+import { rememberSecret } from "../api/again";
 import { api, type Session } from "../api/client";
 import { journalApi } from "../api/journal";
 import { traceApi } from "../api/traces";
-import { complain, holdUntil, offerLeft, take, takeLeft, useDocument } from "./document";
+import { complain, holdUntil, offerLeft, show, take, takeLeft, useDocument } from "./document";
 import { journalBefore, keepsJournal } from "./journal";
 import { begin as play, isRecording } from "./recordings";
 
-/** The first mission: the one of the command line, else the first example, else an empty one. */
+/** What the address names, for a page that another `kitrobot` opened: null when it names nothing, "" for the folder. */
+function namedInAddress(): string | null {
+  return new URL(window.location.href).searchParams.get("open");
+}
+
+/** It is open: what happens to the page from now on counts more. */
+function forgetNamed(): void {
+  const address = new URL(window.location.href);
+  address.searchParams.delete("open");
+  window.history.replaceState(window.history.state, "", address);
+}
+
+/** The first mission: the one of the command line, else one of the folder. */
 export function begin(): Promise<void> {
   return holdUntil(openFirst());
 }
 
 async function openFirst(): Promise<void> {
   try {
-    const session = await api.session();
+    const said = await api.session();
+    rememberSecret(said.secret);
+    const named = namedInAddress();
+    const session = named === null ? said : { ...said, path: named || null };
     useDocument.setState({ session });
-    if (await beginWhereItEnded(session)) return;
-    if (session.path === null) {
-      const example = (await api.missions()).find((entry) => entry.example);
-      await take(example === undefined ? await api.newMission() : await api.mission(example.path));
-    } else {
-      await beginWith(session.path);
-    }
+    const back = await beginWhereItEnded(session);
+    if (!back && session.path === null) await beginInFolder();
+    else if (!back && session.path !== null) await beginWith(session.path);
+    if (named !== null) forgetNamed();
+    if (back) return;
     if (keepsJournal()) offerLeft(await journalApi.left());
   } catch (cause) {
     complain(cause, () => void begin());
   }
+}
+
+/** The folder's only mission; of several the person chooses; where there is none a new one begins. */
+async function beginInFolder(): Promise<void> {
+  const [first, ...others] = (await api.missions()).filter((entry) => !entry.example);
+  if (first !== undefined && others.length === 0) {
+    await beginWith(first.path);
+    return;
+  }
+  await take(await api.newMission());
+  if (first !== undefined) show("open");
 }
 
 /**

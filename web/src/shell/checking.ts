@@ -60,6 +60,13 @@ export function makeChecker<Answer = Report>({
   };
 }
 
+let asking = (): void => undefined;
+
+/** Asks once more, whatever changed: what was asked before may have found nobody. */
+export function checkAgain(): void {
+  asking();
+}
+
 /** Starts checking; the returned function ends it. */
 export function keepChecking(): () => void {
   let complained = false;
@@ -68,7 +75,7 @@ export function keepChecking(): () => void {
     known: isChecked,
     accept: (report, mission) => {
       acceptReport(report, mission);
-      if (complained) dismissBanner();
+      if (complained && useDocument.getState().banner?.kind === "error") dismissBanner();
       complained = false;
     },
     fail: (cause) => {
@@ -92,6 +99,7 @@ export function keepChecking(): () => void {
     forgetReport();
   }
   again();
+  asking = now;
   const offMission = useStudio.subscribe((state, before) => {
     // Robots, constructors or the world are other ones: what was said of the mission may be wrong now.
     const place = state.world !== before.world && state.mission.own_world == null;
@@ -103,6 +111,7 @@ export function keepChecking(): () => void {
     if (state.ready && !before.ready) again();
   });
   return () => {
+    asking = () => undefined;
     clearTimeout(timer);
     offMission();
     offReady();

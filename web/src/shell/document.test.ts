@@ -77,23 +77,41 @@ describe("the first mission", () => {
     await vi.waitFor(() => expect(opened()).toBe(""));
   });
 
-  it("is the first example when none was named", async () => {
-    const entry = { name: "n", title: "t", modified: "" };
+  const entry = { name: "n", title: "t", modified: "" };
+  const example = { ...entry, path: "example:e", example: true };
+  const own = (path: string) => ({ ...entry, path, example: false });
+
+  it("is the folder's only one when none was named", async () => {
     serve({
       "GET api/session": [[200, { ...session, path: null }]],
-      "GET api/missions": [
-        [
-          200,
-          [
-            { ...entry, path: "x.krt", example: false },
-            { ...entry, path: "example:e", example: true },
-          ],
-        ],
-      ],
-      "GET api/mission?path=example%3Ae": [[200, file("example:e")]],
+      "GET api/missions": [[200, [own("x.krt"), example]]],
+      "GET api/mission?path=x.krt": [[200, file("x.krt")]],
     });
     await begin();
-    expect(opened()).toBe("example:e");
+    expect([opened(), useDocument.getState().overlay]).toEqual(["x.krt", null]);
+  });
+
+  it.each([
+    ["is chosen where the folder has several", [own("x.krt"), own("y.krt"), example], "open"],
+    ["is a new one where the folder has none", [example], null],
+  ])("%s", async (_, missions, overlay) => {
+    serve({
+      "GET api/session": [[200, { ...session, path: null }]],
+      "GET api/missions": [[200, missions]],
+      "GET api/mission/new": [[200, file("")]],
+    });
+    await begin();
+    expect([opened(), useDocument.getState().overlay]).toEqual(["", overlay]);
+  });
+
+  it("is the one that the address names, for a page that another kitrobot opened", async () => {
+    window.history.replaceState(null, "", "/?open=y.krt");
+    serve({
+      "GET api/session": [[200, { ...session, path: "b.krt" }]],
+      "GET api/mission?path=y.krt": [[200, file("y.krt")]],
+    });
+    await begin();
+    expect([opened(), window.location.search]).toEqual(["y.krt", ""]);
   });
 
   it("is an empty one, with a word, when the file cannot be read", async () => {

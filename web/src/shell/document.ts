@@ -244,6 +244,16 @@ export function offerLeft(left: readonly Left[]): void {
   question(t("journal.left", { name: shownName(first.name) }), choices);
 }
 
+/** The studio started anew, and the page has gone on with it. */
+export function sayReturned(): void {
+  question(t("journal.returned"), [], "note", isKept() ? t("journal.returned-help") : t("journal.failed"));
+}
+
+/** Somebody else is where the studio was. */
+export function sayStranger(): void {
+  question(t("journal.stranger"), [], "error", t("journal.stranger-help"));
+}
+
 /** Opens the file on disk in place of what is open. */
 export function loadFromDisk(): void {
   const { path } = useStudio.getState().file;

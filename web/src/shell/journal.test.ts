@@ -47,7 +47,7 @@ class Kept {
     },
     watch: (watcher) => {
       this.watcher = watcher;
-      watcher.onHello("tab");
+      void watcher.onHello("tab");
       return () => undefined;
     },
   };
@@ -210,7 +210,7 @@ describe("the journal", () => {
     edit();
     await flush();
     expect(isKept()).toBe(false);
-    kept.watcher?.onHello("tab-2");
+    void kept.watcher?.onHello("tab-2");
     await vi.waitFor(() => expect(isKept()).toBe(true));
     expect(recovered().mission).toEqual(useStudio.getState().mission);
   });

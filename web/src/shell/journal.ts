@@ -10,7 +10,7 @@ import { create } from "zustand";
 
 import { ApiError } from "../api/client";
 import { type Claimed, journalApi } from "../api/journal";
-import { type News, openWatch } from "../api/watch";
+import { type News, openWatch, type Watcher } from "../api/watch";
 import { follow, type History, historyOf, isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
@@ -22,6 +22,7 @@ const LARGEST = 4_000_000;
 /** Changes after which a whole mission is written once more: a damage of the journal costs no change behind the next. */
 const BASE_EVERY = 20;
 const KEY = "kitrobot.journal";
+const NOBODY_HEARS = { onReturn: () => undefined, onStranger: () => undefined };
 
 /** How the journal reaches the server; tests bring their own. */
 export interface Store {
@@ -230,13 +231,16 @@ export function keepJournal(
   fail: Keeping["fail"],
   onNews: (news: News) => void,
   store: Store = { api: journalApi, watch: openWatch },
+  { onReturn, onStranger }: Pick<Watcher, "onReturn" | "onStranger"> = NOBODY_HEARS,
 ): () => void {
   const close = store.watch({
     onHello: (name) => {
       useLink.setState({ connected: true });
-      void greet(name);
+      return greet(name);
     },
     onNews,
+    onReturn,
+    onStranger,
     onLost: () => {
       tab = "";
       useLink.setState({ connected: false });

@@ -11,8 +11,9 @@ export function Welcome() {
   const { all, tutorial, welcomed } = useTutorial();
   const path = useStudio((studio) => studio.file.path);
   const [first] = (all ?? []).filter((one) => one.steps.length > 0);
-  // Who opens a mission of their own knows the way.
-  if (welcomed || tutorial !== null || first === undefined || !path.startsWith("example:")) return null;
+  // Who opens a mission of their own knows the way; a new one begins where the folder holds none.
+  if (welcomed || tutorial !== null || first === undefined) return null;
+  if (path !== "" && !path.startsWith("example:")) return null;
   return (
     <section className="welcome" aria-label={t("tutorial.welcome")} data-testid="welcome">
       <Icon name="graduation-cap" size={18} />

@@ -20,6 +20,11 @@ export const JOURNAL_EN = {
   "file.not-kept": "not saved, not kept: no connection",
   "file.unknown": "no connection to the studio",
   "file.changed": "changed on disk",
+  "journal.returned": "The studio started anew, and this page goes on with it.",
+  "journal.returned-help": "Your changes are kept.",
+  "journal.stranger": "Somebody else is where this page's studio was.",
+  "journal.stranger-help":
+    "Your changes are still in this page: leave it open, and start `kitrobot` on the same folder and port again. Or open the address that it prints.",
   "disk.changed": "{name} was changed on disk.",
   "disk.load": "Load it",
   "disk.keep": "Keep this one",

@@ -256,7 +256,8 @@ export const EN = {
   "strip.counts": "{load} loaded, {unload} unloaded, {collision} collisions.",
 
   "error.offline": "The studio cannot reach kitrobot.",
-  "error.offline-help": "Check that it still runs in its terminal, then try again.",
+  "error.offline-help":
+    "Start it again in its terminal. Your changes stay in this page, which goes on as soon as it is back.",
   "error.token": "This page has no key for the studio.",
   "error.token-help": "Open the address that kitrobot printed in its terminal, with its token.",
   "error.run-lost": "The connection to the simulator was lost, so the run has ended.",

@@ -24,6 +24,11 @@ export const JOURNAL_FR = {
   "file.not-kept": "non enregistré, non gardé : pas de connexion",
   "file.unknown": "pas de connexion avec le studio",
   "file.changed": "changé sur le disque",
+  "journal.returned": "Le studio a redémarré, et cette page continue avec lui.",
+  "journal.returned-help": "Vos changements sont gardés.",
+  "journal.stranger": "Quelqu'un d'autre est à la place du studio de cette page.",
+  "journal.stranger-help":
+    "Vos changements sont encore dans cette page : laissez-la ouverte, et relancez `kitrobot` sur le même dossier et le même port. Ou ouvrez l'adresse qu'il affiche.",
   "disk.changed": "{name} a changé sur le disque.",
   "disk.load": "Le charger",
   "disk.keep": "Garder celui-ci",

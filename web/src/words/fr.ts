@@ -257,7 +257,8 @@ export const FR = {
   "strip.counts": "Chargements : {load}, déchargements : {unload}, collisions : {collision}.",
 
   "error.offline": "Le studio ne peut pas joindre kitrobot.",
-  "error.offline-help": "Vérifiez qu'il tourne encore dans son terminal, puis réessayez.",
+  "error.offline-help":
+    "Relancez-le dans son terminal. Vos changements restent dans cette page, qui continue dès qu'il est de retour.",
   "error.token": "Cette page n'a pas de clé pour le studio.",
   "error.token-help": "Ouvrez l'adresse que kitrobot a écrite dans son terminal, avec son jeton.",
   "error.run-lost": "La connexion au simulateur est perdue, donc l'exécution est terminée.",

@@ -12,11 +12,15 @@ from kitrobot.server.shapes.world import WorldShape
 
 
 class SessionShape(BaseModel):
-    """What the page starts with: the mission to open, and the name of the folder that missions are in."""
+    """What the page starts with: the mission to open, and the name of the folder that missions are in.
+
+    `secret` is what the page knows the next studio of this folder by; it keeps it in its memory and never sends it.
+    """
 
     version: str
     path: str | None
     workspace: str
+    secret: str
 
 
 class PictureShape(BaseModel):
