@@ -186,7 +186,7 @@ def test_a_second_kitrobot_on_a_folder_opens_a_page_of_the_first(tmp_path):
             assert not second.stdout.readline().decode().startswith(address)
             second.kill()
         process.kill()
-        process.wait(SHORT_S)
+        process.wait(PATIENCE_S)
     with opened(tmp_path) as (again, other, _):
         assert (again, other == token) == (address, False), "at the same address, with another token"
 
@@ -211,7 +211,7 @@ def test_the_token_is_in_no_command_line_of_a_browser(tmp_path):
         assert stat.S_IMODE(page.stat().st_mode) == 0o600
         assert f"url={printed}" in page.read_text()
         process.send_signal(signal.SIGINT)
-        assert process.wait(SHORT_S) == 0
+        assert process.wait(PATIENCE_S) == 0
         assert not page.exists()
 
 
