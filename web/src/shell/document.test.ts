@@ -74,7 +74,7 @@ describe("the first mission", () => {
     expect([opened(), useDocument.getState().ready]).toEqual(["b.krt", true]);
   });
 
-  const entry = { name: "n", title: "t", modified: "" };
+  const entry = { name: "n", title: "t", modified: "", problem: "" };
   const example = { ...entry, path: "example:e", example: true };
   const own = (path: string) => ({ ...entry, path, example: false });
 
