@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import sys
+from pathlib import Path
 
 import pytest
 
@@ -91,3 +93,11 @@ def test_one_file_has_many_names(tmp_path):
     for name in ("a", "link", "hard", "./a"):
         assert same_file(tmp_path / "a", tmp_path / name)
     assert not same_file(tmp_path / "a", tmp_path / "b")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="files of POSIX")
+def test_a_pipe_and_a_device_are_sentences_and_nobody_waits_for_them(tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    for path, what in ((tmp_path / "pipe", "a pipe"), (Path("/dev/zero"), "a device"), (tmp_path, "a folder")):
+        with pytest.raises(FileError, match=what):
+            read_bytes(path)

@@ -14,6 +14,7 @@ from kitrobot.diagnostics.model import (
     rule,
     rules,
 )
+from kitrobot.diagnostics.regular import open_regular
 from kitrobot.diagnostics.rendering import render, render_one, to_json, to_page_json
 
 __all__ = [
@@ -27,6 +28,7 @@ __all__ = [
     "Severity",
     "Source",
     "in_reading_order",
+    "open_regular",
     "render",
     "render_one",
     "rule",

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, open_regular
 from kitrobot.lll import Condition, Instr
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group
@@ -250,7 +250,8 @@ def _read(path: Path) -> tuple[bytes | None, Diagnostic | None]:
         size = path.stat().st_size
         if size > MAX_BYTES:
             return None, rules.TOO_LARGE(f"expected at most {MAX_BYTES} bytes, found {size}", Place(str(path)))
-        return path.read_bytes(), None
+        with open_regular(path) as stream:
+            return stream.read(), None
     except OSError as error:
         return None, _unreadable(path, error)
 

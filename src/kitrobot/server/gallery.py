@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import MissionEntryShape, PictureShape, mission_shape, world_shape
 from kitrobot.workspace import MissionEntry, OpenMission
 
@@ -60,6 +61,7 @@ def _plain(entry: MissionEntry) -> MissionEntryShape:
         label={},
         help={},
         picture=None,
+        problem=spoken(entry.problem),
     )
 
 

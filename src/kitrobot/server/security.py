@@ -30,7 +30,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kitrobot.server import pages
-from kitrobot.server.sentences import spoken
+from kitrobot.server.sentences import readable, spoken
 from kitrobot.translation import said
 
 LARGEST_BODY_BYTES = 16 * 1024 * 1024
@@ -227,7 +227,10 @@ def _dress(message: Message, scope: Scope) -> None:
 async def _refuse(scope: Scope, send: Send, status: int, message: str, help: str) -> None:
     """An answer without the application: a page for people, JSON for the page's own requests."""
     if scope["path"].startswith("/api"):
-        body, kind = orjson.dumps({"message": said(spoken(message)), "help": said(spoken(help))}), "application/json"
+        body, kind = (
+            orjson.dumps({"message": readable(said(spoken(message))), "help": readable(said(spoken(help)))}),
+            "application/json",
+        )
     else:
         body, kind = pages.sentence(message, help).encode(), "text/html; charset=utf-8"
     head: dict[str, Any] = {

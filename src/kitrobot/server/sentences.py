@@ -10,7 +10,19 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from kitrobot.translation import best_language, reading_in, said
 
-Sentence = Annotated[str, PlainSerializer(said, return_type=str)]
+
+def readable(words: str) -> str:
+    """The same as text that can be sent: a file's name may hold what is no UTF-8."""
+    return words.encode(errors="surrogatepass").decode(errors="replace")
+
+
+def _told(words: str) -> str:
+    return readable(said(words))
+
+
+FileName = Annotated[str, PlainSerializer(readable, return_type=str)]
+"""A field for the name of a file on the disk, which the page shows."""
+Sentence = Annotated[str, PlainSerializer(_told, return_type=str)]
 """A field for people: English until it is sent, in the language of the request that it answers when it is."""
 
 

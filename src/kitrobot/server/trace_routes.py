@@ -13,6 +13,7 @@ from fastapi.responses import FileResponse
 from kitrobot.server.playing import Player
 from kitrobot.server.recordings import RecordingError
 from kitrobot.server.routes import LONGEST_NAME, mission_file
+from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import FailureShape, RecordingEntryShape, RecordingShape
 from kitrobot.server.studio import Studio
 from kitrobot.trace import ENDING
@@ -39,7 +40,10 @@ Name = Annotated[str, Query(max_length=LONGEST_NAME)]
 @trace_routes.get("/traces")
 def traces(studio: StudioOf) -> list[RecordingEntryShape]:
     """The recordings of the folder."""
-    return [RecordingEntryShape(path=one.path, name=one.name, modified=one.modified) for one in studio.folder.traces()]
+    return [
+        RecordingEntryShape(path=one.path, name=one.name, modified=one.modified, problem=spoken(one.problem))
+        for one in studio.folder.traces()
+    ]
 
 
 @trace_routes.get("/trace")

@@ -17,6 +17,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
+from kitrobot.diagnostics import open_regular
 from kitrobot.trace import layout
 from kitrobot.trace.coding import decode, decode_events
 from kitrobot.trace.header import header_from_json
@@ -64,9 +65,10 @@ class TraceReader:
         self.cut = True
         self.outcome: dict[str, Any] = {}
         try:
-            self._file = path.open("rb")
-        except OSError as error:
-            raise TraceError(f"the trace {path.name} cannot be read: {error.strerror}") from error
+            self._file = open_regular(path)
+        except (OSError, ValueError) as error:
+            reason = error.strerror if isinstance(error, OSError) else str(error)
+            raise TraceError(f"the trace {path.name} cannot be read: {reason}") from error
         try:
             self.header: TraceHeader = self._read_header()
             self._chunks = list(self._scan())

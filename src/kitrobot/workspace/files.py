@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, rule
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, open_regular, rule
 from kitrobot.workspace.file_lock import FileLock
 
 LARGEST_FILE_BYTES = 64 * 1024 * 1024
@@ -53,12 +53,13 @@ def read_bytes(path: Path) -> bytes:
     """The content of a file.
 
     Raises:
-        FileError: there is no such file, it is a folder, may not be read, or is larger than `LARGEST_FILE_BYTES`.
+        FileError: there is no such file, it is a folder, a pipe or a device, may not be read, or is larger than
+            `LARGEST_FILE_BYTES`.
     """
     try:
         if path.is_dir():
             raise _unreadable(path, f"`{path}` is a folder, not a file", "name a file in it")
-        with path.open("rb") as stream:
+        with open_regular(path) as stream:
             data = stream.read(LARGEST_FILE_BYTES + 1)
     except FileNotFoundError:
         raise _unreadable(path, f"there is no file `{path}`", look_alike(path)) from None

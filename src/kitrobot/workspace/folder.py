@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics import KitRobotError, open_regular
 from kitrobot.trace import ENDING as TRACE_ENDING
 from kitrobot.workspace.carried import is_picture
 from kitrobot.workspace.examples import examples_folder
@@ -35,6 +35,9 @@ DEEPEST = 5
 MOST_LISTED = 500
 MOST_LOOKED_AT = 20_000
 """Entries of folders that a listing looks at: the folder may be somebody's whole home."""
+
+NAME_NO_TEXT = "its name is not text in UTF-8"
+RENAME = "give the file another name"
 
 _ON_WINDOWS = re.compile(r"[\\:*?\"<>|\x00-\x1f\x7f]")
 
@@ -56,13 +59,16 @@ class ConflictError(KitRobotError):
 
 @dataclass(frozen=True)
 class MissionEntry:
-    """A mission of the folder, or an example; `modified` is a moment in UTC (ISO 8601)."""
+    """A mission of the folder, or an example; `modified` is a moment in UTC (ISO 8601), `problem` why it cannot be
+    opened, "" where nothing is known against it.
+    """
 
     path: str
     name: str
     title: str
     example: bool
     modified: str
+    problem: str = ""
 
 
 class MissionFolder:
@@ -281,12 +287,34 @@ def _looked_through(root: Path, without: Path | None) -> Iterator[tuple[Path, li
         yield Path(folder), files
 
 
+def shown(name: str) -> str:
+    """A file's name as text; what in it is no UTF-8 is replaced."""
+    return os.fsencode(name).decode(errors="replace")
+
+
+def _problem(path: Path, root: Path) -> str:
+    """Why a file of the folder cannot be opened; "" where nothing is known against it."""
+    try:
+        path.name.encode()
+        path.relative_to(root).as_posix().encode()
+        if root not in path.resolve().parents:
+            return "it is a link that leads out of the folder"
+        open_regular(path).close()
+    except UnicodeEncodeError:
+        return NAME_NO_TEXT
+    except (OSError, RuntimeError) as error:
+        return (getattr(error, "strerror", None) or "it leads nowhere").lower()
+    return ""
+
+
 def _entry(path: Path, root: Path, prefix: str) -> MissionEntry:
-    words = path.stem.replace("-", " ").replace("_", " ").strip()
+    stem = shown(path.stem)
+    words = stem.replace("-", " ").replace("_", " ").strip()
     try:
         seconds = path.stat().st_mtime
     except OSError:
         seconds = 0.0
     modified = datetime.fromtimestamp(seconds, UTC).isoformat(timespec="seconds")
-    name = prefix + path.relative_to(root).as_posix()
-    return MissionEntry(name, path.stem, words[:1].upper() + words[1:], bool(prefix), modified)
+    name = prefix + shown(path.relative_to(root).as_posix())
+    title = words[:1].upper() + words[1:]
+    return MissionEntry(name, stem, title, bool(prefix), modified, _problem(path, root))

@@ -17,7 +17,7 @@ from kitrobot.primitives import Catalogue
 from kitrobot.tutorial import Tutorial, read_tutorial, steps_fit
 from kitrobot.tutorial.rules import START
 from kitrobot.workspace.files import UNREADABLE, FileError, read_bytes
-from kitrobot.workspace.folder import TUTORIAL_ENDING, MissionFolder
+from kitrobot.workspace.folder import NAME_NO_TEXT, RENAME, TUTORIAL_ENDING, MissionFolder, shown
 
 MOST_KEPT = 200
 """Tutorials that are kept as they were read."""
@@ -45,7 +45,18 @@ class Tutorials:
 
     def all(self) -> list[FoundTutorial]:
         """Every tutorial: those that come with KitRobot, then those of the folder."""
-        return [self.found(name) for name in self._folder.tutorials()]
+        return [self._listed(name) for name in self._folder.tutorials()]
+
+    def _listed(self, name: str) -> FoundTutorial:
+        """One of the list: what cannot be used says why, and the others are there all the same."""
+        try:
+            name.encode()
+            return self.found(name)
+        except UnicodeEncodeError:
+            name = shown(name)
+            return FoundTutorial(name, None, "", (UNREADABLE(NAME_NO_TEXT, Place(name), help=RENAME),))
+        except KitRobotError as error:
+            return FoundTutorial(name, None, "", (UNREADABLE(error.message, Place(name), help=error.help),))
 
     def starts(self) -> set[str]:
         """The names of the missions that a tutorial begins with."""
@@ -65,9 +76,9 @@ class Tutorials:
             if kept is not None and kept[0] == stamp:
                 return self._with_start(kept[1])
             tutorial, problems = read_tutorial(read_bytes(path), name)
-        except (FileError, OSError):
-            unreadable = UNREADABLE(f"the file `{name}` cannot be read", Place(name))
-            return FoundTutorial(name, None, "", (unreadable,))
+        except (FileError, OSError) as error:
+            why = error.message if isinstance(error, FileError) else f"the file `{name}` cannot be read"
+            return FoundTutorial(name, None, "", (UNREADABLE(why, Place(name)),))
         start = str(PurePosixPath(name).parent / tutorial.start) if tutorial is not None else ""
         found = FoundTutorial(name, tutorial, start, tuple(problems))
         if len(self._kept) >= MOST_KEPT:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic
+from kitrobot.diagnostics import Diagnostic, open_regular
 from kitrobot.workspace.checking import first_element
 from kitrobot.workspace.files import FileError, read_bytes
 from kitrobot.world import EMPTY, SHIPPED, World, read_world
@@ -53,7 +53,7 @@ def _files(folder: Path) -> Iterator[Path]:
         return
     for path in paths:
         try:
-            with path.open("rb") as stream:
+            with open_regular(path) as stream:
                 beginning = stream.read(_BEGINNING)
         except OSError:
             continue

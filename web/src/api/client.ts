@@ -36,6 +36,8 @@ export interface MissionEntry {
   label: Texts;
   help: Texts;
   picture: MissionPicture | null;
+  /** Why it cannot be opened; "" where nothing is known against it. */
+  problem: string;
 }
 
 /** What became of a typed text: its program, or null and why not; places count in the text that was sent. */

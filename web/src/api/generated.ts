@@ -533,8 +533,9 @@ export interface Mission {
 }
 
 /**
- * A mission that can be opened; `modified` is a moment in UTC (ISO 8601). Examples are read-only and say more: title
- * (`label`) and what happens (`help`) by language, and their picture.
+ * A mission that can be opened; `modified` is a moment in UTC (ISO 8601). `problem` is why it cannot be opened, ""
+ * where nothing is known against it. Examples are read-only and say more: title (`label`) and what happens (`help`) by
+ * language, and their picture.
  */
 export interface MissionEntry {
   path: string;
@@ -545,6 +546,7 @@ export interface MissionEntry {
   label: Record<string, string>;
   help: Record<string, string>;
   picture: Picture | null;
+  problem: string;
 }
 
 /**
@@ -887,11 +889,12 @@ export interface Recording {
   file: MissionFile;
 }
 
-/** A recording of the folder; `modified` is a moment in UTC (ISO 8601). */
+/** A recording of the folder; `modified` is a moment in UTC (ISO 8601), `problem` why it cannot be opened. */
 export interface RecordingEntry {
   path: string;
   name: string;
   modified: string;
+  problem: string;
 }
 
 /** Play a recording that was opened; `recording` is its name. */

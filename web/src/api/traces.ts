@@ -20,6 +20,8 @@ export interface RecordingEntry {
   path: string;
   name: string;
   modified: string;
+  /** Why it cannot be opened; "" where nothing is known against it. */
+  problem: string;
 }
 
 export const traceApi = {

@@ -16,17 +16,25 @@ function open(entry: MissionEntry): void {
   openPath(entry.path);
 }
 
-function Entry({ entry }: { entry: MissionEntry }) {
+interface EntryProps {
+  entry: { path: string; problem: string };
+  icon: "file" | "clapperboard";
+  title: string;
+}
+
+/** A file of the folder; one that cannot be opened says why. */
+function Entry({ entry: { path, problem }, icon, title }: EntryProps) {
+  const choose = () => {
+    show(null);
+    openPath(path);
+  };
   return (
     <li>
-      <button type="button" className="open-entry" data-path={entry.path} onClick={() => open(entry)}>
-        <Icon name="file" size={18} />
-        <span className="open-title" dir="auto" title={entry.title || entry.name}>
-          {entry.title || entry.name}
-        </span>
-        <span className="open-path" dir="auto" title={entry.path}>
-          {entry.path}
-        </span>
+      <button type="button" className="open-entry" data-path={path} disabled={problem !== ""} onClick={choose}>
+        <Icon name={problem === "" ? icon : "triangle-alert"} size={18} />
+        <span className="open-title" dir="auto" title={title}>{title}</span>
+        {problem === "" ? null : <span className="open-problem">{problem}</span>}
+        <span className="open-path" dir="auto" title={path}>{path}</span>
       </button>
     </li>
   );
@@ -78,33 +86,15 @@ export function OpenSheet() {
             {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
             <ul>
               {own.map((entry) => (
-                <Entry key={entry.path} entry={entry} />
+                <Entry key={entry.path} entry={entry} icon="file" title={entry.title || entry.name} />
               ))}
             </ul>
             {recordings.length === 0 ? null : (
               <>
                 <h3>{t("recording.list", { folder: workspace })}</h3>
                 <ul data-testid="open-recordings">
-                  {recordings.map(({ path, name }) => (
-                    <li key={path}>
-                      <button
-                        type="button"
-                        className="open-entry"
-                        data-path={path}
-                        onClick={() => {
-                          show(null);
-                          openPath(path);
-                        }}
-                      >
-                        <Icon name="clapperboard" size={18} />
-                        <span className="open-title" dir="auto" title={name}>
-                          {name}
-                        </span>
-                        <span className="open-path" dir="auto" title={path}>
-                          {path}
-                        </span>
-                      </button>
-                    </li>
+                  {recordings.map((entry) => (
+                    <Entry key={entry.path} entry={entry} icon="clapperboard" title={entry.name} />
                   ))}
                 </ul>
               </>

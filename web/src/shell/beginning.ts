@@ -44,7 +44,7 @@ async function openFirst(): Promise<void> {
 
 /** The folder's only mission; of several the person chooses; where there is none a new one begins. */
 async function beginInFolder(): Promise<void> {
-  const [first, ...others] = (await api.missions()).filter((entry) => !entry.example);
+  const [first, ...others] = (await api.missions()).filter(({ example, problem }) => !example && problem === "");
   if (first !== undefined && others.length === 0) {
     await beginWith(first.path);
     return;

@@ -77,7 +77,7 @@ describe("the first mission", () => {
     await vi.waitFor(() => expect(opened()).toBe(""));
   });
 
-  const entry = { name: "n", title: "t", modified: "" };
+  const entry = { name: "n", title: "t", modified: "", problem: "" };
   const example = { ...entry, path: "example:e", example: true };
   const own = (path: string) => ({ ...entry, path, example: false });
 

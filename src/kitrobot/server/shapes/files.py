@@ -37,6 +37,7 @@ class PictureShape(BaseModel):
 class MissionEntryShape(BaseModel):
     """A mission that can be opened; `modified` is a moment in UTC (ISO 8601).
 
+    `problem` is why it cannot be opened, "" where nothing is known against it.
     Examples are read-only and say more: title (`label`) and what happens (`help`) by language, and their picture.
     """
 
@@ -48,6 +49,7 @@ class MissionEntryShape(BaseModel):
     label: dict[str, str]
     help: dict[str, str]
     picture: PictureShape | None
+    problem: Sentence
 
 
 class MissionFileShape(BaseModel):

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, Field
 
 from kitrobot.primitives import MOST_OWN
+from kitrobot.server.sentences import FileName
 from kitrobot.server.shapes.catalogue import CatalogueShape
 from kitrobot.server.shapes.mission import Words
 from kitrobot.server.shapes.own import OwnVariableShape
@@ -38,7 +39,7 @@ class PlanShape(BaseModel):
 class WorldEntryShape(BaseModel):
     """A world that a mission can take place in; `href` is what the mission calls it, "" for the empty one."""
 
-    href: str
+    href: FileName
     shipped: bool
     label: dict[str, str]
     help: dict[str, str]

@@ -8,7 +8,7 @@ from typing import Literal
 from pydantic import BaseModel
 
 from kitrobot.diagnostics import Diagnostic, to_page_json
-from kitrobot.server.sentences import Sentence
+from kitrobot.server.sentences import FileName, Sentence
 
 
 class FixShape(BaseModel):
@@ -22,7 +22,7 @@ class FixShape(BaseModel):
 class ProblemShape(BaseModel):
     """A diagnostic; lines and columns count from 1 and are 0 where there is no file."""
 
-    file: str
+    file: FileName
     line: int
     column: int
     end_line: int

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
+from kitrobot.server.sentences import Sentence
 from kitrobot.server.shapes.files import MissionFileShape
 
 
 class RecordingEntryShape(BaseModel):
-    """A recording of the folder; `modified` is a moment in UTC (ISO 8601)."""
+    """A recording of the folder; `modified` is a moment in UTC (ISO 8601), `problem` why it cannot be opened."""
 
     path: str
     name: str
     modified: str
+    problem: Sentence
 
 
 class RecordingShape(BaseModel):

@@ -1,0 +1,47 @@
+"""Opening files that a person names: only those that have an end, and without waiting for anybody.
+
+A pipe waits until somebody writes into it, a device has no end: neither is a file of ours, whatever its name is.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from pathlib import Path
+from typing import BinaryIO
+
+_FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_BINARY", "O_CLOEXEC", "O_NOCTTY", "O_NONBLOCK"))
+_KINDS = (
+    (stat.S_ISDIR, errno.EISDIR, "it is a folder, not a file"),
+    (stat.S_ISFIFO, errno.EINVAL, "it is a pipe, not a file"),
+    (stat.S_ISSOCK, errno.EINVAL, "it is a socket, not a file"),
+)
+_DEVICE = "it is a device, not a file"
+
+
+def open_regular(path: Path) -> BinaryIO:
+    """A file for reading.
+
+    Raises:
+        OSError: it cannot be opened, or is a folder, a pipe, a socket or a device; `strerror` says so.
+        ValueError: no file can have that name.
+    """
+    # Looked at before too: opening some devices does something.
+    _look(os.stat(path), path)
+    handle = os.open(path, _FLAGS)
+    try:
+        _look(os.fstat(handle), path)
+        return os.fdopen(handle, "rb")
+    except BaseException:
+        os.close(handle)
+        raise
+
+
+def _look(state: os.stat_result, path: Path) -> None:
+    if stat.S_ISREG(state.st_mode):
+        return
+    for is_kind, number, sentence in _KINDS:
+        if is_kind(state.st_mode):
+            raise OSError(number, sentence, str(path))
+    raise OSError(errno.EINVAL, _DEVICE, str(path))
