@@ -69,6 +69,10 @@ MISTAKES = [
     ("an else alone", "!(a.b(););  #! syntax@1 expected an instruction, found `!`"),
     ("an event without condition", "<>();  #! syntax@2 expected a condition, found `>`"),
     ("a comma in a body", "2*(a.b();, c.d(););  #! syntax@10 `,` separates branches, and this is not a parallel"),
+    (
+        "commas in a body",
+        "2*(a.b();, c.d();, e.f(););  #! syntax@10 `,` separates branches",
+    ),
     ("a comma in the program", "a.b();, c.d();  #! syntax@7 `,` closes or separates nothing here"),
     ("a parallel without branches", "//;  #! syntax@3 expected `(`, found `;`"),
     ("one slash", "/(a.b(););  #! syntax@1 expected an instruction, found `/`"),

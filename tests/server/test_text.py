@@ -44,7 +44,7 @@ def test_the_same_text_gives_the_same_program(page: TestClient, mission: dict[st
 
 
 def test_a_new_instruction_gets_a_vertex_and_the_others_keep_theirs(page: TestClient, mission: dict[str, Any]) -> None:
-    found = typed(page, mission, "Light.LightOn();\nLight.LightOff();\nWAIT(2);")
+    found = typed(page, mission, "Light.LightOn();\nWheel.Stop();\nWAIT(2);")
     assert [vertex["id"] for vertex in found["program"]["vertices"]] == ["start", "v1", "v3", "v2", "stop"]
     assert found["problems"] == []
 

@@ -348,9 +348,12 @@ class _Parser(Expressions):
         self.expect("(")
         self.deeper(opened)
         seq = self.seq("")
+        told = False
         while self.is_symbol(","):
             _, start, end, _ = self.take()
-            self.report(rules.SYNTAX, "`,` separates branches, and this is not a parallel", start, end, "write `;`")
+            if not told:  # those behind it are there for the same reason
+                self.report(rules.SYNTAX, "`,` separates branches, and this is not a parallel", start, end, "write `;`")
+            told = True
             more = self.seq("")
             seq.items += more.items
             seq.below += more.below
