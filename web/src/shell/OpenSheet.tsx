@@ -32,9 +32,13 @@ function Entry({ entry: { path, problem }, icon, title }: EntryProps) {
     <li>
       <button type="button" className="open-entry" data-path={path} disabled={problem !== ""} onClick={choose}>
         <Icon name={problem === "" ? icon : "triangle-alert"} size={18} />
-        <span className="open-title" dir="auto" title={title}>{title}</span>
+        <span className="open-title" dir="auto" title={title}>
+          {title}
+        </span>
         {problem === "" ? null : <span className="open-problem">{problem}</span>}
-        <span className="open-path" dir="auto" title={path}>{path}</span>
+        <span className="open-path" dir="auto" title={path}>
+          {path}
+        </span>
       </button>
     </li>
   );
