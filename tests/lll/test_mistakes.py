@@ -71,11 +71,7 @@ MISTAKES = [
     ("a comma in a body", "2*(a.b();, c.d(););  #! syntax@10 `,` separates branches, and this is not a parallel"),
     (
         "commas in a body",
-<<<<<<< HEAD
         "2*(a.b();, c.d();, e.f(););  #! syntax@10 `,` separates branches, and this is not a parallel",
-=======
-        "2*(a.b();, c.d();, e.f(););  #! syntax@10 `,` separates branches",
->>>>>>> h/language
     ),
     ("a comma in the program", "a.b();, c.d();  #! syntax@7 `,` closes or separates nothing here"),
     ("a parallel without branches", "//;  #! syntax@3 expected `(`, found `;`"),

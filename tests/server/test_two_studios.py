@@ -14,6 +14,7 @@ from pathlib import Path
 import httpx
 import pytest
 
+from tests.patience import PATIENCE_S
 from tests.server.conftest import SHORT
 
 ROUNDS = 40
@@ -22,14 +23,14 @@ ROUNDS = 40
 @contextlib.contextmanager
 def studio(folder: Path, state: Path) -> Iterator[httpx.Client]:
     """A client of a studio that runs in a process of its own."""
-    command = [sys.executable, "-m", "kitrobot", "studio", str(folder), "--no-browser", "--port", "0"]
+    command = [sys.executable, "-m", "kitrobot", "studio", str(folder), "--no-browser", "--port", "0", "--new"]
     env = {**os.environ, "KITROBOT_STATE": str(state)}
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=env) as process:
         assert process.stdout is not None
         try:
             address, _, token = process.stdout.readline().strip().partition("/?token=")
             headers = {"X-KitRobot-Token": token}
-            with httpx.Client(base_url=address, headers=headers, trust_env=False, timeout=60) as client:
+            with httpx.Client(base_url=address, headers=headers, trust_env=False, timeout=PATIENCE_S) as client:
                 yield client
         finally:
             process.kill()
@@ -40,9 +41,16 @@ def test_of_saves_that_race_none_is_lost_that_was_answered_as_done(tmp_path: Pat
     mission = tmp_path / "missions" / "blink.krt"
     mission.parent.mkdir()
     mission.write_text(SHORT)
-    together = threading.Barrier(2)
+    together = threading.Barrier(2, timeout=PATIENCE_S)
 
     def work(client: httpx.Client, path: str, who: int) -> list[str]:
+        try:
+            return saved(client, path, who)
+        except BaseException:
+            together.abort()  # the other one does not wait for us
+            raise
+
+    def saved(client: httpx.Client, path: str, who: int) -> list[str]:
         done = []
         for number in range(ROUNDS):
             name = f"agent-{who}-{number}"
