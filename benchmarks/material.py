@@ -149,7 +149,8 @@ class _Maker:
         if chance < 0.2:
             return Or(self.test(), And(self.test(), self.test()))
         if chance < 0.3:
-            return Not(self.test())
+            # Not alone: under it a test and its instruction may be one part of the graph.
+            return And(Not(self.test()), self.test())
         return self.test()
 
     def repeat(self, depth: int) -> Instr:

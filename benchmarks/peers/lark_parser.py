@@ -16,7 +16,7 @@ seq: (_instr | ";")*
 _instr: call | interrupt | repeat | while | conditional | event | parallel | wait | break
 interrupt: _MARK call _MARK
 repeat: NB "*" "(" seq ")"
-while: "*" "[" _cond "]" "(" seq ")"
+while: "*" ("[" _cond "]")? "(" seq ")"
 conditional: "[" _cond "]" "(" seq ")" [ "!" "(" seq ")" ]
 event: "<" _cond ">" "(" seq ")"
 parallel: "//" "(" seq ("," seq)* ")"
