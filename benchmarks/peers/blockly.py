@@ -116,8 +116,9 @@ class _Drawing:
             case Repeat():
                 return self.block("controls_repeat", {"TIMES": node.count}, {"DO": self.stack(node.body)})
             case While():
-                test = self.block("logic_boolean", {"BOOL": "TRUE"})
-                if node.condition is not None:
+                if node.condition is None:
+                    test = self.block("logic_boolean", {"BOOL": "TRUE"})
+                else:
                     test = self.condition(node.condition)
                 inputs = {"BOOL": test, "DO": self.stack(node.body)}
                 return self.block("controls_whileUntil", {"MODE": "WHILE"}, inputs)
