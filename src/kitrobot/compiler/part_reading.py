@@ -124,9 +124,9 @@ def _from_robot(template: Template, robot: Robot) -> dict[str, Slot]:
 def _in_text(item: Diagnostic, written: Constructor, code: str) -> Diagnostic:
     """The diagnostic with its place in the text of the code, or without one where it is about something else."""
     lines = write_constructor(replace(written, code=code))
-    at = next(index for index, line in enumerate(lines) if line.lstrip().startswith("<code>"))
+    at = next((index for index, line in enumerate(lines) if line.lstrip().startswith("<code>")), None)
     place = item.place
-    if place is None or place.line != at + 2:  # the first line of the file is the mission's own
+    if at is None or place is None or place.line != at + 2:  # the first line of the file is the mission's own
         return replace(item, place=None)
     head = lines[at].index("<code>") + len("<code>")
     starts = [0, *accumulate(len(escape_text(character)) for character in code)]

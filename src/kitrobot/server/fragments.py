@@ -16,6 +16,7 @@ from kitrobot.graph import IN, START, STOP, Program
 from kitrobot.lll import Seq, parse
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, Robot
+from kitrobot.server.json_bodies import StrictJsonRoute
 from kitrobot.server.shapes import FailureShape, mission_shape, problem_shapes
 from kitrobot.server.shapes.fragment import FragmentRequestShape, FragmentShape
 from kitrobot.server.shapes.own import own_constructor, own_variable
@@ -25,7 +26,9 @@ FILE = "clipboard.lll"
 """The name by which problems speak of the text."""
 
 routes = APIRouter(
-    prefix="/api", responses={"4XX": {"model": FailureShape, "description": "Why it could not be done."}}
+    prefix="/api",
+    route_class=StrictJsonRoute,
+    responses={"4XX": {"model": FailureShape, "description": "Why it could not be done."}},
 )
 
 

@@ -12,6 +12,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, Request, WebSocket, WebSocketDisconnect
 
+from kitrobot.server.json_bodies import StrictJsonRoute
 from kitrobot.server.shapes import (
     ClaimedShape,
     ClaimShape,
@@ -36,6 +37,7 @@ LOOK_S = 0.5
 
 journal_routes = APIRouter(
     prefix="/api",
+    route_class=StrictJsonRoute,
     responses={"4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}},
 )
 

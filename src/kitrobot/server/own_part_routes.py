@@ -12,6 +12,7 @@ from kitrobot.graph import Program
 from kitrobot.lll import print_template
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, write_constructors
+from kitrobot.server.json_bodies import StrictJsonRoute
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import FailureShape, TextShape, mission_from_shape, mission_shape, problem_shapes
 from kitrobot.server.shapes.catalogue import constructor_shape
@@ -37,7 +38,9 @@ from kitrobot.workspace import NoProgramError
 MOST_PROBLEMS = 100
 
 own_part_routes = APIRouter(
-    prefix="/api", responses={"4XX": {"model": FailureShape, "description": "Why it could not be done."}}
+    prefix="/api",
+    route_class=StrictJsonRoute,
+    responses={"4XX": {"model": FailureShape, "description": "Why it could not be done."}},
 )
 
 
@@ -94,6 +97,11 @@ def part_read(studio: StudioOf, wanted: PartTextShape) -> PartReadShape:
         raise OwnPartError(
             f"this part has {len(wanted.constructor.code)} characters, and a part has at most {LONGEST_PART}",
             "make several smaller parts of it",
+        )
+    if wanted.constructor.adds is not None:
+        raise OwnPartError(
+            f"the part `{wanted.constructor.name}` adds a branch to another one, and has no code to read",
+            "give it code instead",
         )
     mission = mission_from_shape(wanted.mission)
     catalogue = studio.parts_of(mission, wanted.path)

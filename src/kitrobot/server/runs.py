@@ -106,11 +106,15 @@ class Session:
                     return
                 await self._obey(message.get("text") or message.get("bytes") or "")
         finally:
-            if self._task is not None:
-                self._task.cancel()
-                await asyncio.gather(self._task, return_exceptions=True)
+            # Others are told before anything is waited for: whoever calls this off ends the waiting too.
             self._let_go()
-            await self._stand_up()
+            try:
+                if self._task is not None:
+                    self._task.cancel()
+                    await asyncio.gather(self._task, return_exceptions=True)
+            finally:
+                self._close_watch()
+                await self._stand_up()
 
     def _let_go(self) -> None:
         """The run of this socket is looked at no more, and cannot be saved any more."""
@@ -118,6 +122,8 @@ class Session:
         self._studio.audiences.pop(self._name, None)
         if self._audience is not None:
             self._audience.end("the page that steered this run is gone, and the run with it", "start one of your own")
+
+    def _close_watch(self) -> None:
         if self._watch is not None:
             self._watch.close()
 
@@ -155,6 +161,7 @@ class Session:
             return
         try:
             self._let_go()
+            self._close_watch()
             await self._stand_up()
         except BaseException:
             self._count(False)

@@ -20,6 +20,7 @@ from fastapi import FastAPI
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.app import create_app
+from kitrobot.server.connections import LARGEST_HEAD_BYTES, MOST_CONNECTIONS, BoundedConnection
 from kitrobot.server.presence import Presence, Running
 from kitrobot.server.runs import LARGEST_MESSAGE_BYTES
 from kitrobot.workspace import MissionFolder, first_example
@@ -128,6 +129,11 @@ def server_config(app: FastAPI) -> uvicorn.Config:
         log_level="warning",
         access_log=False,
         server_header=False,
+        # Nobody stands between: a header that says who asks is somebody's invention.
+        proxy_headers=False,
+        http=BoundedConnection,
+        h11_max_incomplete_event_size=LARGEST_HEAD_BYTES,
+        limit_concurrency=MOST_CONNECTIONS,
         ws="websockets-sansio",
         ws_max_size=LARGEST_MESSAGE_BYTES,
         ws_per_message_deflate=False,

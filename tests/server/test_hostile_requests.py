@@ -1,0 +1,108 @@
+"""Whatever a request holds, the studio does not fail: bodies are made at random from the shapes of the API."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+from typing import Any
+
+import pytest
+
+BUDGET = int(os.environ.get("KITROBOT_BUDGET", "600"))
+STREAMS = 4
+ODD = (
+    *("", "\ud800", "a\x00b", "x" * 300, "../x", "blink.krt", "example:square/square.krt", "recording:1/x", "é", "²"),
+    *("<code>", "{a}", "°", "9" * 5000, "-1", "mini-robot", "blink"),
+)
+DEEPEST = 5
+
+
+class Maker:
+    """Makes values of JSON schemas."""
+
+    def __init__(self, rng: random.Random, shapes: dict[str, Any], mission: dict[str, Any]) -> None:
+        self.rng = rng
+        self.shapes = shapes
+        self.mission = mission
+
+    def value(self, schema: dict[str, Any], depth: int = 0) -> Any:
+        rng = self.rng
+        if "$ref" in schema:
+            name = schema["$ref"].split("/")[-1]
+            right = name == "MissionShape" and rng.random() < 0.7
+            return self.mission if right else self.value(self.shapes[name], depth)
+        if "const" in schema or "enum" in schema:
+            return schema["const"] if "const" in schema else rng.choice(schema["enum"])
+        if "anyOf" in schema:
+            return self.value(rng.choice(schema["anyOf"]), depth)
+        match schema.get("type"):
+            case "string":
+                return rng.choice(ODD)
+            case "integer":
+                return rng.choice((0, 1, -1, 2**31, 2**63, 5))
+            case "number":
+                return rng.choice((0, 1, -1, 1e308, 0.5))
+            case "boolean":
+                return rng.random() < 0.5
+            case "array":
+                count = rng.choice((0, 1, 2)) if depth < DEEPEST else 0
+                return [self.value(schema.get("items", {}), depth + 1) for _ in range(count)]
+            case "object":
+                return self.object(schema, depth + 1)
+        return None
+
+    def object(self, schema: dict[str, Any], depth: int) -> dict[str, Any]:
+        needed = schema.get("required", [])
+        fields = schema.get("properties", {}).items()
+        made = {name: self.value(of, depth) for name, of in fields if name in needed or self.rng.random() < 0.6}
+        more = schema.get("additionalProperties")
+        if isinstance(more, dict) and depth < DEEPEST:
+            made |= {self.rng.choice(ODD): self.value(more, depth) for _ in range(self.rng.choice((0, 1, 2)))}
+        return made
+
+
+@pytest.mark.parametrize("stream", range(STREAMS))
+def test_no_request_makes_the_studio_fail(app, page, stream: int) -> None:
+    spec = app.openapi()
+    mission = page.get("/api/mission", params={"path": "blink.krt"}).json()["mission"]
+    rng = random.Random(stream)
+    maker = Maker(rng, spec["components"]["schemas"], mission)
+    requests = [(path, method, of) for path, methods in spec["paths"].items() for method, of in methods.items()]
+    for _ in range(BUDGET // STREAMS):
+        path, method, of = rng.choice(requests)
+        query = {}
+        for one in of.get("parameters", []):
+            if one["in"] == "query":
+                query[one["name"]] = rng.choice(ODD).encode(errors="surrogatepass")
+            else:
+                path = path.replace(f"{{{one['name']}}}", "blink")
+        content = of.get("requestBody", {"content": {}})["content"]
+        if "application/json" in content:
+            body = json.dumps(maker.value(content["application/json"]["schema"])).encode()
+            sent = {"content": body, "headers": {"Content-Type": "application/json"}}
+        else:
+            sent = {"content": rng.randbytes(50)} if content else {}
+        answer = page.request(method.upper(), path, params=query, **sent)
+        assert answer.status_code < 500, (method, path, query, sent, answer.text)
+
+
+def test_text_that_is_no_unicode_is_refused_in_a_sentence(page) -> None:
+    headers = {"Content-Type": "application/json"}
+    answer = page.post("/api/part/file", content=b'{"constructors": [], "odd": "\\ud800"}', headers=headers)
+    assert answer.status_code == 422
+    assert "was not understood" in answer.json()["message"]
+
+
+def test_a_part_that_only_adds_a_branch_has_no_code_to_read(page, catalogue_part) -> None:
+    answer = page.post("/api/part/read", json=catalogue_part)
+    assert answer.status_code == 422
+    assert "adds a branch" in answer.json()["message"]
+
+
+@pytest.fixture
+def catalogue_part(page) -> dict[str, Any]:
+    """What asks for the reading of a part that is shipped and only adds a branch."""
+    file = page.get("/api/mission", params={"path": "blink.krt"}).json()
+    parts = [one for group in file["catalogue"]["groups"] for one in group["constructors"] if one["adds"] is not None]
+    return {"mission": file["mission"], "path": "blink.krt", "robot": "mini-robot", "constructor": parts[0]}
