@@ -301,10 +301,10 @@ def test_a_missing_file_a_folder_and_another_kind_are_told_and_the_others_still_
 def test_a_file_that_may_not_be_read_is_told(kitrobot, write, here, monkeypatch):
     write("p.krt", "x")
 
-    def refused(*arguments: object) -> None:
+    def refused(path: Path) -> None:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(Path, "open", refused)
+    monkeypatch.setattr("kitrobot.workspace.files.open_regular", refused)
     said = kitrobot("check", "p.krt", "--json")
     assert said.status == 1
     assert "permission denied" in said.json[0]["message"]

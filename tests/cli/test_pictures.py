@@ -96,7 +96,7 @@ def test_the_studio_opens_it(kitrobot, here, name):
     ("spoilt", "sentence"),
     [
         (lambda whole: b"", "is empty"),
-        (lambda whole: b"GIF89a", "is not the picture that its name promises"),
+        (lambda whole: b"GIF89a", "is a picture (GIF): there is no mission inside"),
         (lambda whole: whole[: len(whole) // 2], "is damaged"),
     ],
     ids=["empty", "foreign", "cut off"],

@@ -1,10 +1,11 @@
 """The catalogue: where files are looked for, who wins, and that a bad file hides nothing."""
 
 from pathlib import Path
+from typing import BinaryIO
 
 import pytest
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics import KitRobotError, open_regular
 from kitrobot.lll import Break, Conditional, Seq, While
 from kitrobot.primitives import Catalogue, Constructor, load_catalogue, read_constructors, shape
 from kitrobot.primitives.catalogue import config_folder
@@ -127,14 +128,13 @@ def test_what_adds_to_nothing_is_reported_and_left_out(folder: Path) -> None:
 
 def test_a_file_that_cannot_be_read_is_reported(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (folder / "tiny.robot.xml").write_text(ROBOT)
-    read = Path.read_bytes
 
-    def refuse(path: Path) -> bytes:
+    def refuse(path: Path) -> BinaryIO:
         if path.name == "tiny.robot.xml":
             raise PermissionError(13, "Permission denied")
-        return read(path)
+        return open_regular(path)
 
-    monkeypatch.setattr(Path, "read_bytes", refuse)
+    monkeypatch.setattr("kitrobot.primitives.catalogue.open_regular", refuse)
     [problem] = load_catalogue([folder]).problems
     assert problem.code == "catalogue-unreadable"
     assert problem.message.endswith("Permission denied")

@@ -291,7 +291,7 @@ def test_who_comes_back_into_the_world_is_not_named_in_the_end() -> None:
         run.step()
         texts += [event.text for event in run.events]
     assert texts == [LEAVING, "its program has ended"]
-    assert run.sentence == f"Done after {run.seconds:.1f} s: every program has ended."
+    assert run.sentence == f"Done after {run.seconds:.1f} s: every program has ended; a ended with its motors on."
 
 
 @pytest.mark.parametrize(
@@ -344,7 +344,7 @@ def test_a_program_that_is_not_there_or_has_errors_is_refused() -> None:
 def test_an_agent_without_a_start_is_refused_with_the_starts_there_are() -> None:
     error = refused(team(Agent("c", "p")))
     assert error.message == "c has no start “c” in the world empty"
-    assert error.help == "starts of this world: a, b"
+    assert error.help == "starts that are free there: a, b"
 
 
 def test_two_agents_in_one_place_are_refused() -> None:
