@@ -151,7 +151,7 @@ class _Greeting:
         """A deploy broke off, and what takes files still listens; or an answer was on its way since long before."""
         self.board.number_anew()
         if self.received:
-            self.board.line.write(b"\r\x03\x03")
+            self.board.line.write(_STOP_RECEIVING)
             self.board.line.drain(0.2)
             self._say(LEAVE)
         else:
