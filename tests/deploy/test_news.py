@@ -61,6 +61,15 @@ def wired() -> tuple[Any, Board]:
     return twin, board
 
 
+def test_a_board_that_still_tells_somebody_else_is_greeted(wired) -> None:
+    twin: Any = Twin()
+    twin.comes = told(7, goes(RUNNING))
+    with Board(twin) as board:
+        assert board.greet().free == 5000
+        assert twin.asked == "h"
+        assert isinstance(board.news(0), News)
+
+
 def test_a_robot_that_runs_and_tells_how_it_goes_is_not_asked(wired: tuple[Any, Board]) -> None:
     twin, board = wired
     board.watch(100)

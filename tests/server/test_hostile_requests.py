@@ -9,6 +9,8 @@ from typing import Any
 
 import pytest
 
+from kitrobot.server.json_bodies import read_json
+
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "600"))
 STREAMS = 4
 ODD = (
@@ -89,9 +91,30 @@ def test_no_request_makes_the_studio_fail(app, page, stream: int) -> None:
 
 def test_text_that_is_no_unicode_is_refused_in_a_sentence(page) -> None:
     headers = {"Content-Type": "application/json"}
-    answer = page.post("/api/part/file", content=b'{"constructors": [], "odd": "\\ud800"}', headers=headers)
+    answer = page.post("/api/part/file", content=b'{"constructors": [], "odd": "\xff"}', headers=headers)
     assert answer.status_code == 422
     assert "was not understood" in answer.json()["message"]
+
+
+@pytest.mark.parametrize(
+    ("body", "value"),
+    [
+        (rb'["\ud800"]', ["\ufffd"]),
+        (rb'["a\udc00b\ud83d\ude00"]', ["a\ufffdb\U0001f600"]),
+        (rb'["\\ud800 \ud800"]', ["\\ud800 \ufffd"]),
+        (rb'{"\ud800": "\u0041"}', {"\ufffd": "A"}),
+    ],
+)
+def test_half_a_character_is_read_as_no_character(body: bytes, value: object) -> None:
+    assert read_json(body) == value
+
+
+@pytest.mark.parametrize(
+    "body", [b"", b"{", b'["\xff"]', rb'["\ud800", NaN]', rb'["\ud800"', b'["\\ud800",' + b"[" * 100_000]
+)
+def test_what_is_no_json_is_not_read(body: bytes) -> None:
+    with pytest.raises(json.JSONDecodeError):
+        read_json(body)
 
 
 def test_a_part_that_only_adds_a_branch_has_no_code_to_read(page, catalogue_part) -> None:

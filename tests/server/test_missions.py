@@ -371,7 +371,7 @@ def test_a_request_that_is_not_understood_is_a_sentence(page, body):
 
 def test_a_request_nested_deeply_is_a_sentence(page):
     answer = page.post("/api/check", content=b"[" * 100_000, headers={"Content-Type": "application/json"})
-    assert answer.status_code == 400
+    assert answer.status_code == 422
     assert answer.json()["message"].endswith(".")
 
 

@@ -125,6 +125,10 @@ class Studio:
         """Drags a part of the palette onto something of that test id."""
         self.drag(self.at(f"part-{part}"), self.at(target))
 
+    def expect_opened(self) -> None:
+        """Waits until the mission that was asked for is there."""
+        expect(self.page.locator(".studio")).to_have_attribute("aria-busy", "false")
+
     def full_speed(self) -> None:
         """As fast as it goes: the last notch of the speed slider."""
         self.at("speed").focus()

@@ -76,6 +76,7 @@ def test_a_picture_that_is_dropped_on_the_window_opens_its_mission(
     path = keep(studio, f"export-{kind}", tmp_path)
     studio.at("menu-File").click()
     studio.at("menu-file-new").click()
+    studio.expect_opened()
     expect(studio.at("first-place")).to_be_visible()
     drop_file(studio, path)
     expect(studio.at("tab-store-manager-A")).to_be_visible()

@@ -98,3 +98,26 @@ def test_a_program_that_ends_at_once_says_so_whole_and_is_mended(open_studio: Op
     studio.at("fix-1").click()
     expect(studio.page.locator(".vertex", has_text="Wait")).to_have_count(1)
     expect(studio.at("fix-1")).to_have_count(0)
+
+
+MANY = 450
+
+
+def test_a_long_list_of_problems_comes_piece_by_piece(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    vertices = "".join(f'<vertex id="v{number}" element="Wheel.Nope"/>' for number in range(MANY))
+    (studio.folder / "blink.krt").write_text(
+        f'<kitrobot version="1"><program name="p" robot="mini-robot"><vertex id="start" element="Start"/>{vertices}'
+        '<vertex id="stop" element="Stop"/></program></kitrobot>'
+    )
+    studio.page.reload()
+    studio.at("problems").click()
+    rows = studio.page.locator("#problem-list li.problem-row")
+    more = studio.page.get_by_role("button", name="Show 200 more")
+    expect(rows).to_have_count(200)
+    more.click()
+    expect(rows).to_have_count(400)
+    studio.page.keyboard.press("Shift+F8")
+    expect(more).to_have_count(0)
+    expect(rows.last.locator("button").first).to_have_attribute("aria-current", "true")
+    expect(rows.last).to_be_in_viewport()

@@ -18,6 +18,7 @@ def test_a_new_program_offers_four_examples_with_pictures_drawn_from_them(open_s
     studio = open_studio("blink/blink.krt")
     studio.at("menu-File").click()
     studio.at("menu-file-new").click()
+    studio.expect_opened()
     cards = studio.page.locator(".examples .card")
     expect(cards).to_have_count(4)
     expect(cards.locator("svg.picture")).to_have_count(4)

@@ -149,6 +149,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     studio = open_studio(None)
     keys = studio.page.keyboard
     keys.press("Control+Alt+n")
+    studio.expect_opened()
     expect(studio.at("first-place")).to_be_visible()
     expect(studio.at("code")).to_contain_text("Your program appears here")
     studio.at("canvas").focus()

@@ -98,6 +98,7 @@ def test_a_new_program_is_drawn_from_nothing_and_runs(open_studio: OpenStudio) -
     studio = open_studio(None)
     studio.at("menu-File").click()
     studio.at("menu-file-new").click()
+    studio.expect_opened()
     expect(studio.at("first-place")).to_be_visible()
     studio.drop("Parallelism", "first-place")
     studio.expect_code("//(")

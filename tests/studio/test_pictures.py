@@ -56,5 +56,6 @@ def test_a_new_program(open_studio: OpenStudio, pictures: Path) -> None:
     studio = open_studio(None)
     studio.at("menu-File").click()
     studio.at("menu-file-new").click()
+    studio.expect_opened()
     expect(studio.at("first-place")).to_be_visible()
     take(studio, pictures / "new-program.png")

@@ -102,6 +102,7 @@ def test_axe_finds_nothing_on_menus_sheets_and_the_empty_program(
     find_nothing(studio, "problems")
     studio.at("menu-File").click()
     studio.at("menu-file-new").click()
+    studio.expect_opened()
     expect(studio.at("first-place")).to_be_visible()
     find_nothing(studio, "empty program")
 
@@ -216,6 +217,7 @@ def test_the_empty_program_fits_a_small_window(open_studio: OpenStudio) -> None:
     studio.page.set_viewport_size({"width": 1366, "height": 768})
     studio.at("menu-File").click()
     studio.at("menu-file-new").click()
+    studio.expect_opened()
     card, canvas = studio.page.locator(".teaching").bounding_box(), studio.at("canvas").bounding_box()
     assert card is not None
     assert canvas is not None

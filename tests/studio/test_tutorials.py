@@ -357,6 +357,7 @@ def test_an_empty_program_invites_to_a_tutorial(open_studio: OpenStudio) -> None
     studio = open_studio(BLINK)
     studio.at("menu-File").click()
     studio.at("menu-file-new").click()
+    studio.expect_opened()
     cards = studio.page.locator(".teaching .tutorial-card")
     expect(cards).to_have_count(3)
     cards.first.click()

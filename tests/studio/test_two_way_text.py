@@ -37,6 +37,7 @@ def empty(open_studio: OpenStudio) -> Studio:
     studio = open_studio(None)
     studio.at("menu-File").click()
     studio.at("menu-file-new").click()
+    studio.expect_opened()
     expect(studio.at("first-place")).to_be_visible()
     return studio
 

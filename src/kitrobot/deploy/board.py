@@ -75,10 +75,11 @@ class Board:
     """
 
     hello: Hello
-    """How it introduced itself last; `greet` makes it."""
+    """How it introduced itself last; without a state, memory and program before it is greeted."""
 
     def __init__(self, line: Line) -> None:
         self.line = line
+        self.hello = Hello(link.PROTOCOL, 0, 0, 0, 0, 0, 0, "-", "-")
         self.arguments: list[int] = []
         self._lock = RLock()
         self._number = random.randrange(1, 256)

@@ -16,7 +16,7 @@ from kitrobot.graph import IN, START, STOP, Program
 from kitrobot.lll import Seq, parse
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, Robot
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.shapes import FailureShape, mission_shape, problem_shapes
 from kitrobot.server.shapes.fragment import FragmentRequestShape, FragmentShape
 from kitrobot.server.shapes.own import own_constructor, own_variable
@@ -27,7 +27,7 @@ FILE = "clipboard.lll"
 
 routes = APIRouter(
     prefix="/api",
-    route_class=StrictJsonRoute,
+    route_class=JsonRoute,
     responses={"4XX": {"model": FailureShape, "description": "Why it could not be done."}},
 )
 

@@ -19,7 +19,7 @@ from fastapi import APIRouter, Request, Response
 from pydantic import BaseModel, StringConstraints
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.security import page_cookie
 from kitrobot.server.shapes import FailureShape
 
@@ -30,7 +30,7 @@ Number = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{32,128}$")]
 
 handshake_routes = APIRouter(
     prefix="/api/again",
-    route_class=StrictJsonRoute,
+    route_class=JsonRoute,
     responses={"4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}},
 )
 

@@ -8,13 +8,13 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, Request
 
 from kitrobot.image import disassemble
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.image import ImageAskShape, ImageShape
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import ProblemsError
 
-image_routes = APIRouter(prefix="/api", route_class=StrictJsonRoute)
+image_routes = APIRouter(prefix="/api", route_class=JsonRoute)
 
 
 def _studio(request: Request) -> Studio:

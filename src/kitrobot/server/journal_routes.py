@@ -12,7 +12,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, Request, WebSocket, WebSocketDisconnect
 
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.shapes import (
     ClaimedShape,
     ClaimShape,
@@ -37,7 +37,7 @@ LOOK_S = 0.5
 
 journal_routes = APIRouter(
     prefix="/api",
-    route_class=StrictJsonRoute,
+    route_class=JsonRoute,
     responses={"4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}},
 )
 

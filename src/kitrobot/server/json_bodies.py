@@ -1,10 +1,12 @@
-r"""Reading the JSON body of a request: strictly, so that every string of it can be written again.
+r"""Reading the JSON body of a request, so that every string of it can be written again.
 
-Python's `json` takes a lone surrogate (`"\ud800"`) for a character, which no file and no answer can hold.
+JSON can say half of a character (`"\ud800"`, a lone surrogate), which no file and no answer can hold. An editor sends it
+when a text is cut in the middle of a character: it is read as U+FFFD, as a text in UTF-16 would be.
 """
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Coroutine
 from typing import Any
 
@@ -13,18 +15,38 @@ from fastapi import Request, Response
 from fastapi.routing import APIRoute
 
 
-class _StrictRequest(Request):
+def read_json(body: bytes) -> Any:
+    """The value of a JSON text by RFC 8259, in UTF-8; lone surrogates are U+FFFD.
+
+    Raises:
+        json.JSONDecodeError: it is no JSON, or nested too deeply.
+    """
+    try:
+        return orjson.loads(body)
+    except orjson.JSONDecodeError:
+        if rb"\u" not in body:
+            raise
+        try:
+            text = json.dumps(json.loads(body), ensure_ascii=False)
+        except (ValueError, RecursionError):
+            text = ""
+        if not text:
+            raise
+        return orjson.loads(text.encode("utf-16", "surrogatepass").decode("utf-16", "replace"))
+
+
+class _JsonRequest(Request):
     async def json(self) -> Any:
-        return orjson.loads(await self.body())
+        return read_json(await self.body())
 
 
-class StrictJsonRoute(APIRoute):
-    """A route that refuses a body which is no JSON by RFC 8259 in UTF-8, as a request that was not understood."""
+class JsonRoute(APIRoute):
+    """A route whose body is read by `read_json`; what is no JSON is a request that was not understood."""
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         handle = super().get_route_handler()
 
-        async def strict(request: Request) -> Response:
-            return await handle(_StrictRequest(request.scope, request.receive))
+        async def read(request: Request) -> Response:
+            return await handle(_JsonRequest(request.scope, request.receive))
 
-        return strict
+        return read

@@ -12,7 +12,7 @@ from kitrobot.graph import Program
 from kitrobot.lll import print_template
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, write_constructors
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import FailureShape, TextShape, mission_from_shape, mission_shape, problem_shapes
 from kitrobot.server.shapes.catalogue import constructor_shape
@@ -39,7 +39,7 @@ MOST_PROBLEMS = 100
 
 own_part_routes = APIRouter(
     prefix="/api",
-    route_class=StrictJsonRoute,
+    route_class=JsonRoute,
     responses={"4XX": {"model": FailureShape, "description": "Why it could not be done."}},
 )
 

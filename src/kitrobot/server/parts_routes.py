@@ -7,7 +7,7 @@ from typing import Annotated, Literal, cast
 from fastapi import APIRouter, Depends, Query, Request
 
 from kitrobot.primitives import ValueType
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.shapes import ConflictShape, FailureShape, TextShape, problem_shapes, world_shape
 from kitrobot.server.shapes.own import OwnVariableShape, own_variable, own_variable_shape
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
@@ -34,7 +34,7 @@ LONGEST_NAME = 1000
 
 parts_routes = APIRouter(
     prefix="/api",
-    route_class=StrictJsonRoute,
+    route_class=JsonRoute,
     responses={
         "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."},
         409: {"model": ConflictShape, "description": "There is another file of that name."},

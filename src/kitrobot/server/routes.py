@@ -11,7 +11,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.lll import collection_paused
 from kitrobot.mission import read_mission, save, write_mission
 from kitrobot.server.answers import report_answer
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.shapes import (
     CheckShape,
     ConflictShape,
@@ -48,7 +48,7 @@ class UnsavableError(KitRobotError):
     """What would be written is no mission."""
 
 
-routes = APIRouter(prefix="/api", route_class=StrictJsonRoute, responses=_FAILURES)
+routes = APIRouter(prefix="/api", route_class=JsonRoute, responses=_FAILURES)
 
 
 def _studio(request: Request) -> Studio:

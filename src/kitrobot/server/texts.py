@@ -10,7 +10,7 @@ from kitrobot.compiler import follow_text
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.lll import collection_paused
 from kitrobot.server.answers import followed_answer
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.shapes.text import FollowedShape, TextEditShape
 from kitrobot.server.studio import Studio
@@ -25,7 +25,7 @@ class TextError(KitRobotError):
     """A text that cannot become a graph, whatever is in it."""
 
 
-text_routes = APIRouter(prefix="/api", route_class=StrictJsonRoute)
+text_routes = APIRouter(prefix="/api", route_class=JsonRoute)
 
 
 def _studio(request: Request) -> Studio:

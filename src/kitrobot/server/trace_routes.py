@@ -10,7 +10,7 @@ from typing import Annotated
 from fastapi import APIRouter, BackgroundTasks, Depends, Query, Request
 from fastapi.responses import FileResponse
 
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.playing import Player
 from kitrobot.server.recordings import RecordingError
 from kitrobot.server.routes import LONGEST_NAME, mission_file
@@ -24,7 +24,7 @@ from kitrobot.workspace.folder import RECORDING
 
 trace_routes = APIRouter(
     prefix="/api",
-    route_class=StrictJsonRoute,
+    route_class=JsonRoute,
     responses={"4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}},
 )
 

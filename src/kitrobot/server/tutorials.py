@@ -7,13 +7,13 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, Request
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.json_bodies import StrictJsonRoute
+from kitrobot.server.json_bodies import JsonRoute
 from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.tutorial import TutorialFitShape, TutorialShape, TutorialWatchShape, tutorial_shape
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import watched
 
-tutorial_routes = APIRouter(prefix="/api", route_class=StrictJsonRoute)
+tutorial_routes = APIRouter(prefix="/api", route_class=JsonRoute)
 
 
 class NoTutorialError(KitRobotError):

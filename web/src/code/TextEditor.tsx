@@ -4,7 +4,7 @@
  * The text in it is `text` whenever that changes from outside, changed in the smallest stretch, so caret and scroll stay; what
  * the person types goes out by `onType` first and comes back as `text`.
  */
-import { Annotation, EditorState } from "@codemirror/state";
+import { Annotation, Compartment, EditorState, type Extension } from "@codemirror/state";
 import { EditorView, placeholder } from "@codemirror/view";
 import { useEffect, useRef, useState } from "react";
 
@@ -29,6 +29,12 @@ interface TextEditorProps {
 }
 
 const fromOutside = Annotation.define<boolean>();
+/** What makes the text one that can be written, once it is there. */
+const writing = new Compartment();
+const READ_ONLY: Extension = [
+  EditorState.readOnly.of(true),
+  EditorView.contentAttributes.of({ "aria-readonly": "true" }),
+];
 
 /** The smallest stretch whose replacement makes one text the other. */
 export function changeBetween(before: string, after: string): { from: number; to: number; insert: string } {
@@ -68,19 +74,12 @@ export function TextEditor(props: TextEditorProps) {
       state: EditorState.create({
         doc: latest.current.text,
         extensions: [
-          editing === null
-            ? EditorState.readOnly.of(true)
-            : editing.editingExtensions({
-                program: latest.current.around.program,
-                parts: () => latest.current.around.parts(),
-                elementAt: (offset) => latest.current.around.elementAt(offset),
-              }),
+          writing.of(READ_ONLY),
           placeholder(empty),
           EditorView.lineWrapping,
           EditorView.contentAttributes.of({
             "aria-label": label,
             "aria-describedby": "code-state",
-            "aria-readonly": String(editing === null),
             tabindex: "0",
           }),
           EditorView.updateListener.of((update) => {
@@ -108,6 +107,7 @@ export function TextEditor(props: TextEditorProps) {
         ],
       }),
     });
+    parent.dataset["writable"] = "false";
     setView(made);
     return () => {
       setView(null);
@@ -115,7 +115,19 @@ export function TextEditor(props: TextEditorProps) {
       latest.current.onPoint(null);
       made.destroy();
     };
-  }, [label, empty, editing]);
+  }, [label, empty]);
+
+  useEffect(() => {
+    if (view === null || editing === null) return;
+    const extensions = editing.editingExtensions({
+      program: latest.current.around.program,
+      parts: () => latest.current.around.parts(),
+      elementAt: (offset) => latest.current.around.elementAt(offset),
+    });
+    // A view that has the focus meanwhile keeps it, and its caret.
+    view.dispatch({ effects: writing.reconfigure(extensions) });
+    if (place.current !== null) place.current.dataset["writable"] = "true";
+  }, [view, editing]);
 
   useEffect(() => {
     if (view === null) return;
@@ -144,5 +156,5 @@ export function TextEditor(props: TextEditorProps) {
     view.dispatch({ effects: EditorView.scrollIntoView(first, { y: "nearest", yMargin: 24 }) });
   }, [first, text, view]);
 
-  return <div className="text-view" ref={place} data-testid="code-editor" data-writable={editing !== null} />;
+  return <div className="text-view" ref={place} data-testid="code-editor" data-writable="false" />;
 }

@@ -12,16 +12,16 @@ import { Background, BackgroundVariant, ReactFlow, ReactFlowProvider, useReactFl
 import { type ReactNode, useEffect, useMemo, useRef } from "react";
 
 import { useStudio } from "../model/studio";
+import { complain } from "../shell/document";
+import { later } from "../shell/later";
 import { t } from "../words/words";
 import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
 import { useClipboard } from "./clipboard";
 import { useContextMenu } from "./context";
-import { ContextMenu } from "./ContextMenu";
 import { setResolver, useDrag } from "./drag";
 import { currentDrawing, type Drawing, nodeOf, useDrawing } from "./drawing";
 import { useEdgePan } from "./edgePan";
-import { EmptyTeaching } from "./EmptyTeaching";
 import { Find } from "./Find";
 import { Ghost } from "./Ghost";
 import { useCanvasKeys } from "./keys";
@@ -37,6 +37,9 @@ import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget 
 import { useView } from "./view";
 import { useViewport } from "./viewport";
 import { ZoomControl } from "./ZoomControl";
+
+const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain);
+const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
 
 /** The graph of the program in view; fills its parent. `emptyExtras` is shown under the teaching text of a new program. */
 export function Canvas({ emptyExtras }: { emptyExtras?: ReactNode }) {
@@ -82,6 +85,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
     return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
   });
   const plain = usePlain();
+  const menu = useView((state) => state.menu);
   const empty = drawing.nodes.has("place");
   const last = useStudio((state) => state.selection.at(-1));
 
@@ -134,7 +138,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       <Minimap drawing={drawing} />
       <Marquee root={root} />
       <Said />
-      <ContextMenu />
+      {menu === null ? null : <ContextMenu key={`${String(menu.x)} ${String(menu.y)}`} at={menu} />}
       <Ghost />
       <ActiveVertices program={drawing.program.name} />
     </div>

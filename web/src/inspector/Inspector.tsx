@@ -1,29 +1,16 @@
 /** What can be set on the selected part. */
 import "./inspector.css";
 
-import type { ReactNode } from "react";
-
-import { deleteSelection, duplicateSelection } from "../editor/edits";
-import { type Drawing, useDrawing } from "../editor/drawing";
-import { setNote } from "../model/commands/setNote";
-import { noteText } from "../model/notes";
-import { title } from "../model/parts";
+import { useDrawing } from "../editor/drawing";
 import { useStudio } from "../model/studio";
-import { text } from "../model/texts";
-import { findSpot, type Spot, withMark } from "../model/tree";
-import type { Vertex } from "../model/types";
-import { Icon, Tile } from "../theme";
+import { findSpot } from "../model/tree";
 import { complain } from "../shell/document";
 import { later } from "../shell/later";
+import { Icon } from "../theme";
 import { t } from "../words/words";
-import { BlockEditor } from "./BlockEditor";
-import { Branches } from "./Branches";
-import { Marks } from "./Marks";
+import { Tools } from "./Tools";
 
-const BreakpointEditor = later(
-  () => import("../debug/BreakpointEditor").then((chunk) => chunk.BreakpointEditor),
-  complain,
-);
+const Part = later(() => import("./Part").then((chunk) => chunk.Part), complain);
 
 export function Inspector() {
   const drawing = useDrawing();
@@ -35,7 +22,11 @@ export function Inspector() {
   if (id === start?.id) return <Terminal name={t("graph.start")} help={t("inspector.start")} />;
   if (id === stop?.id) return <Terminal name={t("graph.stop")} help={t("inspector.stop")} />;
   const spot = findSpot(drawing.structure, id);
-  return spot === undefined ? <Nothing /> : <One key={`${drawing.program.name} ${id}`} drawing={drawing} spot={spot} />;
+  return spot === undefined ? (
+    <Nothing />
+  ) : (
+    <Part key={`${drawing.program.name} ${id}`} drawing={drawing} spot={spot} />
+  );
 }
 
 function Nothing() {
@@ -74,77 +65,5 @@ function Many({ count }: { count: number }) {
         <Tools />
       </header>
     </div>
-  );
-}
-
-function Tools() {
-  return (
-    <span className="inspector-tools">
-      <Tool icon="copy" label={t("inspector.duplicate")} run={duplicateSelection} />
-      <Tool icon="trash-2" label={t("inspector.delete")} run={deleteSelection} />
-    </span>
-  );
-}
-
-function Tool({ icon, label, run }: { icon: string; label: string; run: () => void }) {
-  return (
-    <button type="button" aria-label={label} title={label} onClick={run}>
-      <Icon name={icon} size={18} />
-    </button>
-  );
-}
-
-function One({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
-  const { shape, vertex } = spot.block;
-  const line = useLine(vertex.id, withMark(spot).block.vertex.id);
-  const icon = shape.method?.icon || shape.icon;
-  const help = text(shape.help);
-  return (
-    <div className="inspector" data-testid="inspector">
-      <header className="inspector-head">
-        <Tile icon={icon} colour={shape.colour} size={22} />
-        <h2>{title(shape)}</h2>
-        {line === null ? null : <span className="inspector-line">{t("inspector.line", { line })}</span>}
-        <Tools />
-      </header>
-      <BlockEditor drawing={drawing} spot={spot} />
-      {shape.kind === "unknown" ? (
-        <p className="inspector-help">{t("inspector.unknown", { element: shape.element })}</p>
-      ) : null}
-      {help === "" ? null : <p className="inspector-help">{help}</p>}
-      <Branches block={spot.block} />
-      <Marks drawing={drawing} spot={spot} />
-      <NoteField vertex={vertex} />
-      <BreakpointEditor id={vertex.id} />
-    </div>
-  );
-}
-
-/** The line of LLL in which the vertex stands, as the last check said. */
-function useLine(id: string, mark: string): number | null {
-  return useStudio(({ report, activeProgram }) => {
-    const spans = report?.programs.find((one) => one.name === activeProgram)?.spans ?? [];
-    return (spans.find((span) => span.vertex === id) ?? spans.find((span) => span.vertex === mark))?.line ?? null;
-  });
-}
-
-function NoteField({ vertex }: { vertex: Vertex }): ReactNode {
-  const drawing = useDrawing();
-  const execute = useStudio((state) => state.execute);
-  if (drawing === null) return null;
-  return (
-    <label className="inspector-note">
-      <span>{t("inspector.note")}</span>
-      <textarea
-        rows={1}
-        dir="auto"
-        placeholder={t("inspector.note-hint")}
-        value={noteText(vertex.notes)}
-        onChange={(event) => {
-          const command = setNote(drawing.program, vertex.id, event.target.value);
-          if (command !== null) execute(command);
-        }}
-      />
-    </label>
   );
 }

@@ -4,6 +4,7 @@
  * Errors come first, then warnings, then hints; within one, as the server said them. What was wrong with the file when it was
  * read stands beside what is wrong with the mission now.
  */
+import { useMemo } from "react";
 import { create } from "zustand";
 
 import type { Problem, Report } from "../api/types";
@@ -18,13 +19,16 @@ import { applyFix, canFix } from "./fixes";
 
 const RANK = { error: 0, warning: 1, hint: 2 } as const;
 
-function sameProblem(a: Problem, b: Problem): boolean {
-  return a.code === b.code && a.message === b.message && a.program === b.program && a.line === b.line;
+function identity({ code, message, program, line }: Problem): string {
+  return JSON.stringify([code, message, program, line]);
 }
 
 export function orderProblems(report: Report | null, others: readonly Problem[]): Problem[] {
   const found = [...(report?.problems ?? [])];
-  for (const problem of others) if (!found.some((one) => sameProblem(one, problem))) found.push(problem);
+  if (others.length > 0) {
+    const known = new Set(found.map(identity));
+    found.push(...others.filter((problem) => known.size < known.add(identity(problem)).size));
+  }
   return found.sort((a, b) => RANK[a.severity] - RANK[b.severity]);
 }
 
@@ -40,6 +44,15 @@ export function problemsNow(): Problem[] {
   const { files, report } = useStudio.getState();
   const others = [...useDocument.getState().fileProblems, ...useRun.getState().problems, ...files.problems];
   return orderProblems(report, others);
+}
+
+/** The same, as it changes. */
+export function useProblems(): Problem[] {
+  const report = useStudio((studio) => studio.report);
+  const ofFile = useDocument((document) => document.fileProblems);
+  const ofRun = useRun((run) => run.problems);
+  const ofParts = useStudio((studio) => studio.files.problems);
+  return useMemo(() => orderProblems(report, [...ofFile, ...ofRun, ...ofParts]), [report, ofFile, ofRun, ofParts]);
 }
 
 /** Shows where a problem is: the tab of its program, its vertices selected. */

@@ -11,17 +11,16 @@ import { followBreakpoints } from "../debug/breakpoints";
 import { takeSamples } from "../debug/samples";
 import { WatchButton, WatchDock } from "../debug/WatchDock";
 import { Canvas } from "../editor/Canvas";
+import { useView } from "../editor/view";
 import { Inspector } from "../inspector/Inspector";
 import { useStudio } from "../model/studio";
 import { OwnParts } from "../own/OwnParts";
 import { Palette } from "../palette/Palette";
 import { keepWorld } from "../parts/files";
-import { ProblemList, ProblemsButton } from "../problems/Problems";
+import { ProblemList, ProblemsButton } from "../problems/ProblemsButton";
 import { TeamPanel } from "../team/TeamTab";
 import { keepTeamView, useTeam } from "../team/view";
 import { WorldPanel } from "../world/WorldTab";
-import { TutorialCards } from "../tutorial/Cards";
-import { useTutorial } from "../tutorial/state";
 import { Tutorials } from "../tutorial/Tutorials";
 import { NarrowTabs, useNarrow } from "../reach/Narrow";
 import { t } from "../words/words";
@@ -33,14 +32,13 @@ import { checkAgain, keepChecking } from "./checking";
 import { hearOfDisk, watchDisk } from "./disk";
 import { complain, complainOfJournal, sayReturned, sayStranger, show, useDocument } from "./document";
 import { EventStrip } from "./EventStrip";
-import { Examples } from "./Examples";
 import { isKept, keepJournal } from "./journal";
 import { useKeys } from "./keys";
 import { later } from "./later";
 import { useLayout } from "./layout";
 import { MenuBar } from "./MenuBar";
 import { useMenus } from "./menus";
-import { RecordingBar } from "./RecordingBar";
+import { useOpenRecording } from "./recordings";
 import { showRunProblems } from "./run-problems";
 import { Separator } from "./Separator";
 import { Tabs } from "./Tabs";
@@ -54,6 +52,8 @@ import "./sheets.css";
 import "./strip.css";
 import "./tabs.css";
 
+const RecordingBar = later(() => import("./RecordingBar").then((chunk) => chunk.RecordingBar), complain);
+const EmptyExtras = later(() => import("./EmptyExtras").then((chunk) => chunk.EmptyExtras), complain);
 const Sheets = later(
   () => import("./Sheets").then((chunk) => chunk.Sheets),
   (cause) => {
@@ -90,6 +90,11 @@ function useDocumentFlow(): void {
     return keepChecking();
   }, []);
   useEffect(showRunProblems, []);
+  // What had the focus may be gone with the mission before: keys go to the graph then.
+  const opening = useDocument((document) => document.opening);
+  useEffect(() => {
+    if (!opening && document.activeElement === document.body) useView.getState().viewport?.focus();
+  }, [opening]);
   useEffect(() => {
     const ends = [followBreakpoints(reveal), takeSamples()];
     return () => {
@@ -112,22 +117,6 @@ function dropped(files: File[]): void {
 
 function carriesFile(event: DragEvent): boolean {
   return event.dataTransfer.types.includes("Files");
-}
-
-/**
- * Under an empty program: ways to learn from others' work. Who follows a tutorial has been told what to do, and the sheet of
- * all missions has the same.
- */
-function EmptyExtras() {
-  const learning = useTutorial(({ tutorial }) => tutorial !== null);
-  const choosing = useDocument((document) => document.overlay === "open");
-  if (learning || choosing) return null;
-  return (
-    <>
-      <TutorialCards brief />
-      <Examples />
-    </>
-  );
 }
 
 function Side() {
@@ -167,6 +156,8 @@ export function App() {
   const menus = useMenus();
   const { sizes, folded } = useLayout();
   const ready = useDocument((document) => document.ready);
+  const opening = useDocument((document) => document.opening);
+  const recording = useOpenRecording();
   const overlay = useDocument((document) => document.overlay);
   const room = useNarrow((narrow) => narrow.room);
   const team = useTeam((state) => state.open || state.world);
@@ -176,6 +167,7 @@ export function App() {
     <div
       className="studio"
       data-room={room ?? "graph"}
+      aria-busy={opening}
       onDragOver={(event) => {
         if (carriesFile(event)) event.preventDefault();
       }}
@@ -195,7 +187,7 @@ export function App() {
         <TeamStop />
       </header>
       <Banner />
-      <RecordingBar />
+      {recording === null ? null : <RecordingBar open={recording} />}
       <Watching />
       <div className="middle">
         {folded.palette ? null : (

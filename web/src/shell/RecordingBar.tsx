@@ -5,14 +5,12 @@ import { Icon } from "../theme";
 import { Said } from "../words/Said";
 import { t } from "../words/words";
 import { shownName } from "./document";
-import { playAgain, runRecorded, useOpenRecording } from "./recordings";
+import { type OpenRecording, playAgain, runRecorded } from "./recordings";
 
-export function RecordingBar() {
-  const open = useOpenRecording();
+export function RecordingBar({ open }: { open: OpenRecording }) {
   const playing = useRun((run) => run.recording);
   const live = useRun((run) => isLive(run.status));
   const stops = useStudio(({ mission }) => mission.breakpoints?.some((one) => one.enabled !== false) === true);
-  if (open === null) return null;
   const name = shownName(open.path);
   const what = playing ? (open.real ? "recording.real" : "recording.playing") : "recording.live";
   return (

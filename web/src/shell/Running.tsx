@@ -2,30 +2,17 @@
  * What runs in the program in view: which agent is watched, where there are several, and a token per live thread that leads to
  * its vertex. Tokens without room are a list behind their number.
  */
-import { useRef, useState } from "react";
-
 import { useShallow } from "zustand/react/shallow";
 
 import { programInView, useStudio } from "../model/studio";
 import { useActiveVertices, useRun, watchedAgent } from "../run/run";
 import { t } from "../words/words";
 import { reveal } from "./actions";
-import { FloatingMenu } from "./FloatingMenu";
-import { useFolding } from "./folding";
+import { complain } from "./document";
+import { later } from "./later";
+import type { Thread } from "./RunningRow";
 
-function Sign() {
-  return (
-    <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
-      <path d="M0 0l7 4-7 4z" fill="currentColor" />
-    </svg>
-  );
-}
-
-interface Thread {
-  slot: number;
-  label: string;
-  go: () => void;
-}
+const Row = later(() => import("./RunningRow").then((chunk) => chunk.RunningRow), complain);
 
 function useThreads(program: string): Thread[] {
   const active = useActiveVertices(program);
@@ -38,95 +25,6 @@ function useThreads(program: string): Thread[] {
       label: t("tabs.thread", { slot, vertex: vertices?.find((one) => one.id === vertex)?.element ?? vertex }),
       go: () => reveal(program, [vertex]),
     }));
-}
-
-/** All threads behind one token. */
-function ThreadList({ threads }: { threads: Thread[] }) {
-  const [at, setAt] = useState<{ x: number; y: number } | null>(null);
-  const button = useRef<HTMLButtonElement>(null);
-  return (
-    <span data-folded="2">
-      <button
-        type="button"
-        className="token"
-        ref={button}
-        title={t("tabs.threads")}
-        aria-label={t("tabs.threads-count", { count: threads.length })}
-        aria-haspopup="menu"
-        aria-expanded={at !== null}
-        data-testid="threads"
-        onClick={(event) => {
-          const box = event.currentTarget.getBoundingClientRect();
-          setAt({ x: box.left, y: box.bottom + 4 });
-        }}
-      >
-        <Sign />×{threads.length}
-      </button>
-      {at === null ? null : (
-        <FloatingMenu
-          id="threads"
-          label={t("tabs.threads")}
-          at={at}
-          entries={threads.map(({ slot, label, go }) => ({
-            kind: "item",
-            id: `thread-${String(slot)}`,
-            label,
-            run: go,
-          }))}
-          onLeave={() => setAt(null)}
-          onClose={() => {
-            setAt(null);
-            button.current?.focus();
-          }}
-        />
-      )}
-    </span>
-  );
-}
-
-function Row({ threads, names, chosen }: { threads: Thread[]; names: string[]; chosen: string }) {
-  const row = useRef<HTMLDivElement>(null);
-  useFolding(row);
-  return (
-    <div className="tabs-end" ref={row}>
-      {threads.length === 0 ? null : (
-        <>
-          <span className="tabs-running" data-fold={1}>
-            {t("tabs.running")}
-          </span>
-          {threads.map(({ slot, label, go }) => (
-            <button
-              type="button"
-              key={slot}
-              className="token"
-              data-testid={`thread-${String(slot)}`}
-              data-fold={2}
-              aria-label={label}
-              onClick={go}
-            >
-              <Sign />
-              {slot}
-            </button>
-          ))}
-          <ThreadList threads={threads} />
-        </>
-      )}
-      {names.length < 2 ? null : (
-        <select
-          className="watched"
-          data-testid="watched-agent"
-          aria-label={t("tabs.watch")}
-          title={chosen}
-          value={chosen}
-          onChange={(event) => useRun.getState().selectAgent(event.target.value)}
-        >
-          {names.map((name) => (
-            <option key={name}>{name}</option>
-          ))}
-        </select>
-      )}
-    </div>
-  );
 }
 
 export function Running({ program }: { program: string }) {

@@ -19,11 +19,14 @@ import { mirrored } from "../words/language";
 import { t } from "../words/words";
 import { removeProgramNamed } from "./actions";
 import { AddProgram } from "./AddProgram";
+import { complain } from "./document";
 import { useInView } from "./in-view";
-import { ProgramList } from "./ProgramList";
+import { later } from "./later";
 import { useRenaming } from "./renaming";
 import { Running } from "./Running";
 import { StateShape } from "./StateShape";
+
+const ProgramList = later(() => import("./ProgramList").then((chunk) => chunk.ProgramList), complain);
 
 /** Lies over its tab: a list of tabs holds nothing but tabs. */
 function NameField({ name }: { name: string }) {

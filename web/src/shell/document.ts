@@ -38,6 +38,8 @@ interface DocumentState {
   /** False until the first mission is there. */
   ready: boolean;
   saving: boolean;
+  /** Whether another mission is on its way. */
+  opening: boolean;
   banner: Banner | null;
   overlay: Overlay;
   /** What was wrong with the file itself when it was read; it goes away with the next save. */
@@ -48,6 +50,7 @@ export const useDocument = create<DocumentState>(() => ({
   session: null,
   ready: false,
   saving: false,
+  opening: false,
   banner: null,
   overlay: null,
   fileProblems: [],
@@ -127,7 +130,7 @@ export function holdUntil(begun: Promise<void>): Promise<void> {
 /** Goes on where nothing is unsaved; else asks. `path` is what will be open then, "" for nothing that has a place. */
 function unlessUnsaved(go: () => Promise<boolean>, path = ""): void {
   if (beginning !== null) {
-    void beginning.then(() => unlessUnsaved(go, path));
+    void whileOpening(beginning.then(() => unlessUnsaved(go, path)));
     return;
   }
   const { dirty, file } = useStudio.getState();
@@ -198,7 +201,7 @@ function resume(file: MissionFile, claimed: Claimed | null): void {
 /** Away with what is not saved: the file as it is on disk, or a new one. */
 function discard(): void {
   const { path } = useStudio.getState().file;
-  void bring(() => (path === "" ? api.newMission() : api.mission(path)));
+  void bringMission(() => (path === "" ? api.newMission() : api.mission(path)));
 }
 
 /** Opens work that was left behind; false when it is gone. */
@@ -257,39 +260,53 @@ export function sayStranger(): void {
 /** Opens the file on disk in place of what is open. */
 export function loadFromDisk(): void {
   const { path } = useStudio.getState().file;
-  void bring(() => api.mission(path));
+  void bringMission(() => api.mission(path));
 }
 
-/** True when it is open; a failure is told, and leaves open what is open. */
-async function bring(get: () => Promise<MissionFile>): Promise<boolean> {
+let underWay = 0;
+
+async function whileOpening<T>(work: Promise<T>): Promise<T> {
+  underWay++;
+  set({ opening: true });
   try {
-    await take(await get());
-    return true;
-  } catch (cause) {
-    complain(cause);
-    return false;
+    return await work;
+  } finally {
+    underWay--;
+    set({ opening: underWay > 0 });
   }
 }
+
+/** True when what `get` gives is open; a failure is told, and leaves open what is open. */
+function bring<T>(get: () => Promise<T>, open: (found: T) => Promise<void>): Promise<boolean> {
+  return whileOpening(
+    get()
+      .then(open)
+      .then(
+        () => true,
+        (cause: unknown) => {
+          complain(cause);
+          return false;
+        },
+      ),
+  );
+}
+
+const bringMission = (get: () => Promise<MissionFile>) => bring(get, take);
 
 /** Opens the mission of a recording, and plays it. */
-async function bringRecording(get: () => Promise<Recording>): Promise<boolean> {
-  try {
-    const found = await get();
+const bringRecording = (get: () => Promise<Recording>) =>
+  bring(get, async (found) => {
     await take(found.file);
     play(found);
-    return true;
-  } catch (cause) {
-    complain(cause);
-    return false;
-  }
-}
+  });
 
 export function newMission(): void {
-  unlessUnsaved(() => bring(api.newMission));
+  unlessUnsaved(() => bringMission(api.newMission));
 }
 
 export function openPath(path: string): void {
-  const go = () => (isRecording(path) ? bringRecording(() => traceApi.open(path)) : bring(() => api.mission(path)));
+  const go = () =>
+    isRecording(path) ? bringRecording(() => traceApi.open(path)) : bringMission(() => api.mission(path));
   unlessUnsaved(go, path);
 }
 
@@ -297,7 +314,7 @@ export function openPath(path: string): void {
 export function openFromComputer(file: File): void {
   unlessUnsaved(() => {
     if (isRecording(file.name)) return bringRecording(async () => traceApi.read(file.name, await file.arrayBuffer()));
-    return bring(async () => api.readMission(file.name, await file.arrayBuffer()));
+    return bringMission(async () => api.readMission(file.name, await file.arrayBuffer()));
   });
 }
 

@@ -12,6 +12,7 @@ import { goToPoint, type Page, selectorOf, told, wordsOf } from "./points";
 import { doneSteps } from "./progress";
 import { goBack, goForward, goTo, leave, showHint, useTutorial } from "./state";
 import "./tutorial.css";
+import { keepWatching } from "./watching";
 
 function usePage(): Page {
   const program = useStudio(programInView);
@@ -201,6 +202,7 @@ export function TutorialPanel() {
   const page = usePage();
   const section = useRef<HTMLElement>(null);
   const name = tutorial?.name;
+  useEffect(keepWatching, []);
   useEffect(() => {
     if (name !== undefined) section.current?.focus();
   }, [name]);

@@ -5,21 +5,13 @@ import { complain } from "../shell/document";
 import { later } from "../shell/later";
 import { keepTutorials } from "./opening";
 import { useTutorial } from "./state";
-import { keepWatching } from "./watching";
 import { Welcome } from "./Welcome";
 
 const TutorialPanel = later(() => import("./Panel").then((chunk) => chunk.TutorialPanel), complain);
 
 export function Tutorials() {
   const open = useTutorial((state) => state.tutorial !== null);
-  useEffect(() => {
-    const offOpening = keepTutorials();
-    const offWatching = keepWatching();
-    return () => {
-      offOpening();
-      offWatching();
-    };
-  }, []);
+  useEffect(keepTutorials, []);
   return (
     <>
       {open ? <TutorialPanel /> : null}

@@ -61,6 +61,7 @@ export function keepWatching(): () => void {
     const events = state.watching ? [] : eventsOf(state.status, before.status);
     if (events.length > 0) void happened(events, running);
   });
+  again();
   return () => {
     offTutorial();
     offStudio();

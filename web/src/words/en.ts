@@ -220,6 +220,7 @@ export const EN = {
   "problems.next": "Next problem",
   "problems.previous": "Previous problem",
   "problems.close": "Close the list",
+  "problems.more": "Show {count} more of {all}",
 
   "arena.title": "Arena",
   "arena.label": "Arena: the world with its robots",

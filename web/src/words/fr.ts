@@ -221,6 +221,7 @@ export const FR = {
   "problems.next": "Problème suivant",
   "problems.previous": "Problème précédent",
   "problems.close": "Fermer la liste",
+  "problems.more": "En montrer {count} de plus sur {all}",
 
   "arena.title": "Arène",
   "arena.label": "Arène : le monde avec ses robots",

@@ -221,6 +221,7 @@ export const UR = {
   "problems.next": "اگلا مسئلہ",
   "problems.previous": "پچھلا مسئلہ",
   "problems.close": "فہرست بند کریں",
+  "problems.more": "{all} میں سے {count} اور دکھائیں",
 
   "arena.title": "میدان",
   "arena.label": "میدان: روبوٹوں کی دنیا",

@@ -1,53 +1,19 @@
-/** The list of problems above the bottom bar, and the button that opens it. */
-import { useEffect, useMemo, useRef } from "react";
+/** The list of problems above the bottom bar, a piece of it at a time; fetched when it is opened first. */
+import { useEffect, useRef, useState } from "react";
 
 import type { Problem } from "../api/types";
-import { useStudio } from "../model/studio";
-import { useRun } from "../run/run";
-import { useBehind } from "../shell/checked";
-import { useDocument } from "../shell/document";
 import { Icon } from "../theme";
+import { grouped } from "../words/numbers";
 import { Said } from "../words/Said";
 import { sentence, t } from "../words/words";
-import "./problems.css";
 import { applyFix, canFix } from "./fixes";
-import { goTo, orderProblems, useProblemList } from "./walk";
+import { goTo, useProblemList, useProblems } from "./walk";
 
 /** Mends the problem that F8 is at. */
-export const FIX_KEY = "Ctrl+.";
-
+const FIX_KEY = "Ctrl+.";
+/** So many rows come at once: a file can have a problem in each of its lines. */
+const ROWS = 200;
 const SHAPES = { error: "octagon-x", warning: "triangle-alert", hint: "lightbulb" } as const;
-
-function useProblems(): Problem[] {
-  const report = useStudio((studio) => studio.report);
-  const ofFile = useDocument((document) => document.fileProblems);
-  const ofRun = useRun((run) => run.problems);
-  const ofParts = useStudio((studio) => studio.files.problems);
-  return useMemo(() => orderProblems(report, [...ofFile, ...ofRun, ...ofParts]), [report, ofFile, ofRun, ofParts]);
-}
-
-export function ProblemsButton() {
-  const problems = useProblems();
-  const open = useProblemList((list) => list.open);
-  const busy = useBehind();
-  const errors = problems.some((problem) => problem.severity === "error");
-  return (
-    <button
-      type="button"
-      className="problems-button"
-      data-testid="problems"
-      aria-expanded={open}
-      aria-controls="problem-list"
-      aria-busy={busy}
-      title={`${t("problems.count", { count: problems.length })} (F8)`}
-      onClick={() => useProblemList.setState({ open: !open })}
-    >
-      <Icon name={problems.length === 0 ? "circle-check" : errors ? "octagon-x" : "triangle-alert"} size={16} />
-      {t("problems.title")}
-      <span className="problems-count">{problems.length}</span>
-    </button>
-  );
-}
 
 function Row({ problem, index, at }: { problem: Problem; index: number; at: number }) {
   const button = useRef<HTMLButtonElement>(null);
@@ -110,8 +76,10 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
 
 export function ProblemList() {
   const problems = useProblems();
-  const { open, at } = useProblemList();
-  if (!open) return null;
+  const at = useProblemList((list) => list.at);
+  const [shown, setShown] = useState(ROWS);
+  const count = Math.max(shown, Math.ceil((at + 1) / ROWS) * ROWS);
+  const left = problems.length - count;
   return (
     <section className="problem-list" id="problem-list" aria-label={t("problems.title")}>
       <header className="problem-head">
@@ -129,9 +97,16 @@ export function ProblemList() {
         <p className="problem-none">{t("problems.none")}</p>
       ) : (
         <ol>
-          {problems.map((problem, index) => (
+          {problems.slice(0, count).map((problem, index) => (
             <Row key={`${problem.code} ${String(index)}`} problem={problem} index={index} at={at} />
           ))}
+          {left > 0 ? (
+            <li>
+              <button type="button" className="problem-more" onClick={() => setShown(count + ROWS)}>
+                {t("problems.more", { count: Math.min(ROWS, left), all: grouped(left) })}
+              </button>
+            </li>
+          ) : null}
         </ol>
       )}
     </section>

@@ -1,0 +1,110 @@
+/** A token for each live thread, and a choice of the agent that is watched; fetched when something runs first. */
+import { useRef, useState } from "react";
+
+import { useRun } from "../run/run";
+import { t } from "../words/words";
+import { FloatingMenu } from "./FloatingMenu";
+import { useFolding } from "./folding";
+
+export interface Thread {
+  slot: number;
+  label: string;
+  go: () => void;
+}
+
+function Sign() {
+  return (
+    <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
+      <path d="M0 0l7 4-7 4z" fill="currentColor" />
+    </svg>
+  );
+}
+
+/** All threads behind one token. */
+function ThreadList({ threads }: { threads: Thread[] }) {
+  const [at, setAt] = useState<{ x: number; y: number } | null>(null);
+  const button = useRef<HTMLButtonElement>(null);
+  return (
+    <span data-folded="2">
+      <button
+        type="button"
+        className="token"
+        ref={button}
+        title={t("tabs.threads")}
+        aria-label={t("tabs.threads-count", { count: threads.length })}
+        aria-haspopup="menu"
+        aria-expanded={at !== null}
+        data-testid="threads"
+        onClick={(event) => {
+          const box = event.currentTarget.getBoundingClientRect();
+          setAt({ x: box.left, y: box.bottom + 4 });
+        }}
+      >
+        <Sign />×{threads.length}
+      </button>
+      {at === null ? null : (
+        <FloatingMenu
+          id="threads"
+          label={t("tabs.threads")}
+          at={at}
+          entries={threads.map(({ slot, label, go }) => ({
+            kind: "item",
+            id: `thread-${String(slot)}`,
+            label,
+            run: go,
+          }))}
+          onLeave={() => setAt(null)}
+          onClose={() => {
+            setAt(null);
+            button.current?.focus();
+          }}
+        />
+      )}
+    </span>
+  );
+}
+
+export function RunningRow({ threads, names, chosen }: { threads: Thread[]; names: string[]; chosen: string }) {
+  const row = useRef<HTMLDivElement>(null);
+  useFolding(row);
+  return (
+    <div className="tabs-end" ref={row}>
+      {threads.length === 0 ? null : (
+        <>
+          <span className="tabs-running" data-fold={1}>
+            {t("tabs.running")}
+          </span>
+          {threads.map(({ slot, label, go }) => (
+            <button
+              type="button"
+              key={slot}
+              className="token"
+              data-testid={`thread-${String(slot)}`}
+              data-fold={2}
+              aria-label={label}
+              onClick={go}
+            >
+              <Sign />
+              {slot}
+            </button>
+          ))}
+          <ThreadList threads={threads} />
+        </>
+      )}
+      {names.length < 2 ? null : (
+        <select
+          className="watched"
+          data-testid="watched-agent"
+          aria-label={t("tabs.watch")}
+          title={chosen}
+          value={chosen}
+          onChange={(event) => useRun.getState().selectAgent(event.target.value)}
+        >
+          {names.map((name) => (
+            <option key={name}>{name}</option>
+          ))}
+        </select>
+      )}
+    </div>
+  );
+}
