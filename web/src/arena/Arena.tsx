@@ -17,6 +17,7 @@ import { Ending } from "./Ending";
 import { toWorld } from "./camera";
 import { Painter } from "./painter";
 import { Crowd } from "./Crowd";
+import { RobotMenu } from "./RobotMenu";
 import { choose, follow, openRobotMenu, useRobots } from "./robots";
 import { actorsOf, hasOtherPlaces, lookAt, type Scene, sceneBefore, sceneOf, sceneOfReal } from "./scene";
 import { StatesSaid } from "./StatesSaid";
@@ -24,7 +25,6 @@ import { complain } from "../shell/document";
 import { later } from "../shell/later";
 import { summary } from "./summary";
 
-const RobotMenu = later(() => import("./RobotMenu").then((chunk) => chunk.RobotMenu), complain);
 const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
 
 const CLICK_PX = 4;
@@ -149,7 +149,7 @@ export function Arena() {
   const holding = useRef<{ agent: string; sensor: string } | null>(null);
   const grip = useRef<{ x: number; y: number; moved: boolean; actor: string } | null>(null);
   const resting = useRef<ReturnType<typeof setTimeout>>(undefined);
-  const { program, followed, menu } = useRobots();
+  const { program, followed } = useRobots();
 
   useEffect(() => {
     const [box, drawn] = [frame.current, canvas.current];
@@ -357,9 +357,7 @@ export function Arena() {
         {spoken}
       </p>
       <StatesSaid scene={scene} />
-      {menu === null ? null : (
-        <RobotMenu key={`${menu.name} ${String(menu.x)}`} {...menu} onClosed={() => canvas.current?.focus()} />
-      )}
+      <RobotMenu onClosed={() => canvas.current?.focus()} />
     </div>
   );
 }

@@ -9,6 +9,12 @@ import { canInterfere, useRun } from "../run/run";
 import { t } from "../words/words";
 import { follow, harm, useRobots } from "./robots";
 
+export function RobotMenu({ onClosed }: { onClosed: () => void }) {
+  const menu = useRobots((state) => state.menu);
+  if (menu === null) return null;
+  return <Open key={`${menu.name} ${String(menu.x)}`} {...menu} onClosed={onClosed} />;
+}
+
 /** What can be done to a robot as it is now. */
 export function entriesOf(name: string): MenuEntry[] {
   const run = useRun.getState();
@@ -41,7 +47,7 @@ export function entriesOf(name: string): MenuEntry[] {
   ];
 }
 
-export function RobotMenu({ name, x, y, onClosed }: { name: string; x: number; y: number; onClosed: () => void }) {
+function Open({ name, x, y, onClosed }: { name: string; x: number; y: number; onClosed: () => void }) {
   const [entries] = useState(() => entriesOf(name));
   return (
     <FloatingMenu

@@ -19,6 +19,7 @@ import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
 import { useClipboard } from "./clipboard";
 import { useContextMenu } from "./context";
+import { ContextMenu } from "./ContextMenu";
 import { setResolver, useDrag } from "./drag";
 import { currentDrawing, type Drawing, nodeOf, useDrawing } from "./drawing";
 import { useEdgePan } from "./edgePan";
@@ -39,7 +40,6 @@ import { useViewport } from "./viewport";
 import { ZoomControl } from "./ZoomControl";
 
 const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain);
-const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
 
 /** The graph of the program in view; fills its parent. `emptyExtras` is shown under the teaching text of a new program. */
 export function Canvas({ emptyExtras }: { emptyExtras?: ReactNode }) {
@@ -85,7 +85,6 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
     return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
   });
   const plain = usePlain();
-  const menu = useView((state) => state.menu);
   const empty = drawing.nodes.has("place");
   const last = useStudio((state) => state.selection.at(-1));
 
@@ -138,7 +137,7 @@ function Graph({ drawing, emptyExtras }: { drawing: Drawing; emptyExtras: ReactN
       <Minimap drawing={drawing} />
       <Marquee root={root} />
       <Said />
-      {menu === null ? null : <ContextMenu key={`${String(menu.x)} ${String(menu.y)}`} at={menu} />}
+      <ContextMenu />
       <Ghost />
       <ActiveVertices program={drawing.program.name} />
     </div>

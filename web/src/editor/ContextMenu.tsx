@@ -7,7 +7,12 @@ import { t } from "../words/words";
 import { contextEntries } from "./context-entries";
 import { useView } from "./view";
 
-export function ContextMenu({ at }: { at: Point }) {
+export function ContextMenu() {
+  const at = useView((state) => state.menu);
+  return at === null ? null : <Open key={`${String(at.x)} ${String(at.y)}`} at={at} />;
+}
+
+function Open({ at }: { at: Point }) {
   const [entries] = useState(contextEntries);
   return (
     <FloatingMenu

@@ -11,6 +11,7 @@ import { isOwn } from "../own/state";
 import { partsOf } from "../model/parts";
 import { programInView, useStudio } from "../model/studio";
 import { variableHandlers } from "../parts/variable-row";
+import { VariableMenu } from "../parts/VariableMenu";
 import { VariableName } from "../parts/VariableName";
 import { newVariable, useVariables, variableKey } from "../parts/variables";
 import { text } from "../model/texts";
@@ -24,12 +25,10 @@ import { t } from "../words/words";
 import { useReveal } from "./reveal";
 import { type Folded, type Row, rowsOf, unfoldedFor } from "./tree";
 
-const VariableMenu = later(() => import("../parts/VariableMenu").then((chunk) => chunk.VariableMenu), complain);
 const VariableForm = later(() => import("../parts/VariableForm").then((chunk) => chunk.VariableForm), complain);
 
 export function Palette() {
   const form = useVariables((state) => state.form);
-  const menu = useVariables((state) => state.menu);
   const robot = useStudio((state) => programInView(state)?.robot ?? "");
   const catalogue = useStudio((state) => state.catalogue);
   const [query, setQuery] = useState("");
@@ -180,7 +179,7 @@ export function Palette() {
         )}
       </div>
       {form === null ? null : <VariableForm key={`${form.robot} ${form.was}`} {...form} />}
-      {menu === null ? null : <VariableMenu key={`${menu.name} ${String(menu.y)}`} {...menu} />}
+      <VariableMenu />
     </div>
   );
 }

@@ -4,7 +4,13 @@ import type { MenuEntry } from "../shell/menu-model";
 import { t } from "../words/words";
 import { editVariable, newVariable, renameVariable, takeAway, useVariables } from "./variables";
 
-export function VariableMenu({ robot, name, x, y }: { robot: string; name: string; x: number; y: number }) {
+export function VariableMenu() {
+  const menu = useVariables((state) => state.menu);
+  if (menu === null) return null;
+  return <Open key={`${menu.name} ${String(menu.y)}`} {...menu} />;
+}
+
+function Open({ robot, name, x, y }: { robot: string; name: string; x: number; y: number }) {
   const close = () => useVariables.setState({ menu: null });
   const of = { robot, name };
   const entries: MenuEntry[] = [

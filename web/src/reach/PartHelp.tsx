@@ -8,6 +8,7 @@ import { isOwn, openDelete, openEdit } from "../own/state";
 import { Icon, Tile } from "../theme";
 import { t } from "../words/words";
 import { closeHelp, useReach } from "./state";
+import "../shell/sheets.css";
 
 export function PartHelp() {
   const element = useReach((state) => state.explained);

@@ -48,7 +48,6 @@ import { Watching } from "./Watching";
 import "./chrome.css";
 import "./layout.css";
 import "./menus.css";
-import "./sheets.css";
 import "./strip.css";
 import "./tabs.css";
 

@@ -3,6 +3,7 @@ import { Card } from "../gallery/Card";
 import { t } from "../words/words";
 import { openPath, show } from "./document";
 import { useMissions } from "./missions";
+import "./sheets.css";
 
 const MOST = 4;
 

@@ -8,6 +8,7 @@ import { type ReactNode, useEffect, useRef } from "react";
 import { Icon } from "../theme";
 import { t } from "../words/words";
 import { show } from "./document";
+import "./sheets.css";
 
 interface SheetProps {
   title: string;

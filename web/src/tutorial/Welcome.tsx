@@ -5,7 +5,7 @@ import { Icon } from "../theme";
 import { t } from "../words/words";
 import { begin } from "./opening";
 import { useTutorial, welcome } from "./state";
-import "./tutorial.css";
+import "./welcome.css";
 
 export function Welcome() {
   const { all, tutorial, welcomed } = useTutorial();
