@@ -27,6 +27,19 @@ def microbit() -> Iterator[Emulated]:
         yield board
 
 
+@pytest.fixture(scope="session")
+def _kept_microbit() -> Iterator[Emulated]:
+    with running() as board:
+        yield board
+
+
+@pytest.fixture
+def used_microbit(_kept_microbit: Emulated) -> Emulated:
+    """A micro:bit of 2016 that has just started, with what tests before left on it: most deploys find their files there."""
+    _kept_microbit.cut_power()
+    return _kept_microbit
+
+
 @pytest.fixture
 def board() -> Iterator[ModernBoard]:
     """A board with a current MicroPython: `address`, `cut_power()`."""

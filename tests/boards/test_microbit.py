@@ -7,7 +7,6 @@ by tick, what they do in `Machine`; what it cannot hold is refused with a senten
 from __future__ import annotations
 
 import contextlib
-import os
 import random
 import re
 import subprocess
@@ -39,14 +38,14 @@ from kitrobot.workspace import find_robot, load_board_program
 from tests.boards.bench import PROGRAMS, STORES, bench_program, bench_robot
 from tests.boards.proxy import Proxy, noise
 from tests.boards.qemu import Emulated, running
-from tests.boards.test_deploy import EVERY, runs
+from tests.boards.test_deploy import EVERY, THOROUGH, runs
 from tests.boards.test_deploy import put as put_program
 from tests.boards.test_ticks import compared
 from tests.boards.watching import watched
 
 pytestmark = pytest.mark.boards
 
-TICKS = 400 if os.environ.get("KITROBOT_THOROUGH") else 60
+TICKS = 400 if THOROUGH else 60
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 HEART = EXAMPLES / "heart" / "heart.krt"
 MAIN = "from kri import tick\nexec(open('run').read())\n"
@@ -134,7 +133,7 @@ def test_files_arrive_whole_over_a_line_that_loses_changes_and_adds_bytes(microb
         assert receiver.read("data") == content
 
 
-def test_a_line_that_is_cut_at_any_tenth_message_needs_only_another_try(microbit: Emulated) -> None:
+def test_a_line_that_is_cut_at_any_message_needs_only_another_try(microbit: Emulated) -> None:
     content = bytes(random.Random(4).randrange(256) for _ in range(400))
     cut = messages = 0
     while cut <= messages:
@@ -143,7 +142,7 @@ def test_a_line_that_is_cut_at_any_tenth_message_needs_only_another_try(microbit
         with Proxy(microbit.port) as proxy:
             put(proxy.address, content)
             messages = proxy.messages
-        cut += 10
+        cut += 1 if THOROUGH else 25
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == content
 
@@ -175,20 +174,20 @@ def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(micro
 
 @pytest.mark.parametrize("text", [PROGRAMS[0], PROGRAMS[1], PROGRAMS[3]])
 def test_a_deployed_program_gives_the_same_commands_in_every_tick(
-    microbit: Emulated, tmp_path: Path, text: str
+    used_microbit: Emulated, tmp_path: Path, text: str
 ) -> None:
     program = bench_program(tmp_path, text)
-    deploy(microbit.address, program.file.to_bytes(), program.package)
-    compared(microbit.address, program, bench_robot(tmp_path), seed=11)
+    deploy(used_microbit.address, program.file.to_bytes(), program.package)
+    compared(used_microbit.address, program, bench_robot(tmp_path), seed=11)
 
 
 def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick(
-    microbit: Emulated, tmp_path: Path
+    used_microbit: Emulated, tmp_path: Path
 ) -> None:
     program = bench_program(tmp_path, PROGRAMS[0] * 25)
     assert Image.from_bytes(program.file.image).instructions > 300
-    deploy(microbit.address, program.file.to_bytes(), program.package)
-    compared(microbit.address, program, bench_robot(tmp_path), seed=12)
+    deploy(used_microbit.address, program.file.to_bytes(), program.package)
+    compared(used_microbit.address, program, bench_robot(tmp_path), seed=12)
 
 
 @pytest.mark.parametrize(
@@ -204,32 +203,36 @@ def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick
         " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );",
     ],
 )
-def test_all_devices_of_it_work_there(microbit: Emulated, tmp_path: Path, text: str) -> None:
+def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, text: str) -> None:
     path = tmp_path / "devices.lll"
     path.write_text(f"*[Run.IsTrue()]({text} WAIT(1); );\n", encoding="utf-8")
     program = load_board_program(path, robot="microbit")
-    deploy(microbit.address, program.file.to_bytes(), program.package)
-    compared(microbit.address, program, find_robot("microbit"), seed=14)
-    with connect(microbit.address, 10) as board:
+    deploy(used_microbit.address, program.file.to_bytes(), program.package)
+    compared(used_microbit.address, program, find_robot("microbit"), seed=14)
+    with connect(used_microbit.address, 10) as board:
         assert board.last_fault() is None
 
 
 @pytest.mark.parametrize("name", ["heart", "reaction", "dice"])
-def test_the_examples_for_it_run_on_it(microbit: Emulated, name: str) -> None:
+def test_the_examples_for_it_run_on_it(used_microbit: Emulated, name: str) -> None:
     program = load_board_program(EXAMPLES / name / f"{name}.krt")
-    deploy(microbit.address, program.file.to_bytes(), program.package)
-    compared(microbit.address, program, find_robot("microbit"), seed=13)
+    deploy(used_microbit.address, program.file.to_bytes(), program.package)
+    compared(used_microbit.address, program, find_robot("microbit"), seed=13)
 
 
-@pytest.mark.parametrize("part", range(4))
-def test_a_deploy_that_is_cut_at_any_tenth_message_leaves_what_was_there(tmp_path: Path, part: int) -> None:
+PARTS = 4 if THOROUGH else 2
+"""The messages at which a deploy is cut are shared out: each part has a board of its own."""
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_a_deploy_that_is_cut_at_any_message_leaves_what_was_there(tmp_path: Path, part: int) -> None:
     old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
     with running() as board:
         put_program(board.address, old)
         with Proxy(board.port) as whole:
             put_program(whole.address, new)
             count = whole.messages
-        for cut in range(EVERY * (1 + part), count, EVERY * 4):
+        for cut in range(EVERY * (1 + part), count, EVERY * PARTS):
             put_program(board.address, old)
             with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
                 put_program(wire.address, new)
@@ -245,7 +248,7 @@ def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> No
     with running() as board, Proxy(board.port) as whole:
         put_program(whole.address, program)
         count = whole.messages
-    step = EVERY if os.environ.get("KITROBOT_THOROUGH") else count // 7
+    step = 10 if THOROUGH else count // 3
     for cut in range(step, count, step):
         with running() as board:
             with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
@@ -258,7 +261,7 @@ def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> No
 def test_many_programs_in_a_row_leave_files_of_the_user_alone(microbit: Emulated) -> None:
     mine = bytes(range(90))
     put(microbit.address, mine)
-    for turn in range(9):
+    for turn in range(9 if THOROUGH else 5):
         program = load_board_program(EXAMPLES / (name := ("heart", "reaction", "dice")[turn % 3]) / f"{name}.krt")
         deploy(microbit.address, program.file.to_bytes(), program.package)
         assert program.is_called(runs(microbit.address))
@@ -266,24 +269,28 @@ def test_many_programs_in_a_row_leave_files_of_the_user_alone(microbit: Emulated
         assert receiver.read("data") == mine
 
 
-def test_a_program_arrives_over_a_line_that_loses_changes_and_adds_bytes(microbit: Emulated, tmp_path: Path) -> None:
+def test_a_program_arrives_over_a_line_that_loses_changes_and_adds_bytes(
+    used_microbit: Emulated, tmp_path: Path
+) -> None:
     program = bench_program(tmp_path, PROGRAMS[0])
     for seed in range(20):
-        with Proxy(microbit.port, disturb=noise(seed, 0.001)) as proxy, contextlib.suppress(SilentError):
+        with Proxy(used_microbit.port, disturb=noise(seed, 0.001)) as proxy, contextlib.suppress(SilentError):
             put_program(proxy.address, program)
             break
-    assert program.is_called(runs(microbit.address))
+    assert program.is_called(runs(used_microbit.address))
 
 
-def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(microbit: Emulated, tmp_path: Path) -> None:
+def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(
+    used_microbit: Emulated, tmp_path: Path
+) -> None:
     small = bench_program(tmp_path, PROGRAMS[0])
-    put_program(microbit.address, small)
+    put_program(used_microbit.address, small)
     with pytest.raises(BoardError, match="flash"):
-        put_program(microbit.address, bench_program(tmp_path, PROGRAMS[0] * 100))
-    assert small.is_called(runs(microbit.address))
+        put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 100))
+    assert small.is_called(runs(used_microbit.address))
     with pytest.raises(BoardError, match="memory"):
-        put_program(microbit.address, bench_program(tmp_path, PROGRAMS[0] * 150))
-    assert small.is_called(runs(microbit.address))
+        put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 150))
+    assert small.is_called(runs(used_microbit.address))
 
 
 RAISES = STORES.format(mark="one").replace(
@@ -297,15 +304,15 @@ NEVER = STORES.format(mark="one").replace("return True", "return False")
     [(RAISES, "Motor.Turn(7); ", 1, "7"), (NEVER, "Motor.Turn(7); WAIT(9000); ", 2, "not done")],
 )
 def test_a_device_that_fails_stops_the_robot_and_is_told_with_its_instruction(
-    microbit: Emulated, tmp_path: Path, driver: str, text: str, number: int, said: str
+    used_microbit: Emulated, tmp_path: Path, driver: str, text: str, number: int, said: str
 ) -> None:
     program = bench_program(tmp_path, f"WAIT(3); {text}")
     (tmp_path / "stores.driver.py").write_text(driver, encoding="utf-8")
     robot = (tmp_path / "bench.robot.xml").read_text(encoding="utf-8")
     (tmp_path / "bench.robot.xml").write_text(robot.replace('pin="1"', 'pin="1" limit="0.2"'), encoding="utf-8")
     program = load_board_program(tmp_path / "program.lll", robot=str(tmp_path / "bench.robot.xml"))
-    deploy(microbit.address, program.file.to_bytes(), program.package)
-    with connect(microbit.address, 10) as board:
+    deploy(used_microbit.address, program.file.to_bytes(), program.package)
+    with connect(used_microbit.address, 10) as board:
         fault = next((found for _ in range(100) if (found := board.last_fault()) is not None), None)
         assert fault is not None
         assert (fault.number, said in fault.text) == (number, True)

@@ -35,7 +35,6 @@ def calls(work: Callable[[], object]) -> int:
         nonlocal counted
         counted += event in ("call", "c_call")
 
-    gc.collect()
     gc.disable()
     sys.setprofile(count)
     try:

@@ -28,7 +28,7 @@ WIDTH, HEIGHT = 1600, 1000
 expect.set_options(timeout=STATE_MS)
 
 
-LOOKS = [("light",), ("dark", "ur"), *([("contrast", "fr")] if os.environ.get("KITROBOT_THOROUGH") else [])]
+LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if os.environ.get("KITROBOT_THOROUGH") else [])]
 """Theme and language that axe looks at whole; it holds the contrast of every screen in every theme besides."""
 
 
