@@ -35,7 +35,7 @@ def _kept_microbit() -> Iterator[Emulated]:
 
 @pytest.fixture
 def used_microbit(_kept_microbit: Emulated) -> Emulated:
-    """A micro:bit of 2016 that has just started, with what tests before left on it: most deploys find their files there."""
+    """A micro:bit of 2016 that has just started, with what tests before left on it: most files are there."""
     _kept_microbit.cut_power()
     return _kept_microbit
 

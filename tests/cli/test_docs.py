@@ -11,6 +11,7 @@ import pytest
 
 from kitrobot.cli.app import app
 from tests.patience import PATIENCE_S
+from tools.command_outputs import BLOCK, prepared, printed, stale, updated
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "cli.md").read_text(encoding="utf-8")
@@ -34,3 +35,19 @@ def test_the_python_on_the_page_runs(tmp_path):
     assert ended.returncode == 0, ended.stderr
     assert b"done" in ended.stdout
     assert b"Wheel.Advance" in ended.stdout
+
+
+def test_the_outputs_on_the_page_are_those_of_today():
+    assert len(BLOCK.findall(PAGE)) >= 6
+    assert stale() == [], "run `python -m tools.command_outputs --write`"
+
+
+def test_an_output_that_is_no_longer_true_is_replaced_and_a_number_of_a_clock_is_kept():
+    page = "<!-- prints: kitrobot {} -->\n```\n{}```\n"
+    with prepared() as folder:
+        old = page.format("run examples/transport/transport.krt --json", "Done\n")
+        new = updated(old, folder)
+        assert '"outcome": "done"' in new
+        other_clock = re.sub(r'"speed": [\d.]+', '"speed": 1.5', new)
+        assert updated(other_clock, folder) == other_clock
+        assert len(printed("kitrobot replay ring.krtrace | lines 3-4", folder).splitlines()) == 2

@@ -153,7 +153,7 @@ def test_a_listing_is_not_executed(kitrobot, program):
 
 def test_mistakes_of_the_program_are_on_standard_error_and_nothing_is_executed(kitrobot, write):
     said = kitrobot("exec", write("p.lll", "Wheel.Advance(500);"), *ROBOT, "--json")
-    assert (said.status, said.out) == (1, "")
+    assert (said.status, list(said.json)) == (1, ["error"])
     assert said.err.startswith("p.lll:1:")
 
 
@@ -179,7 +179,7 @@ def test_hints_are_told_and_the_program_is_executed(kitrobot, write):
 def test_mistakes_of_the_inputs_are_told_with_their_line_and_nothing_is_executed(kitrobot, write, table, place):
     program = write("p.lll", "WAIT(1);")
     said = kitrobot("exec", program, *ROBOT, "--inputs", write("inputs.csv", table), "--json")
-    assert (said.status, said.out) == (1, "")
+    assert (said.status, list(said.json)) == (1, ["error"])
     assert place in said.err
 
 

@@ -8,6 +8,8 @@ done, 2 for a command that cannot be read, 70 for a mistake of ours, 130 for Ctr
 
 from __future__ import annotations
 
+import contextlib
+import json
 import os
 import sys
 from collections.abc import Sequence
@@ -22,11 +24,12 @@ from kitrobot.cli.deploy import deploy_program
 from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
+from kitrobot.cli.json_results import error_object
 from kitrobot.cli.log import show_log
 from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
-from kitrobot.cli.speaking import complain, tell, use_utf8
+from kitrobot.cli.speaking import complain, give, tell, use_utf8
 from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.watch import watch_board
@@ -36,6 +39,9 @@ DEBUG_VARIABLE = "KITROBOT_DEBUG"
 MISTAKE_OF_OURS: Final = 70
 INTERRUPTED: Final = 130
 NOBODY_READS: Final = 141
+FAILED: Final = 1
+TROUBLE: Final = {"diff": 2, "merge": 2}
+"""Of commands whose 1 means something else, as it does in the tools of the same name."""
 
 app = typer.Typer(
     name="kitrobot",
@@ -90,20 +96,19 @@ def main(arguments: Sequence[str] | None = None, *, studio: Studio | None = None
         SystemExit: always.
     """
     use_utf8()
-    given = list(sys.argv[1:] if arguments is None else arguments)
+    given = _with_command(list(sys.argv[1:] if arguments is None else arguments))
     try:
-        status = _obey(_with_command(given), studio)
+        status = _obey(given, studio)
         sys.stdout.flush()
     except KitRobotError as error:
-        complain(error)
-        status = 1
+        status = _failed(given, error)
     except KeyboardInterrupt:
         status = INTERRUPTED
     except BrokenPipeError:
         status = _stop_talking()
     except OSError as error:
-        tell(f"error: {error.strerror or error}{f': `{error.filename}`' if error.filename else ''}")
-        status = 1
+        message = f"{error.strerror or error}{f': `{error.filename}`' if error.filename else ''}"
+        status = _failed(given, KitRobotError(message))
     except Exception as error:
         status = _own_mistake(error)
     sys.exit(status)
@@ -125,6 +130,16 @@ def _with_command(arguments: list[str]) -> list[str]:
     if first in names or first in ("-h", "--help", "--version") or first.startswith(("--install-", "--show-")):
         return arguments
     return ["studio", *arguments]
+
+
+def _failed(given: Sequence[str], error: KitRobotError) -> int:
+    """Says why, with `--json` also as `{"error": …}` on standard output; the exit status."""
+    complain(error)
+    if "--json" in given:
+        with contextlib.suppress(OSError):  # of output that nobody takes it was just told
+            give(json.dumps({"error": error_object(error)}, ensure_ascii=False) + "\n")
+            sys.stdout.flush()
+    return TROUBLE.get(given[0], FAILED)
 
 
 def _stop_talking() -> int:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.board_json import AsJson, error_object, failures_as_json, of_board
 from kitrobot.cli.deploy import Addresses
+from kitrobot.cli.json_results import AsJson, error_object, of_board
 from kitrobot.cli.speaking import clean, give, tell, tell_of_waiting
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def list_boards(
     if identify is not None:
         from kitrobot.deploy import connect
 
-        with failures_as_json(as_json), connect(identify, waits=lambda: tell_of_waiting(identify)) as board:
+        with connect(identify, waits=lambda: tell_of_waiting(identify)) as board:
             board.identify()
         if as_json:
             give(json.dumps([of_board(identify, None)], ensure_ascii=False, indent=2) + "\n")
@@ -40,8 +40,7 @@ def list_boards(
         return
     from kitrobot.workspace import look_at_boards
 
-    with failures_as_json(as_json):
-        seen = look_at_boards(to or [], tell_of_waiting)
+    seen = look_at_boards(to or [], tell_of_waiting)
     if as_json:
         give(json.dumps([_object(one) for one in seen], ensure_ascii=False, indent=2) + "\n")
         return

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.board_json import AsJson, failures_as_json, of_board
+from kitrobot.cli.json_results import AsJson, of_board
 from kitrobot.cli.speaking import clean, complain, give, show, tell
 
 if TYPE_CHECKING:
@@ -61,10 +61,9 @@ def deploy_program(
     """
     from kitrobot.workspace import chosen_boards, load_board_program, send_program
 
-    with failures_as_json(as_json):
-        ready = load_board_program(mission, robot=robot, program=program)
-        show(ready.diagnostics, ready.sources)
-        addresses = chosen_boards(to or [])
+    ready = load_board_program(mission, robot=robot, program=program)
+    show(ready.diagnostics, ready.sources)
+    addresses = chosen_boards(to or [])
     with _bars(addresses) as progress:
         sent = send_program(ready, addresses, progress, replace=replace, fresh=fresh)
     if as_json:

@@ -9,10 +9,9 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.speaking import complain, give
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.cli.speaking import give
 
-DIFFERENT, TROUBLE = 1, 2
+DIFFERENT = 1
 
 
 def diff_files(
@@ -27,11 +26,7 @@ def diff_files(
     """
     from kitrobot.workspace import compare_files
 
-    try:
-        found = compare_files(before, after)
-    except KitRobotError as error:
-        complain(error)
-        raise typer.Exit(TROUBLE) from None
+    found = compare_files(before, after)
     if as_json:
         give(json.dumps([asdict(one) for one in found], ensure_ascii=False, indent=2) + "\n")
     else:

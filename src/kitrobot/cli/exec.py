@@ -44,12 +44,13 @@ def execute_program(
     program has ended. Before any row of the inputs, sensors are 0 and every device is done; a row holds from its tick
     on, an empty cell changes nothing. The exit status is 1 when the program or the inputs have errors.
     """
-    from kitrobot.workspace import execute, load_executable
+    from kitrobot.workspace import ProblemsError, execute, load_executable
 
     loaded = load_executable(program, robot=robot, program=name, inputs=inputs)
-    show(loaded.diagnostics, loaded.sources)
     if loaded.image is None or loaded.inputs is None:
-        raise typer.Exit(1)
+        wrong = program if loaded.image is None else inputs
+        raise ProblemsError(f"`{wrong}` has errors, so nothing was run", "", tuple(loaded.diagnostics), loaded.sources)
+    show(loaded.diagnostics, loaded.sources)
     made = execute(loaded.image, loaded.robot, ticks, loaded.inputs)
     lines = (
         (_json_line(tick) for tick in made)

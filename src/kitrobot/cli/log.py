@@ -9,7 +9,6 @@ from typing import Annotated, Any
 
 import typer
 
-from kitrobot.cli.board_json import failures_as_json
 from kitrobot.cli.speaking import clean, give, tell_of_waiting
 from kitrobot.cli.watch import Board, Mission, Program, Robot
 
@@ -32,30 +31,29 @@ def show_log(
     def say(sentence: str, found: dict[str, Any]) -> None:
         give(json.dumps(found, ensure_ascii=False) + "\n" if as_json else f"{clean(sentence)}\n")
 
-    with failures_as_json(as_json):
-        address = chosen_boards([to] if to is not None else [])[0]
+    address = chosen_boards([to] if to is not None else [])[0]
+    try:
+        board = connect(address, waits=lambda: tell_of_waiting(address))
+    except SilentError as error:
+        printed = getattr(error, "printed", "").strip()
+        if printed:
+            say(printed, {"kind": "text", "text": printed})
+        raise
+    with board:
+        names = names_for(board.hello, mission, program, robot)
+        fault = board.last_fault()
+        if fault is None:
+            say("no fault", {"kind": "fault", "number": 0})
+        else:
+            say(fault_sentence(fault, names), fault_object(fault, names))
+        until = math.inf if follow else time.monotonic() + _LISTEN_S
         try:
-            board = connect(address, waits=lambda: tell_of_waiting(address))
-        except SilentError as error:
-            printed = getattr(error, "printed", "").strip()
-            if printed:
-                say(printed, {"kind": "text", "text": printed})
-            raise
-        with board:
-            names = names_for(board.hello, mission, program, robot)
-            fault = board.last_fault()
-            if fault is None:
-                say("no fault", {"kind": "fault", "number": 0})
-            else:
-                say(fault_sentence(fault, names), fault_object(fault, names))
-            until = math.inf if follow else time.monotonic() + _LISTEN_S
-            try:
-                while time.monotonic() < until:
-                    news = board.news(_LISTEN_S)
-                    if isinstance(news, Text):
-                        text = news.text.strip("\n")
-                        say(text, {"kind": "text", "text": text})
-                    elif isinstance(news, Fault):
-                        say(fault_sentence(news, names), fault_object(news, names))
-            except KeyboardInterrupt:
-                pass
+            while time.monotonic() < until:
+                news = board.news(_LISTEN_S)
+                if isinstance(news, Text):
+                    text = news.text.strip("\n")
+                    say(text, {"kind": "text", "text": text})
+                elif isinstance(news, Fault):
+                    say(fault_sentence(news, names), fault_object(news, names))
+        except KeyboardInterrupt:
+            pass

@@ -7,10 +7,9 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.speaking import complain, tell
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.cli.speaking import tell
 
-CONFLICT, TROUBLE = 1, 2
+CONFLICT = 1
 
 
 def merge_missions_of_files(
@@ -29,11 +28,7 @@ def merge_missions_of_files(
     """
     from kitrobot.workspace import merge_files
 
-    try:
-        merged = merge_files(base, ours, theirs, output or ours)
-    except KitRobotError as error:
-        complain(error)
-        raise typer.Exit(TROUBLE) from None
+    merged = merge_files(base, ours, theirs, output or ours)
     for words in merged.conflicts:
         tell(f"conflict: {words}")
     if merged.conflicts:

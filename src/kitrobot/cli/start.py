@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.board_json import AsJson, failures_as_json, of_board
 from kitrobot.cli.deploy import Addresses
+from kitrobot.cli.json_results import AsJson, of_board
 from kitrobot.cli.speaking import complain, give, tell, tell_of_waiting
 
 if TYPE_CHECKING:
@@ -36,8 +36,7 @@ def _each(to: Sequence[str], everyone: bool, as_json: bool, act: Callable[[Board
         raise typer.BadParameter("choose one of --all and --to")
     named = [port.address for port in list_ports()] if everyone else list(to)
     good = True
-    with failures_as_json(as_json):
-        done = at_boards(chosen_boards(named), act, tell_of_waiting)
+    done = at_boards(chosen_boards(named), act, tell_of_waiting)
     if as_json:
         give(json.dumps([of_board(address, error) for address, error in done], ensure_ascii=False, indent=2) + "\n")
     for address, error in done:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.board_json import error_object, failures_as_json
+from kitrobot.cli.json_results import error_object
 from kitrobot.cli.speaking import clean, complain, give, tell, tell_of_waiting
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ def watch_board(
     from kitrobot.workspace import chosen_boards
     from kitrobot.workspace.board_watching import connected, recorder_of
 
-    with failures_as_json(as_json), ExitStack() as stack:
+    with ExitStack() as stack:
         watched = [
             stack.enter_context(connected(address, mission, program, robot, partial(tell_of_waiting, address)))
             for address in chosen_boards(to or [])

@@ -14,7 +14,7 @@ from kitrobot.diagnostics.model import (
     rule,
     rules,
 )
-from kitrobot.diagnostics.regular import open_regular
+from kitrobot.diagnostics.regular import expect_regular, open_regular
 from kitrobot.diagnostics.rendering import render, render_one, to_json, to_page_json
 
 __all__ = [
@@ -27,6 +27,7 @@ __all__ = [
     "Rule",
     "Severity",
     "Source",
+    "expect_regular",
     "in_reading_order",
     "open_regular",
     "render",

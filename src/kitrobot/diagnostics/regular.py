@@ -1,4 +1,4 @@
-"""Opening files that a person names: only those that have an end, and without waiting for anybody.
+"""Opening and replacing files that a person names: only those that have an end, and without waiting for anybody.
 
 A pipe waits until somebody writes into it, a device has no end: neither is a file of ours, whatever its name is.
 """
@@ -36,6 +36,22 @@ def open_regular(path: Path) -> BinaryIO:
     except BaseException:
         os.close(handle)
         raise
+
+
+def expect_regular(path: Path) -> None:
+    """That what lies where a file is to be written is a file, or nothing.
+
+    Whoever may do everything could replace a device of the system; a pipe would wait for somebody who reads it.
+
+    Raises:
+        OSError: it is a folder, a pipe, a socket or a device; `strerror` says so.
+        ValueError: no file can have that name.
+    """
+    try:
+        state = os.stat(path)
+    except FileNotFoundError:
+        return
+    _look(state, path)
 
 
 def _look(state: os.stat_result, path: Path) -> None:

@@ -12,7 +12,7 @@ import shutil
 import tempfile
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics import KitRobotError, expect_regular
 from kitrobot.graph import write_program
 from kitrobot.mission.model import Mission, Team
 from kitrobot.mission.trial import write_breakpoint, write_failure
@@ -81,6 +81,7 @@ def save(path: Path, mission: Mission) -> bytes:
 
 
 def _replace(path: Path, data: bytes) -> None:
+    expect_regular(path)
     handle, name = tempfile.mkstemp(prefix=f".{path.name[:50]}.", suffix=TEMPORARY_ENDING, dir=path.parent)
     fresh = Path(name)
     try:

@@ -15,6 +15,7 @@ from starlette.exceptions import HTTPException
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server import pages
 from kitrobot.server.board_routes import board_routes
+from kitrobot.server.deadlines import Deadlines
 from kitrobot.server.fragments import routes as fragment_routes
 from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
 from kitrobot.server.image_routes import image_routes
@@ -24,7 +25,7 @@ from kitrobot.server.page_files import PageFiles
 from kitrobot.server.parts_routes import parts_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
-from kitrobot.server.security import Guard
+from kitrobot.server.security import Guard, refuse
 from kitrobot.server.sentences import InReadersLanguage, spoken
 from kitrobot.server.shapes import (
     BOARD_MESSAGE_MODELS,
@@ -86,6 +87,7 @@ def create_app(
     app.add_exception_handler(HTTPException, _refused)
     _serve_page(app, static)
     app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]
+    app.add_middleware(Deadlines, refuse=refuse)
     app.add_middleware(Guard, token=token)
     app.add_middleware(InReadersLanguage)
     return app

@@ -110,13 +110,13 @@ class Guard:
 
         if not _host_is_ours(headers):
             host = headers.get("host", "")[:80]
-            await _refuse(scope, dressed, 403, f"the studio does not answer to the name `{host}`", _ADDRESS)
+            await refuse(scope, dressed, 403, f"the studio does not answer to the name `{host}`", _ADDRESS)
             return
         if not _origin_is_ours(headers):
-            await _refuse(scope, dressed, 403, "this request comes from another page", _ADDRESS)
+            await refuse(scope, dressed, 403, "this request comes from another page", _ADDRESS)
             return
         if not _is_public(scope) and not self._token_is_right(scope, headers):
-            await _refuse(scope, dressed, 403, "the token of this request is missing or wrong", _ADDRESS)
+            await refuse(scope, dressed, 403, "the token of this request is missing or wrong", _ADDRESS)
             return
         most = self.largest_trace_bytes if scope["path"] == TRACE_PATH else self.largest_body_bytes
         if _announced_too_much(headers, most):
@@ -132,7 +132,7 @@ class Guard:
         except Exception as error:
             _log.error("%s: %s", type(error).__name__, error, exc_info=bool(os.environ.get("KITROBOT_DEBUG")))
             if not started:
-                await _refuse(scope, dressed, 500, "something went wrong inside KitRobot", _REPORT)
+                await refuse(scope, dressed, 500, "something went wrong inside KitRobot", _REPORT)
 
     def _token_is_right(self, scope: Scope, headers: Headers) -> bool:
         right = False
@@ -224,7 +224,7 @@ def _dress(message: Message, scope: Scope) -> None:
         headers.append("set-cookie", cookie)
 
 
-async def _refuse(scope: Scope, send: Send, status: int, message: str, help: str) -> None:
+async def refuse(scope: Scope, send: Send, status: int, message: str, help: str) -> None:
     """An answer without the application: a page for people, JSON for the page's own requests."""
     if scope["path"].startswith("/api"):
         body, kind = (
@@ -264,4 +264,4 @@ def _announced_too_much(headers: Headers, most: int) -> bool:
 
 async def _refuse_body(scope: Scope, send: Send, most: int) -> None:
     limit = most // (1024 * 1024)
-    await _refuse(scope, send, 413, f"that is more than the {limit} MB that the studio takes", "")
+    await refuse(scope, send, 413, f"that is more than the {limit} MB that the studio takes", "")

@@ -8,6 +8,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO
 
+from kitrobot.diagnostics import expect_regular
 from kitrobot.trace import layout
 from kitrobot.trace.coding import Encoder
 from kitrobot.trace.header import header_to_json
@@ -33,6 +34,7 @@ class TraceWriter:
         packed = zlib.compress(text, 6)
         head = layout.VERSION_HEAD.pack(layout.VERSION) + layout.HEAD.pack(len(text), len(packed), zlib.crc32(packed))
         try:
+            expect_regular(path)
             self._file: BinaryIO = path.open("wb", buffering=0)
         except OSError as error:
             raise TraceError(f"the trace {path.name} cannot be written: {error.strerror}") from error

@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, open_regular, rule
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, expect_regular, open_regular, rule
 from kitrobot.workspace.file_lock import FileLock
 
 LARGEST_FILE_BYTES = 64 * 1024 * 1024
@@ -123,8 +123,7 @@ def replace_file(path: Path, data: bytes) -> None:
     temporary: str | None = None
     try:
         target = Path(os.path.realpath(path))
-        if target.is_dir():
-            raise _unreadable(path, f"`{path}` is a folder, not a file", "name a file in it")
+        expect_regular(target)
         handle, temporary = tempfile.mkstemp(prefix=f".{target.name[:50]}.", suffix=".kitrobot-part", dir=target.parent)
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)

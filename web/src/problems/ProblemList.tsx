@@ -81,7 +81,7 @@ export function ProblemList() {
   const count = Math.max(shown, Math.ceil((at + 1) / ROWS) * ROWS);
   const left = problems.length - count;
   return (
-    <section className="problem-list" id="problem-list" aria-label={t("problems.title")}>
+    <>
       <header className="problem-head">
         <h2>{problems.length === 0 ? t("problems.title") : t("problems.count", { count: problems.length })}</h2>
         <button
@@ -109,6 +109,6 @@ export function ProblemList() {
           ) : null}
         </ol>
       )}
-    </section>
+    </>
   );
 }

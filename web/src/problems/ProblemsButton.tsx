@@ -10,7 +10,13 @@ import { useProblemList, useProblems } from "./walk";
 const Open = later(() => import("./ProblemList").then((chunk) => chunk.ProblemList), complain);
 
 export function ProblemList() {
-  return useProblemList((list) => list.open) ? <Open /> : null;
+  const open = useProblemList((list) => list.open);
+  if (!open) return null;
+  return (
+    <section className="problem-list" id="problem-list" aria-label={t("problems.title")}>
+      <Open />
+    </section>
+  );
 }
 
 export function ProblemsButton() {

@@ -1,0 +1,98 @@
+"""Every request is answered: an ASGI shell that refuses what takes too long, and what comes when there is too much.
+
+A request waits for a disk that does not answer, or for more work than anybody has patience for. Its answer is 504; a
+thread cannot be stopped, so what it does goes on, counts as under way until it ends, and is told to nobody. The time
+counts from the last piece of the request that came: a large file over a slow line is no slow request. An answer that
+has begun may take as long as its reader does (connections).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Awaitable, Callable
+
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+DEADLINE_S = 120.0
+"""How long an answer may keep a page waiting before it begins."""
+MOST_AT_ONCE = 256
+"""How many requests may be under way; a page has at most six."""
+
+Refuse = Callable[[Scope, Send, int, str, str], Awaitable[None]]
+
+_log = logging.getLogger("kitrobot.server")
+
+
+class Deadlines:
+    """`app`, each of whose answers begins within a time. `refuse` answers without it: status, message, help."""
+
+    def __init__(self, app: ASGIApp, refuse: Refuse, within_s: float = DEADLINE_S, at_once: int = MOST_AT_ONCE) -> None:
+        self._app = app
+        self._refuse = refuse
+        self._within_s = within_s
+        self._at_once = at_once
+        self._under_way: set[asyncio.Task[None]] = set()
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serves one request; sockets and the start of the server pass."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+        elif len(self._under_way) >= self._at_once:
+            await self._refuse(
+                scope,
+                send,
+                503,
+                "the studio is busy with more requests than it can do at once",
+                "try again in a moment",
+            )
+        else:
+            await self._serve(scope, receive, send)
+
+    async def _serve(self, scope: Scope, receive: Receive, send: Send) -> None:
+        now = asyncio.get_running_loop().time
+        heard, begun, late = now(), False, False
+
+        async def hears() -> Message:
+            nonlocal heard
+            message = await receive()
+            heard = now()
+            return message
+
+        async def says(message: Message) -> None:
+            nonlocal begun
+            if not late:
+                begun = True
+                await send(message)
+
+        task = asyncio.create_task(self._work(scope, hears, says))
+        self._under_way.add(task)
+        task.add_done_callback(self._under_way.discard)
+        try:
+            while not (task.done() or begun) and (left := heard + self._within_s - now()) > 0:
+                await asyncio.wait({task}, timeout=left)
+            if task.done() or begun:
+                await task
+                return
+        except asyncio.CancelledError:
+            task.cancel()
+            raise
+        late = True
+        task.add_done_callback(_forget)
+        _log.warning("%s %s was not answered within %g s", scope["method"], scope["path"], self._within_s)
+        await self._refuse(
+            scope,
+            send,
+            504,
+            "the studio did not come to the end of this in time",
+            "try again; when it stays so, look whether the disk or network drive with the missions answers",
+        )
+
+    async def _work(self, scope: Scope, receive: Receive, send: Send) -> None:
+        await self._app(scope, receive, send)
+
+
+def _forget(task: asyncio.Task[None]) -> None:
+    """Whoever asked has been answered."""
+    if not task.cancelled() and (error := task.exception()) is not None:
+        _log.warning("what was not answered in time failed: %s: %s", type(error).__name__, error)

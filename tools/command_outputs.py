@@ -1,0 +1,106 @@
+"""What commands print, in the pages of docs: a block behind `<!-- prints: COMMAND -->` is that command's output.
+
+`python -m tools.command_outputs` names the blocks that no longer say what the command prints, `--write` puts today's
+in their place. The commands run in an empty folder with the examples and the files of `FILES`. A pipe to `head N` or to
+`lines A-B` keeps a part of the output; long lines of JSON are broken. What a clock decides is compared as "some number"
+and stays as it stands, so that a page changes only when something else did.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import textwrap
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGES = ("docs/cli.md",)
+WIDTH = 118
+BLOCK = re.compile(r"(<!-- prints: (?P<command>.+?) -->\n```\w*\n)(?P<output>.*?)(?=^```$)", re.DOTALL | re.MULTILINE)
+CLOCK = re.compile(r'("real_seconds": |"speed": )[\d.]+')
+FILES = {"p.lll": "*[Run.IsTrue()](\n  Wheel.Advnce(50);\n);\n"}
+RECORDED = "run examples/transport/transport.krt --trace ring.krtrace"
+SLOWER = ('<set name="speed">50</set>', '<set name="speed">30</set>')
+
+
+@contextlib.contextmanager
+def prepared() -> Iterator[Path]:
+    """The folder in which the commands of the pages run."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "examples").symlink_to(ROOT / "examples", target_is_directory=True)
+        for file, text in FILES.items():
+            (folder / file).write_text(text, encoding="utf-8")
+        mission = (ROOT / "examples" / "transport" / "transport.krt").read_text(encoding="utf-8")
+        assert SLOWER[0] in mission
+        (folder / "slower.krt").write_text(mission.replace(*SLOWER), encoding="utf-8")
+        _run(RECORDED, folder)
+        yield folder
+
+
+def printed(command: str, folder: Path) -> str:
+    """What a page shows of a command: `kitrobot …`, with `| head N` or `| lines A-B` behind it."""
+    words, _, part = command.partition(" | ")
+    lines = _run(words.removeprefix("kitrobot "), folder).splitlines()
+    kind, _, number = part.partition(" ")
+    if kind == "head":
+        lines = lines[: int(number)]
+    elif kind == "lines":
+        first, _, last = number.partition("-")
+        lines = lines[int(first) - 1 : int(last)]
+    return "".join(f"{broken}\n" for line in lines for broken in _broken(line))
+
+
+def updated(page: str, folder: Path) -> str:
+    """The text of a page with the outputs of today."""
+
+    def today(found: re.Match[str]) -> str:
+        output = printed(found["command"], folder)
+        same = CLOCK.sub(r"\1#", output) == CLOCK.sub(r"\1#", found["output"])
+        return found[0] if same else found[1] + output
+
+    return BLOCK.sub(today, page)
+
+
+def stale() -> list[str]:
+    """The pages that do not show what is printed today."""
+    with prepared() as folder:
+        return [name for name in PAGES if (text := _read(name)) != updated(text, folder)]
+
+
+def _run(arguments: str, folder: Path) -> str:
+    command = [sys.executable, "-m", "kitrobot", *shlex.split(arguments)]
+    return subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False).stdout
+
+
+def _broken(line: str) -> list[str]:
+    if not line.startswith("{"):
+        return [line]
+    return textwrap.wrap(line, WIDTH, subsequent_indent=" ", break_long_words=False, break_on_hyphens=False)
+
+
+def _read(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def main() -> int:
+    """The command line; 1 when a page is stale."""
+    if sys.argv[1:] not in ([], ["--write"]):
+        print(__doc__)
+        return 2
+    names = stale()
+    for name in names:
+        print(name)
+        if "--write" in sys.argv:
+            with prepared() as folder:
+                (ROOT / name).write_text(updated(_read(name), folder), encoding="utf-8")
+    return int(bool(names) and "--write" not in sys.argv)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
