@@ -11,9 +11,8 @@ from queue import Queue
 from types import TracebackType
 from typing import Any, Self
 
+from tests.patience import PATIENCE_S
 from tools import page
-
-START_S = 60
 
 
 class NodeBoard:
@@ -69,7 +68,7 @@ class NodeBoard:
         return self._answer()
 
     def _answer(self) -> dict[str, Any]:
-        line = self._answers.get(timeout=START_S)
+        line = self._answers.get(timeout=PATIENCE_S)
         assert line, "the board's process ended"
         answer: dict[str, Any] = json.loads(line)
         return answer

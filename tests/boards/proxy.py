@@ -12,6 +12,8 @@ import threading
 from collections.abc import Callable
 from types import TracebackType
 
+from tests.patience import PATIENCE_S
+
 Disturb = Callable[[bytes], bytes]
 
 
@@ -66,9 +68,9 @@ class Proxy:
 
     def _serve(self) -> None:
         try:
-            self.listener.settimeout(60)
+            self.listener.settimeout(PATIENCE_S)
             host, _ = self.listener.accept()
-            board = socket.create_connection(self.target, timeout=60)
+            board = socket.create_connection(self.target, timeout=PATIENCE_S)
         except OSError:
             return
         for one in (host, board):

@@ -12,9 +12,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from tests.patience import PATIENCE_S
 from tools import qemu
 
-BOOT_S = 30
 _FLASH, _PAGE = 256 * 1024, 1024
 
 
@@ -43,7 +43,7 @@ class Emulated:
 
     def wire(self) -> socket.socket:
         """A bare connection to its serial line."""
-        wire = socket.create_connection(("127.0.0.1", self.port), timeout=BOOT_S)
+        wire = socket.create_connection(("127.0.0.1", self.port), timeout=PATIENCE_S)
         wire.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         return wire
 

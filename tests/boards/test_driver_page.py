@@ -14,6 +14,7 @@ from kitrobot.deploy import connect, deploy
 from kitrobot.workspace import load_board_program
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.test_modern_robot import pins_told
+from tests.patience import PATIENCE_S
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "drivers.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```(\w*)\n(.*?)```", PAGE, re.DOTALL)
@@ -59,7 +60,7 @@ def test_the_example_is_deployed_and_beeps_twice_when_the_battery_is_low(board: 
 
 def test_it_can_be_tried_without_a_robot_as_the_page_shows(folder: Path) -> None:
     done = subprocess.run(
-        [sys.executable, "try_buzzer.py"], cwd=folder, capture_output=True, text=True, timeout=60, check=False
+        [sys.executable, "try_buzzer.py"], cwd=folder, capture_output=True, text=True, timeout=PATIENCE_S, check=False
     )
     assert done.stderr == ""
     shown = next(text for _, text in BLOCKS if text.startswith("$ python try_buzzer.py"))

@@ -18,9 +18,9 @@ from kitrobot_onboard.link import unwrap, wrap
 from tests.boards.bench import bench_program, bench_robot
 from tests.boards.modern import ModernBoard
 from tests.boards.qemu import running
+from tests.patience import PATIENCE_S
 
 STANDS = "WAIT(30000);"
-PATIENCE_S = 60
 
 
 def until(board: Board, holds: Callable[[], bool]) -> None:
@@ -73,7 +73,7 @@ def told(heard: bytes, cell: int) -> int | None:
 def mpremote(address: str, *words: str) -> str:
     """What the real mpremote says."""
     command = [sys.executable, "-m", "mpremote", "connect", address, *words]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE_S, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 

@@ -42,6 +42,7 @@ from tests.boards.test_deploy import EVERY, THOROUGH, runs
 from tests.boards.test_deploy import put as put_program
 from tests.boards.test_ticks import compared
 from tests.boards.watching import watched
+from tests.patience import PATIENCE_S
 
 pytestmark = pytest.mark.boards
 
@@ -90,9 +91,9 @@ def put(address: str, content: bytes) -> None:
 def restarted(line: Line) -> str:
     """What `main.py` prints."""
     line.write(b"\x03\x02")
-    line.read_until(b">>> ", 10)
+    line.read_until(b">>> ", PATIENCE_S)
     line.write(b"\x04")
-    return line.read_until(b">>> ", 120).decode(errors="replace").replace("\r\n", "\n")
+    return line.read_until(b">>> ", PATIENCE_S).decode(errors="replace").replace("\r\n", "\n")
 
 
 def test_the_same_tick_gives_the_same_in_every_tick(microbit: Emulated, tmp_path: Path) -> None:
@@ -149,7 +150,7 @@ def test_a_line_that_is_cut_at_any_message_needs_only_another_try(microbit: Emul
 
 def command(word: str, *more: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "kitrobot", word, *more], capture_output=True, text=True, timeout=120, check=False
+        [sys.executable, "-m", "kitrobot", word, *more], capture_output=True, text=True, timeout=PATIENCE_S, check=False
     )
 
 

@@ -9,6 +9,7 @@ import pytest
 import serial
 
 from tests.boards.modern import ModernBoard, run
+from tests.patience import PATIENCE_S
 
 BANNER = b"raw REPL; CTRL-B to exit\r\n>"
 
@@ -20,7 +21,7 @@ def board() -> Iterator[ModernBoard]:
 
 
 def connect(board: ModernBoard) -> closing[serial.Serial]:
-    return closing(serial.serial_for_url(board.address, timeout=30))
+    return closing(serial.serial_for_url(board.address, timeout=PATIENCE_S))
 
 
 def until(line: serial.Serial, end: bytes) -> bytes:

@@ -21,6 +21,7 @@ from tests.boards.pico import Pico
 from tests.boards.proxy import Proxy
 from tests.boards.test_modern_robot import FORWARD_LEFT, FORWARD_RIGHT, LOOKS
 from tests.boards.test_ticks import compared
+from tests.patience import PATIENCE_S
 from tools import pico
 
 FLASH, RAM, UART = 0x10000000, 0x20000000, 0x40034000
@@ -111,7 +112,7 @@ def test_the_emulated_board_runs_what_it_is_given_and_keeps_its_flash_when_its_p
     (tmp_path / "little.uf2").write_bytes(firmware())
     (tmp_path / "rom.bin").write_bytes(bootrom())
     with Pico(tmp_path / "little.uf2", tmp_path / "rom.bin") as board:
-        with contextlib.closing(serial.serial_for_url(board.address, timeout=60)) as line:
+        with contextlib.closing(serial.serial_for_url(board.address, timeout=PATIENCE_S)) as line:
             assert said(line, b"hello") == b"hello"
             assert said(line, b"r") == b"\xff"
             assert said(line, b"w") == b"."

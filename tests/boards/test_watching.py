@@ -17,8 +17,7 @@ from kitrobot.workspace.board_watching import Watched, connected
 from kitrobot_onboard.link import unwrap
 from tests.boards.host import HostBoard, host_board, write_pulse
 from tests.boards.proxy import Proxy
-
-PATIENCE_S = 60
+from tests.patience import PATIENCE_S
 
 
 @pytest.fixture(autouse=True)

@@ -7,8 +7,6 @@ number of calls may double; a reader that looks at all others for each of them c
 from __future__ import annotations
 
 import contextlib
-import gc
-import sys
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -20,40 +18,25 @@ from kitrobot.primitives import Catalogue, Robot, Suggestions, load_catalogue
 from kitrobot.primitives.suggestions import MOST_COMPARISONS
 from kitrobot.workspace import check_file, compare_files, convert, lay_out_file, merge_files
 from kitrobot.workspace.inputs import read_inputs
+from tests.counting import MOST, growth
 from tests.growth.shapes import SHAPES, content
 
 N = 110
-MOST = 2.3
-"""How much more work twice as much may be."""
-
-
-def calls(work: Callable[[], object]) -> int:
-    """How many functions are called."""
-    counted = 0
-
-    def count(frame: object, event: str, argument: object) -> None:
-        nonlocal counted
-        counted += event in ("call", "c_call")
-
-    gc.disable()
-    sys.setprofile(count)
-    try:
-        work()
-    except KitRobotError:
-        pass  # refused, which is work too
-    finally:
-        sys.setprofile(None)
-        gc.enable()
-    return counted
 
 
 def grows(work: Callable[[int], Callable[[], object]]) -> float:
-    """How many times as many calls twice as much takes."""
-    once, twice = work(N), work(2 * N)
-    for one in (once, twice):
-        with contextlib.suppress(KitRobotError):
-            one()  # what is remembered is remembered for both
-    return calls(twice) / calls(once)
+    """How many times as many calls twice as much takes; a refusal is work too."""
+
+    def unless_refused(n: int) -> Callable[[], object]:
+        act = work(n)
+
+        def tried() -> None:
+            with contextlib.suppress(KitRobotError):
+                act()
+
+        return tried
+
+    return growth(unless_refused, N)
 
 
 @pytest.fixture(scope="module")

@@ -10,8 +10,8 @@ from types import TracebackType
 
 from kitrobot_onboard.link import unwrap, wrap
 from tests.boards.booting import boot
+from tests.patience import PATIENCE_S
 
-PATIENCE_S = 120
 CHUNK = 60
 
 

@@ -9,7 +9,9 @@ from typing import Any
 
 import pytest
 
+from kitrobot.server import shapes
 from kitrobot.server.json_bodies import read_json
+from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "600"))
 STREAMS = 4
@@ -129,3 +131,37 @@ def catalogue_part(page) -> dict[str, Any]:
     file = page.get("/api/mission", params={"path": "blink.krt"}).json()
     parts = [one for group in file["catalogue"]["groups"] for one in group["constructors"] if one["adds"] is not None]
     return {"mission": file["mission"], "path": "blink.krt", "robot": "mini-robot", "constructor": parts[0]}
+
+
+ODD_FRAMES = (
+    *("", "null", "[]", "{}", "{", '"start"', "1e999", "[" * 100_000, '{"type":"start"}', '{"type":["start"]}'),
+    *('{"type":"\\ud800"}', '{"type":"start","mission":null}', '{"type":"nothing"}', "\0", "é" * 5000),
+)
+SOCKETS = {"/api/run": "REQUEST_MODELS", "/api/boards": "BOARD_REQUEST_MODELS"}
+
+
+@pytest.mark.parametrize("stream", range(STREAMS))
+@pytest.mark.parametrize("path", SOCKETS)
+def test_no_frame_makes_a_socket_fail(app, page, path: str, stream: int) -> None:
+    """Frames at random, and what they are mixed with, are refused or done; the socket goes on until it is closed."""
+    shapes_of = app.openapi()["components"]["schemas"]
+    mission = page.get("/api/mission", params={"path": "blink.krt"}).json()["mission"]
+    rng = random.Random(stream)
+    maker = Maker(rng, shapes_of, mission)
+    models = [model.__name__ for model in getattr(shapes, SOCKETS[path])]
+    here = TestClient(app, base_url=HOST, client=("127.0.0.1", 50000))
+    with here, here.websocket_connect(f"{SOCKET}{path}?token={TOKEN}") as socket:
+        for _ in range(BUDGET // STREAMS // 2):
+            kind = rng.random()
+            if kind < 0.7:
+                socket.send_text(json.dumps(maker.value(shapes_of[rng.choice(models)])))
+            elif kind < 0.9:
+                socket.send_text(rng.choice(ODD_FRAMES))
+            else:
+                socket.send_bytes(rng.randbytes(rng.choice((0, 1, 40, 5000))))
+        socket.send_text('{"type": "the end"}')
+        said = ""
+        while "the end" not in said:
+            said = socket.receive().get("text") or ""
+            assert "went wrong inside" not in said
+    assert page.get("/api/session").status_code == 200

@@ -14,6 +14,7 @@ from kitrobot.workspace.file_lock import FileLock
 from kitrobot.workspace.files import LOCK_NAME, FileError, replace_file, saving_in, sweep, write_atomic
 from kitrobot.workspace.folder import MissionFolder
 from kitrobot.workspace.layout import lay_out_file
+from tests.patience import PATIENCE_S
 
 
 @pytest.fixture
@@ -119,7 +120,7 @@ def test_what_a_killed_save_left_is_swept_up_but_never_while_somebody_saves(tmp_
     others = {".a.krt.12345678.part", ".notes", "a.kitrobot-part"}
     for other in others:
         (path.parent / other).write_bytes(b"theirs")
-    subprocess.run([sys.executable, "-c", KILLED, str(path), kind], timeout=60, check=False)
+    subprocess.run([sys.executable, "-c", KILLED, str(path), kind], timeout=PATIENCE_S, check=False)
     left = {entry.name for entry in path.parent.iterdir()} - others - {name, LOCK_NAME}
     assert left
     with saving_in(path):

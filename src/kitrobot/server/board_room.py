@@ -14,6 +14,7 @@ import asyncio
 import contextlib
 import itertools
 import logging
+from collections import deque
 from typing import TYPE_CHECKING, Protocol
 
 from fastapi import WebSocketDisconnect
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
     from kitrobot.server.board_tape import Tape
 
 MOST_BOARDS = 32
+MOST_TOLD = 1000
+"""So many messages wait for a page that does not take them; the oldest go first."""
 LOOK_S = 1.0
 """How often the ports are looked at while a page shows them."""
 FRAME_S = 1 / 15
@@ -73,7 +76,7 @@ class Seat:
         self._due = asyncio.Event()
         self._ports_due = False
         self._boards_due: dict[str, None] = {}
-        self._own: list[BaseModel] = [BoardsWelcomeMessage(you=name)]
+        self._own: deque[BaseModel] = deque([BoardsWelcomeMessage(you=name)], MOST_TOLD)
         self._due.set()
         self._task = asyncio.create_task(self._serve())
 
@@ -97,7 +100,8 @@ class Seat:
             while True:
                 await self._due.wait()
                 self._due.clear()
-                own, self._own = self._own, []
+                own = tuple(self._own)
+                self._own.clear()
                 ports, self._ports_due = self._ports_due, False
                 boards, self._boards_due = self._boards_due, {}
                 for message in own:
