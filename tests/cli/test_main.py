@@ -124,10 +124,3 @@ def test_a_files_name_does_not_steer_the_terminal(kitrobot, name):
     err = kitrobot("format", name).err
     assert "a\ufffd" in err
     assert not set(err) & set("\x1b\x07\u202e\r")
-
-
-def test_every_command_is_in_the_list_that_is_told_after_an_unknown_one():
-    from kitrobot.cli.app import app
-    from kitrobot.cli.studio import COMMANDS
-
-    assert sorted(COMMANDS) == sorted(command.name or "" for command in app.registered_commands)

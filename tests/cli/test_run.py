@@ -149,7 +149,7 @@ def test_the_trace_is_never_written_over_the_mission(kitrobot, short, here):
 def test_a_mission_with_errors_is_not_run(kitrobot, here):
     (here / "m.krt").write_text(SHORT.replace("LightOn", "Glow"))
     said = kitrobot("run", "m.krt", "--json")
-    assert (said.status, said.out) == (1, "")
+    assert (said.status, said.json["error"]["diagnostics"][0]["code"]) == (1, "unknown-element")
     assert "m.krt:4:5: error: " in said.err
     assert said.err.count("[unknown-element]") == 1
 

@@ -3,17 +3,19 @@
 `kitrobot FILE` without a command's name opens the studio: such arguments are read as `kitrobot studio FILE`. The studio
 itself is another door, a stranger to this one, so whoever starts the command line hands it in (`kitrobot.__main__`).
 Whatever goes wrong ends in a sentence and an exit status, never in a traceback: 1 for what was asked and could not be
-done, 2 for a command that cannot be read, 70 for a mistake of ours, 130 for Ctrl-C, 141 when nobody reads any more.
+done, 2 for a command that cannot be read, 70 for a mistake of ours, 130 for Ctrl-C, 141 when nobody reads any more,
+143 for SIGTERM. Whoever asked for `--json` gets an object of what went wrong when the command gave no data.
 """
 
 from __future__ import annotations
 
-import contextlib
-import json
 import os
+import signal
 import sys
-from collections.abc import Sequence
-from typing import Annotated, Final
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Annotated, Any, Final
 
 import typer
 
@@ -24,12 +26,11 @@ from kitrobot.cli.deploy import deploy_program
 from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
-from kitrobot.cli.json_results import error_object
 from kitrobot.cli.log import show_log
 from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
-from kitrobot.cli.speaking import complain, give, tell, use_utf8
+from kitrobot.cli.speaking import NobodyReadsError, begin, complain, failure, give, remember, tell, use_utf8
 from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.watch import watch_board
@@ -39,9 +40,13 @@ DEBUG_VARIABLE = "KITROBOT_DEBUG"
 MISTAKE_OF_OURS: Final = 70
 INTERRUPTED: Final = 130
 NOBODY_READS: Final = 141
+TERMINATED: Final = 143
 FAILED: Final = 1
 TROUBLE: Final = {"diff": 2, "merge": 2}
 """Of commands whose 1 means something else, as it does in the tools of the same name."""
+
+# Typer brings its own Click, whose errors it does not name.
+_ClickError: Any = next(base for base in typer.BadParameter.__mro__ if base.__name__ == "ClickException")
 
 app = typer.Typer(
     name="kitrobot",
@@ -96,31 +101,84 @@ def main(arguments: Sequence[str] | None = None, *, studio: Studio | None = None
         SystemExit: always.
     """
     use_utf8()
-    given = _with_command(list(sys.argv[1:] if arguments is None else arguments))
-    try:
-        status = _obey(given, studio)
-        sys.stdout.flush()
-    except KitRobotError as error:
-        status = _failed(given, error)
-    except KeyboardInterrupt:
-        status = INTERRUPTED
-    except BrokenPipeError:
-        status = _stop_talking()
-    except OSError as error:
-        message = f"{error.strerror or error}{f': `{error.filename}`' if error.filename else ''}"
-        status = _failed(given, KitRobotError(message))
-    except Exception as error:
-        status = _own_mistake(error)
+    begin()
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    words = _with_command(given)
+    failed = TROUBLE.get(words[0], FAILED)
+    with _termination():
+        status = _status(lambda: _obey(words, studio), failed)
+        if status not in (0, INTERRUPTED, NOBODY_READS) and _wants_json(given):
+            status = _status(lambda: _give_failure(status), failed) or status
     sys.exit(status)
+
+
+def _status(act: Callable[[], int], failed: int) -> int:
+    """Does it, writes the output to its end, and says what went wrong; `failed`: the status then."""
+    try:
+        status = act()
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except KitRobotError as error:
+        complain(error)
+        return failed
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except (BrokenPipeError, NobodyReadsError):
+        _stop_talking()
+        return NOBODY_READS
+    except OSError as error:
+        complain(KitRobotError(f"{error.strerror or error}{f': `{error.filename}`' if error.filename else ''}"))
+        if not error.filename:
+            _stop_talking()
+        return failed
+    except Exception as error:
+        return _own_mistake(error)
+    return status
 
 
 def _obey(arguments: list[str], studio: Studio | None) -> int:
     command = typer.main.get_command(app)
     try:
-        command.main(arguments, prog_name="kitrobot", obj=studio)
+        status = command.main(arguments, prog_name="kitrobot", obj=studio, standalone_mode=False)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else int(end.code is not None)
-    return 0
+    except _ClickError as error:
+        remember(error.format_message())
+        if sys.stderr is not None:
+            from typer.rich_utils import rich_format_error
+
+            rich_format_error(error)
+        return int(error.exit_code)
+    return status if isinstance(status, int) else 0
+
+
+def _wants_json(arguments: Sequence[str]) -> bool:
+    """Whether `--json` is among the arguments, whatever else they say."""
+    return "--json" in (arguments[: arguments.index("--")] if "--" in arguments else arguments)
+
+
+def _give_failure(status: int) -> int:
+    text = failure()
+    if text and sys.stdout is not None:
+        give(text)
+    return status
+
+
+@contextmanager
+def _termination() -> Iterator[None]:
+    """A signal to end (SIGTERM) ends as Ctrl-C does: what is open is closed, the terminal is as it was."""
+
+    def end(*_: object) -> None:
+        raise SystemExit(TERMINATED)
+
+    usual = threading.current_thread() is threading.main_thread() and signal.getsignal(signal.SIGTERM) == signal.SIG_DFL
+    if usual:
+        signal.signal(signal.SIGTERM, end)
+    try:
+        yield
+    finally:
+        if usual:
+            signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def _with_command(arguments: list[str]) -> list[str]:
@@ -132,25 +190,14 @@ def _with_command(arguments: list[str]) -> list[str]:
     return ["studio", *arguments]
 
 
-def _failed(given: Sequence[str], error: KitRobotError) -> int:
-    """Says why, with `--json` also as `{"error": …}` on standard output; the exit status."""
-    complain(error)
-    if "--json" in given:
-        with contextlib.suppress(OSError):  # of output that nobody takes it was just told
-            give(json.dumps({"error": error_object(error)}, ensure_ascii=False) + "\n")
-            sys.stdout.flush()
-    return TROUBLE.get(given[0], FAILED)
-
-
-def _stop_talking() -> int:
+def _stop_talking() -> None:
     """Nobody reads the output any more: nothing to complain about, and nothing more to say at the exit."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for stream in (sys.stdout, sys.stderr):
         try:
             os.dup2(nowhere, stream.fileno())
-        except (OSError, ValueError):
+        except (OSError, ValueError, AttributeError):
             continue
-    return NOBODY_READS
 
 
 def _own_mistake(error: Exception) -> int:
@@ -160,6 +207,7 @@ def _own_mistake(error: Exception) -> int:
         traceback.print_exception(error)
     kind = type(error).__name__
     first_line = str(error).strip().partition("\n")[0][:200]
+    remember(f"KitRobot itself went wrong ({kind}{f': {first_line}' if first_line else ''})")
     tell(f"error: KitRobot itself went wrong ({kind}{f': {first_line}' if first_line else ''})")
     tell(f"  help: this is our mistake; run the command again with {DEBUG_VARIABLE}=1 and report all that it says")
     return MISTAKE_OF_OURS

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from kitrobot.cli.deploy import Addresses
-from kitrobot.cli.json_results import AsJson, error_object, of_board
-from kitrobot.cli.speaking import clean, give, tell, tell_of_waiting
+from kitrobot.cli.json_results import AsJson, of_board
+from kitrobot.cli.speaking import clean, error_object, give, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from kitrobot.workspace import Seen

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from kitrobot.cli.speaking import give, tell
+from kitrobot.cli.speaking import give, json_text, tell
 from kitrobot.diagnostics import Severity
 
 
@@ -36,7 +35,7 @@ def check_files(
     reports = [check_file(path, meant) for path in files]
     problems = [problem for report in reports for problem in with_help(report.diagnostics)]
     if as_json:
-        give(json.dumps([to_json(problem) for problem in problems], ensure_ascii=False, indent=2) + "\n")
+        give(json_text([to_json(problem) for problem in problems], 2) + "\n")
     else:
         for report in reports:
             text = written_out(report.diagnostics, report.sources)

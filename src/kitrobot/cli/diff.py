@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from kitrobot.cli.speaking import give
+from kitrobot.cli.speaking import give, json_text
 
 DIFFERENT = 1
 
@@ -28,7 +27,7 @@ def diff_files(
 
     found = compare_files(before, after)
     if as_json:
-        give(json.dumps([asdict(one) for one in found], ensure_ascii=False, indent=2) + "\n")
+        give(json_text([asdict(one) for one in found], 2) + "\n")
     else:
         give("".join(f"{one.sentence}\n" for one in found))
     if found:

@@ -43,6 +43,8 @@ def _format(name: str, write: bool, check: bool) -> bool:
     from kitrobot.workspace import lay_out, lay_out_file
 
     if name == STDIN:
+        if sys.stdin is None:
+            raise KitRobotError("standard input is closed, so there is nothing to lay out", "name a file")
         layout = lay_out(sys.stdin.buffer.read(), Path("<stdin>"))
     else:
         layout = lay_out_file(Path(name))

@@ -1,4 +1,4 @@
-"""What commands give as JSON in common: what became of a robot, and why a command failed."""
+"""What the commands for real robots give as JSON: what became of each robot."""
 
 from __future__ import annotations
 
@@ -6,18 +6,10 @@ from typing import Annotated, Any
 
 import typer
 
-from kitrobot.diagnostics import KitRobotError, to_json
+from kitrobot.cli.speaking import error_object
+from kitrobot.diagnostics import KitRobotError
 
 AsJson = Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")]
-
-
-def error_object(error: KitRobotError) -> dict[str, Any]:
-    """`message`, `help`, and `diagnostics` as `kitrobot check --json` gives them."""
-    return {
-        "message": error.message,
-        "help": error.help,
-        "diagnostics": [to_json(item) for item in error.diagnostics],
-    }
 
 
 def of_board(address: str, error: KitRobotError | None, **more: Any) -> dict[str, Any]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import clean, give
+from kitrobot.cli.speaking import clean, give, json_text
 
 
 def replay_trace(
@@ -33,7 +32,7 @@ def replay_trace(
     with trace.reader:
         found = summary_of(trace) if at is None else state_at(trace, at)
     if as_json:
-        give(json.dumps(found, ensure_ascii=False) + "\n")
+        give(json_text(found) + "\n")
     else:
         give("\n".join(_story(found) if at is None else _moment(found)) + "\n")
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import sys
 from collections.abc import Callable, Iterator
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.speaking import give, show
+from kitrobot.cli.speaking import give, json_text, show
 
 if TYPE_CHECKING:
     from kitrobot.workspace import Run
@@ -57,7 +56,7 @@ def run_mission(
         show(report.problems, report.sources)
     with _progress(seconds) as progress:
         run = mission.run(seed=seed, seconds=seconds, trace=trace, progress=progress, fail_rate=fail_rate)
-    give(json.dumps(run.to_json(), ensure_ascii=False) + "\n" if as_json else _summary(run))
+    give(json_text(run.to_json()) + "\n" if as_json else _summary(run))
     if run.outcome != "done":
         raise typer.Exit(1)
 

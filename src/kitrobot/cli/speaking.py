@@ -1,15 +1,78 @@
-"""How the command line speaks: data on standard output, talk on standard error, UTF-8 on both, whatever the locale."""
+"""How the command line speaks: data on standard output, talk on standard error, UTF-8 on both, whatever the locale.
+
+What a command says of its failure is remembered, so that whoever asked for JSON gets it as an object when the command
+ends without data (`failure`). A stream may be closed from the start (`>&-`): then it is None.
+"""
 
 from __future__ import annotations
 
+import json
 import re
 import sys
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, ClassVar
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Source
 
 _STEERING = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+
+
+_LONE = re.compile("[\ud800-\udfff]")
+
+
+_PIECE = 4096
+"""Characters written at once."""
+
+
+class NobodyReadsError(Exception):
+    """Whoever read the output has gone. No OSError, of which Typer would make a status of its own."""
+
+
+class _Said:
+    """What was given and complained about since the command began."""
+
+    given = False
+    error: ClassVar[tuple[str, str]] = ("", "")
+    problems: ClassVar[list[Diagnostic]] = []
+
+
+def begin() -> None:
+    """Forgets what an earlier command said."""
+    _Said.given, _Said.error, _Said.problems = False, ("", ""), []
+
+
+def failure() -> str:
+    """What went wrong as one line of JSON; "" when the command has given data already."""
+    from kitrobot.workspace import with_help
+
+    if _Said.given:
+        return ""
+    problems = with_help(_Said.problems)
+    first = next(((one.message, one.help) for one in problems if one.is_error), ("", ""))
+    message, help = _Said.error if _Said.error[0] else first
+    return json_text({"error": error_object(KitRobotError(message, help, tuple(problems)))}) + "\n"
+
+
+def error_object(error: KitRobotError) -> dict[str, Any]:
+    """`message`, `help`, and `diagnostics` as `kitrobot check --json` gives them."""
+    from kitrobot.diagnostics import to_json
+
+    return {
+        "message": error.message,
+        "help": error.help,
+        "diagnostics": [to_json(item) for item in error.diagnostics],
+    }
+
+
+def remember(message: str, help: str = "") -> None:
+    """Keeps what went wrong, for `failure`."""
+    _Said.error = (message, help)
+
+
+def json_text(value: Any, indent: int | None = None) -> str:
+    """JSON that is UTF-8 whatever stands in it: a byte of a file's name that is none is escaped."""
+    text = json.dumps(value, ensure_ascii=False, indent=indent)
+    return _LONE.sub(lambda lone: f"\\u{ord(lone[0]):04x}", text)
 
 
 def use_utf8() -> None:
@@ -27,7 +90,8 @@ def clean(text: str) -> str:
 
 def tell(text: str) -> None:
     """Talk, on standard error, cleaned."""
-    print(clean(text), file=sys.stderr)
+    if sys.stderr is not None:
+        print(clean(text), file=sys.stderr)
 
 
 def tell_of_waiting(address: str) -> None:
@@ -37,13 +101,23 @@ def tell_of_waiting(address: str) -> None:
 
 def give(text: str) -> None:
     """Data, on standard output, without adding anything."""
-    sys.stdout.write(text)
+    if sys.stdout is None:
+        raise KitRobotError("the output cannot be written: standard output is closed", "open it, or write to a file")
+    _Said.given = _Said.given or bool(text)
+    try:
+        # In pieces: of one write in the middle of which the reader goes, Python does not tell.
+        for at in range(0, len(text), _PIECE):
+            sys.stdout.write(text[at : at + _PIECE])
+    except BrokenPipeError:
+        raise NobodyReadsError from None
 
 
 def show(diagnostics: Iterable[Diagnostic], sources: Iterable[Source] = ()) -> None:
     """Diagnostics, on standard error."""
     from kitrobot.workspace import written_out
 
+    diagnostics = list(diagnostics)
+    _Said.problems += diagnostics
     text = written_out(diagnostics, sources)
     if text:
         tell(text)
@@ -51,6 +125,7 @@ def show(diagnostics: Iterable[Diagnostic], sources: Iterable[Source] = ()) -> N
 
 def complain(error: KitRobotError) -> None:
     """What went wrong, on standard error: the diagnostics where there are any, and the sentence with its way out."""
+    remember(error.message, error.help)
     place: Place | None = getattr(error, "place", None)
     if error.diagnostics:
         show(error.diagnostics, getattr(error, "sources", ()))

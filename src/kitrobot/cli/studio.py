@@ -10,11 +10,6 @@ import typer
 
 from kitrobot.diagnostics import KitRobotError
 
-COMMANDS = (
-    *("boards", "check", "convert", "deploy", "diff", "exec", "format", "log", "merge", "replay", "run", "start"),
-    *("stop", "studio", "watch"),
-)
-
 
 class StudioError(KitRobotError):
     """The studio cannot be opened on that."""
@@ -58,14 +53,19 @@ def open_studio(
     new: Annotated[bool, typer.Option("--new", help="Start a second studio where one of this folder runs.")] = False,
 ) -> None:
     """Open the studio in the browser; Ctrl-C ends it. Where one of the same folder runs, open a page of that."""
-    path = _existing(target) if target is not None else None
+    path = _existing(target, _commands(context)) if target is not None else None
     studio: Studio | None = context.obj
     if studio is None:
         raise StudioError("this command line was started without a studio", "start it with `python -m kitrobot`")
     studio(Opening(path, host, port, browser, new))
 
 
-def _existing(target: str) -> Path:
+def _commands(context: typer.Context) -> list[str]:
+    """The names of all commands, in the order of the alphabet."""
+    return sorted(getattr(context.find_root().command, "commands", ()))
+
+
+def _existing(target: str, commands: list[str]) -> Path:
     path = Path(target)
     if path.is_dir() or (path.is_file() and path.suffix.lower() == ".krt"):
         return path
@@ -91,6 +91,6 @@ def _existing(target: str) -> Path:
         raise StudioError(f"there is no file or folder `{target}`", look_alike(path))
     from difflib import get_close_matches
 
-    near = get_close_matches(target, COMMANDS, n=1)
-    help = f"did you mean `kitrobot {near[0]}`?" if near else f"commands: {', '.join(COMMANDS)}"
+    near = get_close_matches(target, commands, n=1)
+    help = f"did you mean `kitrobot {near[0]}`?" if near else f"commands: {', '.join(commands)}"
     raise typer.BadParameter(f"`{target}` is no command, and there is no file or folder of that name; {help}")

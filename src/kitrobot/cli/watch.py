@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.json_results import error_object
-from kitrobot.cli.speaking import clean, complain, give, tell, tell_of_waiting
+from kitrobot.cli.speaking import clean, complain, error_object, give, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from rich.console import Group
