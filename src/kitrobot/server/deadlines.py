@@ -16,8 +16,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 DEADLINE_S = 120.0
 """How long an answer may keep a page waiting before it begins."""
-MOST_AT_ONCE = 256
-"""How many requests may be under way; a page has at most six."""
+MOST_AT_ONCE = 500
+"""How many requests may be under way, those that were answered with 504 and still go on among them."""
 
 Refuse = Callable[[Scope, Send, int, str, str], Awaitable[None]]
 
