@@ -67,10 +67,11 @@ def updated(page: str, folder: Path) -> str:
     return BLOCK.sub(today, page)
 
 
-def stale() -> list[str]:
-    """The pages that do not show what is printed today."""
+def stale() -> dict[str, str]:
+    """The pages that do not show what is printed today, each with the text that does."""
     with prepared() as folder:
-        return [name for name in PAGES if (text := _read(name)) != updated(text, folder)]
+        today = {name: updated(_read(name), folder) for name in PAGES}
+    return {name: text for name, text in today.items() if text != _read(name)}
 
 
 def _run(arguments: str, folder: Path) -> str:
@@ -93,13 +94,13 @@ def main() -> int:
     if sys.argv[1:] not in ([], ["--write"]):
         print(__doc__)
         return 2
-    names = stale()
-    for name in names:
+    write = "--write" in sys.argv
+    found = stale()
+    for name, text in found.items():
         print(name)
-        if "--write" in sys.argv:
-            with prepared() as folder:
-                (ROOT / name).write_text(updated(_read(name), folder), encoding="utf-8")
-    return int(bool(names) and "--write" not in sys.argv)
+        if write:
+            (ROOT / name).write_text(text, encoding="utf-8")
+    return int(bool(found) and not write)
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ def test_the_python_on_the_page_runs(tmp_path):
 
 def test_the_outputs_on_the_page_are_those_of_today():
     assert len(BLOCK.findall(PAGE)) >= 6
-    assert stale() == [], "run `python -m tools.command_outputs --write`"
+    assert list(stale()) == [], "run `python -m tools.command_outputs --write`"
 
 
 def test_an_output_that_is_no_longer_true_is_replaced_and_a_number_of_a_clock_is_kept():

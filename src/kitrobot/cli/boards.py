@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from kitrobot.cli.deploy import Addresses
 from kitrobot.cli.json_results import AsJson, of_board
-from kitrobot.cli.speaking import clean, error_object, give, tell, tell_of_waiting
+from kitrobot.cli.speaking import clean, error_object, give, json_text, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from kitrobot.workspace import Seen
@@ -35,14 +34,14 @@ def list_boards(
         with connect(identify, waits=lambda: tell_of_waiting(identify)) as board:
             board.identify()
         if as_json:
-            give(json.dumps([of_board(identify, None)], ensure_ascii=False, indent=2) + "\n")
+            give(json_text([of_board(identify, None)], 2) + "\n")
         tell(f"{identify}: look which robot shows itself")
         return
     from kitrobot.workspace import look_at_boards
 
     seen = look_at_boards(to or [], tell_of_waiting)
     if as_json:
-        give(json.dumps([_object(one) for one in seen], ensure_ascii=False, indent=2) + "\n")
+        give(json_text([_object(one) for one in seen], 2) + "\n")
         return
     if not seen:
         tell("no robot is plugged in")

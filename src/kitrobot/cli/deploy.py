@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from kitrobot.cli.json_results import AsJson, of_board
-from kitrobot.cli.speaking import clean, complain, give, show, tell
+from kitrobot.cli.speaking import clean, complain, give, json_text, show, tell
 
 if TYPE_CHECKING:
     from kitrobot.workspace import Sent
@@ -67,7 +66,7 @@ def deploy_program(
     with _bars(addresses) as progress:
         sent = send_program(ready, addresses, progress, replace=replace, fresh=fresh)
     if as_json:
-        give(json.dumps([_object(one) for one in sent], ensure_ascii=False, indent=2) + "\n")
+        give(json_text([_object(one) for one in sent], 2) + "\n")
     for one in sent:
         if one.error is not None:
             tell(f"{one.address}:")

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import math
 import time
 from typing import Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import clean, give, tell_of_waiting
+from kitrobot.cli.speaking import clean, give, json_text, tell_of_waiting
 from kitrobot.cli.watch import Board, Mission, Program, Robot
 
 _LISTEN_S = 0.5
@@ -29,7 +28,7 @@ def show_log(
     from kitrobot.workspace.board_watching import fault_object, fault_sentence, names_for
 
     def say(sentence: str, found: dict[str, Any]) -> None:
-        give(json.dumps(found, ensure_ascii=False) + "\n" if as_json else f"{clean(sentence)}\n")
+        give(json_text(found) + "\n" if as_json else f"{clean(sentence)}\n")
 
     address = chosen_boards([to] if to is not None else [])[0]
     try:

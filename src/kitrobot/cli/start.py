@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Annotated
 
@@ -10,7 +9,7 @@ import typer
 
 from kitrobot.cli.deploy import Addresses
 from kitrobot.cli.json_results import AsJson, of_board
-from kitrobot.cli.speaking import complain, give, tell, tell_of_waiting
+from kitrobot.cli.speaking import complain, give, json_text, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from kitrobot.deploy import Board
@@ -38,7 +37,7 @@ def _each(to: Sequence[str], everyone: bool, as_json: bool, act: Callable[[Board
     good = True
     done = at_boards(chosen_boards(named), act, tell_of_waiting)
     if as_json:
-        give(json.dumps([of_board(address, error) for address, error in done], ensure_ascii=False, indent=2) + "\n")
+        give(json_text([of_board(address, error) for address, error in done], 2) + "\n")
     for address, error in done:
         if error is None:
             tell(f"{address}: {word}")

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import clean, complain, error_object, give, tell, tell_of_waiting
+from kitrobot.cli.speaking import clean, complain, error_object, give, json_text, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from rich.console import Group
@@ -163,7 +163,7 @@ def _shown(watched: Sequence[Watched], as_json: bool) -> Iterator[Any]:
 
 
 def _json(view: View, news: News | Fault | Text, board: str) -> str:
-    found = json.dumps({"board": board, **view.to_json(news)}, ensure_ascii=False)
+    found = json_text({"board": board, **view.to_json(news)})
     sys.stdout.flush()
     return found + "\n"
 
