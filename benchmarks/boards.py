@@ -19,8 +19,9 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.deploy import Deployed, Line, RawRepl, Receiver, connect, deploy
-from kitrobot.workspace import BoardProgram, load_board_program
-from kitrobot.workspace.board_watching import LOOK_S
+from kitrobot.robots import BoardProgram
+from kitrobot.robots.session import LOOK_S
+from kitrobot.workspace import load_board_program
 
 FORGETS = """
 class Forgets:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 import signal
 import tempfile
+from collections.abc import Iterator
 
 import hypothesis
 import pytest
 
-from tools import chromium
+from tests.effort import THOROUGH
+from tools import chromium, pico
 
 # A shell starts what runs in its background deaf to Ctrl+C, and what that starts inherits it: some tests press it.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -19,10 +21,30 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 _STATE = tempfile.TemporaryDirectory(prefix="kitrobot-state-")
 os.environ.setdefault("KITROBOT_STATE", _STATE.name)
 
+# Compiling the step would take the time of other tests; those that are about it ask for `with_numba`.
+os.environ.setdefault("KITROBOT_COMPILE", "no")
+
 # No deadlines: on a busy machine they fail tests that are right.
 hypothesis.settings.register_profile("ci", max_examples=60, deadline=None, derandomize=True, print_blob=True)
 hypothesis.settings.register_profile("thorough", max_examples=2000, deadline=None, print_blob=True)
 hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leaves out what only the thorough profile tries, what needs firmware that nobody names; none is skipped."""
+    names = [name for name, wanted in (("thorough", THOROUGH), ("pico", pico.find() is not None)) if not wanted]
+    left_out = [item for item in items if any(item.get_closest_marker(name) for name in names)]
+    if left_out:
+        items[:] = [item for item in items if item not in left_out]
+        config.hook.pytest_deselected(items=left_out)
+
+
+@pytest.fixture(scope="module")
+def with_numba() -> Iterator[None]:
+    """The step may be compiled in the tests of a module."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("KITROBOT_COMPILE", "")
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -14,8 +14,8 @@ import sys
 
 from tools import debian
 
-NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-PACKAGES = ("chromium", "fonts-noto-core")
+NAMES = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+PACKAGES = ("chromium-headless-shell", "fonts-noto-core")
 
 # For Playwright's `args`: as root there is no sandbox, and a test's browser has no business outside this machine.
 FLAGS = (

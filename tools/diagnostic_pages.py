@@ -19,13 +19,15 @@ FOLDER = Path(__file__).resolve().parents[1] / "docs" / "diagnostics"
 # From the bottom of the stairs up: a rule belongs to the lowest room that has it. Rooms that are not named come last.
 ROOMS = {
     "lll": "The text of a program",
-    "primitives": "XML files, constructors and robots",
+    "xml": "XML files",
+    "primitives": "Constructors, robots and own parts",
     "world": "Worlds",
     "tutorial": "Tutorials",
     "compiler": "What a program means, and its graph",
     "mission": "Missions",
     "sim": "Starting a run",
-    "workspace": "Files on disk",
+    "files": "Files on disk",
+    "workspace": "What is opened and checked",
 }
 
 SEVERITIES = {

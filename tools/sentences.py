@@ -27,22 +27,24 @@ ELSEWHERE = (
     "__init__.py",
     "cli/",
     "diagnostics/",
-    "deploy/known.py",
+    "deploy/builtin_names.py",
+    "files/forms.py",
     "image/",
     "primitives/automatic.py",
+    "robots/carried.py",
+    "robots/view.py",
     "server/pages.py",
     "server/start.py",
+    "sim/dispatch.py",
     "sim/recording.py",
     "translation/",
-    "workspace/board_carried.py",
-    "workspace/board_watching.py",
+    "versions/merging.py",
     "workspace/checking.py",
     "workspace/conversion.py",
     "workspace/executables.py",
     "workspace/execution.py",
-    "workspace/forms.py",
     "workspace/inputs.py",
-    "workspace/merging.py",
+    "workspace/watching.py",
 )
 """What speaks only in a terminal or a file, or brings its languages along."""
 
@@ -129,6 +131,8 @@ def _said(tree: ast.AST) -> Iterator[tuple[str, int]]:
             ):  # the title is for the documents; the explanation is the help of last resort
                 stack += [node.args[3]]
                 continue
+        if isinstance(node, ast.keyword) and node.arg == "about":  # for schemas
+            continue
         if isinstance(node, ast.Dict):
             kept = [
                 value

@@ -1,3 +1,5 @@
+import { fileURLToPath } from "node:url";
+
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
 
@@ -11,6 +13,7 @@ export default defineConfig({
   // Relative addresses: the page works under any path that a server gives it.
   base: "./",
   plugins: [react(), smallFonts(), packFiles()],
+  resolve: { alias: { "d3-color": fileURLToPath(new URL("build/no-colours.ts", import.meta.url)) } },
   build: {
     target: "es2022",
     // The page travels inside a Python wheel: fonts and icons stay files, nothing is inlined as base64.
@@ -31,7 +34,11 @@ export default defineConfig({
     include: ["src/**/*.test.{ts,tsx}", "test/**/*.test.{ts,tsx}"],
     setupFiles: ["src/testing/english.ts"],
     passWithNoTests: false,
+    // Thousands of random edits take a second alone, and several where the machine has much else to do.
+    testTimeout: 60_000,
     maxWorkers: 2,
+    // One jsdom for each worker: making one takes longer than most files of tests.
+    isolate: false,
     // Colours are measured by a test; other styles are left out of it.
     css: { include: /theme\/tokens/ },
   },

@@ -2,8 +2,8 @@
 
 A step of the swarm is 20 ms of all its robots (see benchmarks/swarm.py): three range rays each, 21 instructions,
 driving, collisions with walls and one another. Beside it Mesa's agents with a neighbour query, and py_trees' trees
-ticking, which do a part of that. Counted: steps. Not counted: staging, Numba's compilation, a round to warm up;
-watching and recording. The transport mission runs from its start to its end without a trace, staging included; the
+ticking, which do a part of that. Counted: steps. Not counted: setup, Numba's compilation, a round to warm up;
+watching and recording. The transport mission runs from its start to its end without a trace, setup included; the
 unit is simulated seconds a second.
 """
 
@@ -48,7 +48,7 @@ def go(run: Simulation, steps: int) -> None:
 
 def hurried(run: Simulation) -> Simulation:
     """The run, under Numba from now on."""
-    assert run.hurry(), "Numba does not compile the step"
+    assert run.compile_step(), "Numba does not compile the step"
     run.advance(1)
     return run
 
@@ -107,7 +107,7 @@ def _transport(size: Size) -> list[Row]:
     def mission(name: str) -> None:
         run = opened.simulation(seed=1)
         if name == "Numba":
-            assert run.hurry()
+            assert run.compile_step()
         else:
             run.stays_plain = True
         while run.outcome is None:
@@ -120,6 +120,6 @@ def _transport(size: Size) -> list[Row]:
         work["Numba"] = lambda: mission("Numba")
     seconds = in_turns(work, size.rounds)
     return [
-        Row(f"transport, {name}, staging included", "× real time", Rate.of(simulated[name], taken))
+        Row(f"transport, {name}, setup included", "× real time", Rate.of(simulated[name], taken))
         for name, taken in seconds.items()
     ]

@@ -24,9 +24,9 @@ from pathlib import Path
 import uvicorn
 
 from benchmarks.measuring import Rate, Row
+from kitrobot.files import examples_folder
 from kitrobot.server import create_app
-from kitrobot.server.start import server_config
-from kitrobot.workspace import examples_folder
+from kitrobot.server.serving import server_config
 
 TITLE = "watchers"
 TOKEN = "measuring"

@@ -108,7 +108,7 @@ def compile(program: str | Seq | Program, robot: str | PathLike[str] | Robot, na
     if isinstance(program, Graph):
         catalogue = load_catalogue()
         catalogue.robots[meant.name] = meant
-        return compile_program(replace(program, robot=meant.name), catalogue)
+        return compile_program(replace(program, target=meant.name), catalogue)
     return compile_lll(program, meant)
 
 

@@ -1,4 +1,4 @@
-# How a robot is stopped, and how what went wrong is written down.
+# Stopping a robot's devices, and recording a fault.
 
 from kitrobot_onboard.state import ACTUATORS, COUNT, FAILED, HELD, STATE, WHO
 

@@ -1,12 +1,11 @@
 # Fills the list that a robot is (see `state`), in pieces (see `boot`). The port, the devices and the program file have
-# made: ticks, diff, add, read, write, tidy, asked, package, generation, program.
+# made: ticks, diff, add, read, write, tidy, requests, package, generation, program.
 
 import struct
 
 from kitrobot_onboard.state import (
     ACTUATORS,
     ADD,
-    ASKED,
     COUNT,
     DIFF,
     DUE,
@@ -17,6 +16,7 @@ from kitrobot_onboard.state import (
     LENGTH,
     NAMES,
     READ,
+    REQUESTS,
     REST,
     SEEN,
     SENSORS,
@@ -39,12 +39,12 @@ robot[SENSORS] = []
 robot[ACTUATORS] = []
 robot[FORCED] = []
 robot[TELL] = []
-robot[ASKED] = asked
+robot[REQUESTS] = requests
 robot[SPACE] = globals()
 robot[SEEN] = robot[REST] = b""
 robot[COUNT] = robot[LATE] = robot[STATE] = 0
 robot[FAULT] = 0, 0, None, None
 robot[DUE] = robot[HEARD] = ticks()
 robot[NAMES] = struct.pack("<H", generation) + bytes(package + " " + program[2:], "utf8")
-at = number = count = device = text = None  # of `asked`: where they are kept is made while there is room
-del asked, generation, package
+at = number = count = device = text = None  # of `requests`: where they are kept is made while there is room
+del requests, generation, package

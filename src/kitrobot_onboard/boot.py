@@ -1,9 +1,9 @@
-# main.py on a board, which never changes: it does what the program file says that `krboot` chose. It is short, because
+# main.py on a board, the same in all versions: it executes the program file that `krboot` chose. It is short, because
 # it stays in memory as long as the robot runs.
 #
-# A program file (docs/reference/link.md) is pieces of Python behind their sizes, each compiled, run and forgotten by
-# itself, since a small board has no room for more; the last one ends this. When a device fails, `where` names it, and
-# the loop will tell; when something else does, Python says why, and the prompt is free.
+# A program file (docs/reference/link.md) is pieces of Python behind their sizes, each compiled, run and released by
+# itself, since a small board has no memory for more; the last one ends the loop below. When a device fails, `where`
+# identifies it, and the robot's loop reports the fault; any other exception is printed, and the prompt is free.
 
 import gc
 

@@ -1,10 +1,10 @@
-# What several answers look at (see `asked`).
+# Checks that several requests share (see `requests`).
 
 from kitrobot_onboard.state import ACTUATORS, CELLS, CODE, FAULT, SENSORS, TOLD
 
 
 def need_program(robot):
-    """Refuses what is asked where there is no program."""
+    """Refuses a request where there is no program."""
     if not robot[CODE] or robot[FAULT][0] == 5:
         robot[TOLD] = 1
 

@@ -1,4 +1,4 @@
-# Taking devices into the list that a robot is, once their drivers made them.
+# Adds devices that their drivers made to the robot's list.
 
 from kitrobot_onboard.state import ACTUATORS, SENSORS
 

@@ -1,4 +1,4 @@
-# What the receiver of a small board knows beside: its flash, where no file is. Told to the micro:bit of 2016 only. Its
+# The receiver's access to the flash of the micro:bit of 2016 outside its files, loaded on that board only. Its
 # processor is an nRF51: a word of erased flash (all ones) is written by storing it while that is allowed, and a page of
 # 1024 bytes is erased by storing its address.
 

@@ -1,6 +1,6 @@
-# What a board is to start, for main.py: `program` is the program file of the newer whole line of `kr0` and `kr1` whose
-# program file is whole too, or "". The words of a line: generation, module of the interpreter, program, sum of the
-# program, sum of the line. It never changes, and neither does main.py.
+# Chooses what a board starts, for main.py: `program` is the program file of the newer intact line of `kr0` and `kr1`
+# whose program file is intact too, or "". The words of a line: generation, module of the interpreter, program, sum of
+# the program, sum of the line. It is the same in all versions, as main.py is.
 
 import micropython
 

@@ -1,14 +1,14 @@
-# What a board runs while it is being installed: it takes frames of the link, each answered, and acts on its files.
+# The program of a board while it is being installed: it receives frames of the link, answers each, and accesses files.
 #
-# It is never stored: a host defines it over the raw REPL, after link.py, and calls `receive`. A frame that was heard
-# twice in a row is answered twice and done once, so a host may ask again as often as it likes. Requests:
+# It is never stored: a host defines it over the raw REPL, after link.py, and calls `receive`. A frame that arrives
+# twice in a row is answered twice and executed once, so a host may repeat a request. Requests:
 #
 #   x  the payload is a Python expression; answered by D and its value (bytes as they are, all else as text)
 #   d  the payload is written to the file that `o` opened; answered by K
 #   q  the end; answered by K
 #
-# A small board's stack is small too: what a value calls must not call much further. What goes wrong is answered by E
-# and the exception. 0x03 twice in a row, which never stands in a frame, ends it too.
+# A small board's stack is small too: an expression may nest few calls. An exception is answered by E and its text.
+# 0x03 twice in a row, which no frame contains, ends it too.
 
 import builtins
 import os

@@ -1,15 +1,15 @@
-# The loop of a robot: in each tick sample the inputs, run the program, hand its commands to the devices; in the gap
-# until the next one tell what changed and listen to the link (docs/reference/link.md). Whatever a driver does wrong
-# stops the devices, never the link.
+# The loop of a robot: in each tick sample the inputs, run the program, give its commands to the devices; in the gap
+# until the next one report changes and serve the link (docs/reference/link.md). An error of a driver stops the devices,
+# never the link.
 #
-# The smallest board has 9 kB for everything, and a stack for five calls in one another. So what a robot knows is in a
-# list (see `state`); functions are short, because compiling one takes six times its text; and what is asked of a robot
-# less often is read from a file when it is asked (see `asked`).
+# The smallest board has 9 kB for everything, and a stack for five nested calls. So a robot's state is in a list (see
+# `state`); functions are short, because compiling one takes six times its text; and the code of rare requests is read
+# from a file on demand (see `requests`).
 
 from kitrobot_onboard.acting import fail, stop
-from kitrobot_onboard.hearing import hear
-from kitrobot_onboard.obeying import obey
+from kitrobot_onboard.dispatch import dispatch_request
 from kitrobot_onboard.reaction import react
+from kitrobot_onboard.receive import receive_request
 from kitrobot_onboard.state import (
     ADD,
     DIFF,
@@ -53,13 +53,13 @@ def run(robot):
                 robot[FAULT] = robot[FAILED]
                 robot[FAILED] = None
                 robot[STATE] = 4
-                obey(robot, ("l", 0, b""))
+                dispatch_request(robot, ("l", 0, b""))
             else:
                 for tell in robot[TELL]:
                     left = tell(robot, left)
-                request = hear(robot, left)
+                request = receive_request(robot, left)
                 if request:
-                    obey(robot, request)
+                    dispatch_request(robot, request)
         except Exception as error:
             fail(robot, 1, error)
     stop(robot)

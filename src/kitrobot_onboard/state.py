@@ -1,6 +1,6 @@
-# What a robot knows, by its place in the list that the functions of the other modules share. A list,
-# because an attribute costs a small board several times as much, in each place where it is used; and on their way to a
-# board these names become numbers, and this file is left at home.
+# The indices of the list that holds a robot's state, which the functions of the other modules share. A list, because an
+# attribute costs a small board several times as much, in each place where it is used; in what is installed on a board
+# these names are replaced by numbers, and this file is left out.
 
 # What `tick` takes, in its order.
 CODE = 0
@@ -29,8 +29,8 @@ FIRST = 16  # first values of the cells that change
 INPUTS = 17  # how many
 VISIBLE = 18  # the fault flag, inputs and variables: how many cells these are
 NAMES = 19  # the end of H
-ASKED = 20  # the file of what is read when it is asked
-SPACE = 21  # the names that what is asked knows
+REQUESTS = 20  # the file of the requests that are read on demand
+SPACE = 21  # the globals of these requests
 STATE = 22  # 0 no program, 1 ready, 2 running, 3 ended, 4 fault
 
 # How it goes.

@@ -1,6 +1,5 @@
-# News of a running program (docs/reference/link.md, T): where its threads stand, which cells changed, which
-# instructions ran, and how it goes, so that nobody need ask. Only in the gap before the next tick, a little at a time,
-# and never more than fits it.
+# News of a running program (docs/reference/link.md, T): where its threads are, which cells changed, which instructions
+# ran, its state, so that a host need not poll. Sent only in the gap before the next tick, and never more than fits it.
 
 import struct
 

@@ -90,9 +90,9 @@ def test_a_ratio_says_how_many_times_as_fast_we_are() -> None:
 
 
 def test_the_command_prints_json(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["--tiny", "--no-peers", "--json", "images"]) == 0
+    assert main(["--tiny", "--no-peers", "--json", "parsing"]) == 0
     printed = json.loads(capsys.readouterr().out)
-    assert {row["subject"] for row in printed["rows"]} == {"images"}
+    assert {row["subject"] for row in printed["rows"]} == {"parsing"}
 
 
 def test_an_unknown_subject_is_refused(capsys: pytest.CaptureFixture[str]) -> None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from kitrobot.primitives import Robot
-from kitrobot.workspace import BoardProgram, find_robot, load_board_program
+from kitrobot.robots import BoardProgram
+from kitrobot.workspace import find_robot, load_board_program
 
 ROBOT = """<robot name="bench" version="1" tick="20" wait-unit="20">
   <actuator name="Motor" device="any"><board driver="stores" pin="1"/>

@@ -6,26 +6,22 @@ current MicroPython.
 
 from __future__ import annotations
 
-import builtins
-import gc
-import sys
+import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
-from typing import IO, Any
+from typing import Any
 
 from kitrobot.deploy import Package, board_file, program_name, read_program_file
-from kitrobot.deploy.carried import asked_file, short
-from kitrobot.deploy.lying import StartLine
+from kitrobot.deploy.boot_records import StartLine
+from kitrobot.deploy.carried import requests_file, short
 from kitrobot.deploy.package import MODULE, Built, name_of
 from kitrobot.deploy.starting import start_file
-from kitrobot_onboard.interpreter import tick
 from kitrobot_onboard.link import checksum
+from tests.boards.started import START, started
 
 PACKAGE = "c0ffee00"
 PORT = ("ticks", "diff", "add", "read", "write", "tidy", "identify")
-MICROPYTHON = SimpleNamespace(opt_level=lambda level: None, kbd_intr=lambda sign: None)
 
 
 def boot(port: Any, folder: Path, program: bytes | None, generation: int) -> tuple[list[Any], Callable[[Any], None]]:
@@ -33,6 +29,12 @@ def boot(port: Any, folder: Path, program: bytes | None, generation: int) -> tup
 
     `folder`: where the files of its board lie.
     """
+    lay(folder, program, generation)
+    return started(port, folder)
+
+
+def lay(folder: Path, program: bytes | None, generation: int) -> None:
+    """Puts into a folder what lies on a board with that program, and how it is started."""
     file = read_program_file(program) if program is not None else None
     built = _with_test_drivers(Package().built("machine", {}), list(file.drivers) if file is not None else [])
     data = board_file(file, built)
@@ -40,22 +42,11 @@ def boot(port: Any, folder: Path, program: bytes | None, generation: int) -> tup
     line = StartLine(generation, built.interpreter, name, checksum(data))
     for path, content in {**built.files, name: data, "kr0": line.to_bytes()}.items():
         (folder / path).write_bytes(content)
-    sys.modules.setdefault("micropython", MICROPYTHON)  # type: ignore[arg-type]
-    sys.modules[built.interpreter] = SimpleNamespace(**{short()["tick"]: tick})  # type: ignore[assignment]
-
-    def opened(path: str, mode: str = "r") -> IO[Any]:
-        return builtins.open(folder / path, mode)
-
-    space: dict[str, Any] = {"open": opened, "port": port}
     loading, _, running = built.main.decode().rpartition("\n")
-    assert running.strip() == f"{short().get('run', 'run')}({short()['robot']})"
-    # A board collects after each piece; here that would look at all that the tests have in memory.
-    sys.modules["gc"] = SimpleNamespace(collect=lambda: None)  # type: ignore[assignment]
-    try:
-        exec(loading, space)
-    finally:
-        sys.modules["gc"] = gc
-    return space[short()["robot"]], space[short().get("run", "run")]
+    names = {"tick": short()["tick"], "robot": short()["robot"], "run": short().get("run", "run")}
+    assert running.strip() == f"{names['run']}({names['robot']})"
+    start = {"interpreter": built.interpreter, "loading": loading, **names}
+    (folder / START).write_text(json.dumps(start), encoding="utf-8")
 
 
 def _with_test_drivers(built: Built, drivers: list[str]) -> Built:
@@ -66,8 +57,8 @@ def _with_test_drivers(built: Built, drivers: list[str]) -> Built:
     }
     files = dict(built.files) | {name_of(text) + ".py": text for text in (port, *texts.values())}
     loop = [name_of(port) + ".py", *built.loop[1:]]
-    asked = name_of(asked_file(built.family)) + ".py"
-    start = start_file(built.interpreter, [(name, len(files[name])) for name in loop], asked)
+    requests = name_of(requests_file(built.family)) + ".py"
+    start = start_file(built.interpreter, [(name, len(files[name])) for name in loop], requests)
     name = name_of(start) + ".py"
     return replace(
         built,

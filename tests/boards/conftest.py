@@ -9,7 +9,6 @@ import pytest
 
 from tests.boards.modern import ModernBoard
 from tests.boards.qemu import Emulated, running
-from tools import pico
 
 
 @pytest.fixture(autouse=True)
@@ -45,11 +44,3 @@ def board() -> Iterator[ModernBoard]:
     """A board with a current MicroPython: `address`, `cut_power()`."""
     with ModernBoard() as made:
         yield made
-
-
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leaves out what needs the Pico's firmware where nobody names it; no test passes or is skipped for it."""
-    if pico.find() is None:
-        left_out = [item for item in items if item.get_closest_marker("pico")]
-        items[:] = [item for item in items if item not in left_out]
-        config.hook.pytest_deselected(items=left_out)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from kitrobot.workspace import load_board_program
+from tests.boards.booting import lay
 
 ROOT = Path(__file__).resolve().parents[2]
 PULSE = """<kitrobot version="1">
@@ -92,21 +94,20 @@ class HostBoard:
 
 
 @contextmanager
-def host_board(mission: Path, program: str, folder: Path, pace: float = 1.0) -> Iterator[HostBoard]:
+def host_board(mission: Path, program: str, pace: float = 1.0) -> Iterator[HostBoard]:
     """A board that has a program of a mission.
 
     `pace`: how fast its clock goes.
     """
     data = load_board_program(mission, program=program).file.to_bytes()
-    file = folder / f"{program}.krp"
-    file.write_bytes(data)
-    command = [sys.executable, "-m", "tests.boards.host_board", "--port", "0", "--program", str(file)]
-    command += ["--pace", str(pace)]
-    process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True)
-    assert process.stdout is not None
-    try:
-        yield HostBoard(process.stdout.readline().strip(), process)
-    finally:
-        process.kill()
-        process.wait(10)
-        process.stdout.close()
+    with tempfile.TemporaryDirectory() as held:
+        lay(Path(held), data, generation=1)
+        command = [sys.executable, "-m", "tests.boards.host_board", held, "--pace", str(pace)]
+        process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True)
+        assert process.stdout is not None
+        try:
+            yield HostBoard(process.stdout.readline().strip(), process)
+        finally:
+            process.kill()
+            process.wait(10)
+            process.stdout.close()

@@ -1,10 +1,10 @@
 """A board on CPython: the loop that runs on real boards, with a TCP socket on loopback for its serial line.
 
-    python -m tests.boards.host_board --port 0 [--program FILE.krp] [--generation N] [--pace P]
+    python -m tests.boards.host_board FOLDER [--port N] [--pace P]
 
 prints its address (`socket://127.0.0.1:PORT`) once it runs, and serves one host after the other until one of them says
-`q`. Its drivers are those of `tests.boards.drivers`, by their plain names. Its clock goes P times as fast as that of
-the wall.
+`q`. What lies on it was laid into FOLDER (`tests.boards.booting.lay`); its drivers are those of `tests.boards.drivers`,
+by their plain names. Its clock goes P times as fast as that of the wall.
 """
 
 from __future__ import annotations
@@ -12,11 +12,10 @@ from __future__ import annotations
 import argparse
 import select
 import socket
-import tempfile
 import time
 from pathlib import Path
 
-from tests.boards.booting import boot
+from tests.boards.started import started
 
 
 class SocketPort:
@@ -80,17 +79,14 @@ class SocketPort:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path)
     parser.add_argument("--port", type=int, default=0)
-    parser.add_argument("--program", type=Path)
-    parser.add_argument("--generation", type=int, default=1)
     parser.add_argument("--pace", type=float, default=1.0)
     given = parser.parse_args()
     port = SocketPort(given.port, given.pace)
-    with tempfile.TemporaryDirectory() as folder:
-        program = given.program.read_bytes() if given.program is not None else None
-        robot, run = boot(port, Path(folder), program, given.generation)
-        print(port.address, flush=True)
-        run(robot)
+    robot, run = started(port, given.folder)
+    print(port.address, flush=True)
+    run(robot)
 
 
 if __name__ == "__main__":

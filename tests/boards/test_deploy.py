@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import os
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -11,14 +10,14 @@ from typing import Any
 import pytest
 
 from kitrobot.deploy import BoardError, Deployed, Line, LineError, RawRepl, Receiver, connect, deploy
-from kitrobot.workspace import BoardProgram
+from kitrobot.robots import BoardProgram
 from tests.boards.bench import ONE, OTHER, bench_program
 from tests.boards.proxy import Proxy, noise
+from tests.effort import THOROUGH
 
-THOROUGH = bool(os.environ.get("KITROBOT_THOROUGH"))
-"""Every single message is cut, and many seeds are tried; else one of 25, and few."""
+"""Every single message is cut, and many seeds are tried; else one of 40, and few."""
 
-EVERY = 1 if THOROUGH else 25
+EVERY = 1 if THOROUGH else 40
 SEEDS = range(20 if THOROUGH else 1)
 
 
@@ -183,7 +182,7 @@ def test_a_board_that_restarts_during_a_deploy_is_entered_again_while_the_line_s
     with Proxy(port_of(board.address)) as whole:
         put(whole.address, made(1))
         count = whole.messages
-    for number, at in enumerate(range(EVERY // 2, count, 1 if THOROUGH else 4 * EVERY)):
+    for number, at in enumerate(range(EVERY // 2, count, 1 if THOROUGH else 2 * EVERY)):
         new = made(number)
         cut = partial(lambda wanted, messages: board.cut_power() if messages == wanted else None, at)
         with Proxy(port_of(board.address), happens=cut) as wire:

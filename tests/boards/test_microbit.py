@@ -14,6 +14,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from importlib.resources import files
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -38,15 +39,19 @@ from kitrobot.workspace import find_robot, load_board_program
 from tests.boards.bench import PROGRAMS, STORES, bench_program, bench_robot
 from tests.boards.proxy import Proxy, noise
 from tests.boards.qemu import Emulated, running
-from tests.boards.test_deploy import EVERY, THOROUGH, runs
 from tests.boards.test_deploy import put as put_program
+from tests.boards.test_deploy import runs
 from tests.boards.test_ticks import compared
 from tests.boards.watching import watched
+from tests.effort import THOROUGH
 from tests.patience import PATIENCE_S
 
 pytestmark = pytest.mark.boards
 
-TICKS = 400 if THOROUGH else 60
+TICKS = 400 if THOROUGH else 30
+STEPS = 2000 if THOROUGH else 40
+"""Ticks of each program that a host steps through, which takes a message or two each."""
+
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 HEART = EXAMPLES / "heart" / "heart.krt"
 MAIN = "from kri import tick\nexec(open('run').read())\n"
@@ -143,7 +148,7 @@ def test_a_line_that_is_cut_at_any_message_needs_only_another_try(microbit: Emul
         with Proxy(microbit.port) as proxy:
             put(proxy.address, content)
             messages = proxy.messages
-        cut += 1 if THOROUGH else 25
+        cut += 1 if THOROUGH else 40
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == content
 
@@ -154,7 +159,8 @@ def command(word: str, *more: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(microbit: Emulated) -> None:
+def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_microbit: Emulated) -> None:
+    microbit = used_microbit
     to = ("--to", microbit.address)
     sent = command("deploy", str(HEART), *to)
     assert sent.returncode == 0, sent.stdout + sent.stderr
@@ -179,7 +185,7 @@ def test_a_deployed_program_gives_the_same_commands_in_every_tick(
 ) -> None:
     program = bench_program(tmp_path, text)
     deploy(used_microbit.address, program.file.to_bytes(), program.package)
-    compared(used_microbit.address, program, bench_robot(tmp_path), seed=11)
+    compared(used_microbit.address, program, bench_robot(tmp_path), seed=11, ticks=STEPS)
 
 
 def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick(
@@ -188,7 +194,7 @@ def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick
     program = bench_program(tmp_path, PROGRAMS[0] * 25)
     assert Image.from_bytes(program.file.image).instructions > 300
     deploy(used_microbit.address, program.file.to_bytes(), program.package)
-    compared(used_microbit.address, program, bench_robot(tmp_path), seed=12)
+    compared(used_microbit.address, program, bench_robot(tmp_path), seed=12, ticks=STEPS)
 
 
 @pytest.mark.parametrize(
@@ -210,7 +216,7 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
     program = load_board_program(path, robot="microbit")
     # The largest leaves no room for the one before.
     deploy(used_microbit.address, program.file.to_bytes(), program.package, fresh=len(text) > 100)
-    compared(used_microbit.address, program, find_robot("microbit"), seed=14)
+    compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
     with connect(used_microbit.address, 10) as board:
         assert board.last_fault() is None
 
@@ -219,56 +225,64 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
 def test_the_examples_for_it_run_on_it(used_microbit: Emulated, name: str) -> None:
     program = load_board_program(EXAMPLES / name / f"{name}.krt")
     deploy(used_microbit.address, program.file.to_bytes(), program.package)
-    compared(used_microbit.address, program, find_robot("microbit"), seed=13)
+    compared(used_microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
 
 
-PARTS = 4 if THOROUGH else 2
-"""The messages at which a deploy is cut are shared out: each part has a board of its own."""
+CUTS = 4
+"""So many messages are tried where the thorough profile tries each."""
+
+PARTS = 4 if THOROUGH else 1
+"""The messages at which a deploy is cut are shared out, so that the parts can run side by side."""
 
 
 @pytest.mark.parametrize("part", range(PARTS))
-def test_a_deploy_that_is_cut_at_any_message_leaves_what_was_there(tmp_path: Path, part: int) -> None:
+def test_a_deploy_that_is_cut_at_any_message_leaves_what_was_there(
+    used_microbit: Emulated, tmp_path: Path, part: int
+) -> None:
     old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
-    with running() as board:
+    board = used_microbit
+    put_program(board.address, old)
+    with Proxy(board.port) as whole:
+        put_program(whole.address, new)
+        messages = whole.messages
+    every = PARTS if THOROUGH else -(-messages // CUTS)
+    for cut in range(1 + part if THOROUGH else every // 2, messages, every):
         put_program(board.address, old)
-        with Proxy(board.port) as whole:
-            put_program(whole.address, new)
-            count = whole.messages
-        for cut in range(EVERY * (1 + part), count, EVERY * PARTS):
-            put_program(board.address, old)
-            with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
-                put_program(wire.address, new)
-            board.cut_power()
-            found = runs(board.address)
-            assert old.is_called(found) or new.is_called(found), f"cut after message {cut}"
-            assert new.is_called(put_program(board.address, new).program)
-            assert new.is_called(runs(board.address))
+        with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
+            put_program(wire.address, new)
+        board.cut_power()
+        found = runs(board.address)
+        assert old.is_called(found) or new.is_called(found), f"cut after message {cut}"
+        assert new.is_called(put_program(board.address, new).program)
+        assert new.is_called(runs(board.address))
 
 
 def test_the_first_deploy_of_all_may_be_cut_at_any_message(tmp_path: Path) -> None:
     program = bench_program(tmp_path, PROGRAMS[0])
-    with running() as board, Proxy(board.port) as whole:
-        put_program(whole.address, program)
-        count = whole.messages
-    step = 10 if THOROUGH else count // 3
-    for cut in range(step, count, step):
+    for cut in count(10, 10) if THOROUGH else (450, 1350):
         with running() as board:
             with Proxy(board.port, cut_after=cut) as wire, contextlib.suppress(LineError):
                 put_program(wire.address, program)
+            was_cut = wire.messages == cut
             board.cut_power()
             assert program.is_called(put_program(board.address, program).program), f"cut after message {cut}"
             assert program.is_called(runs(board.address))
+        if not was_cut:
+            break
+    assert was_cut != THOROUGH, "without the thorough profile, messages are cut that a deploy has"
 
 
-def test_many_programs_in_a_row_leave_files_of_the_user_alone(microbit: Emulated) -> None:
+def test_many_programs_in_a_row_leave_files_of_the_user_alone(used_microbit: Emulated) -> None:
+    microbit = used_microbit
     mine = bytes(range(90))
     put(microbit.address, mine)
-    for turn in range(9 if THOROUGH else 5):
+    for turn in range(9 if THOROUGH else 4):
         program = load_board_program(EXAMPLES / (name := ("heart", "reaction", "dice")[turn % 3]) / f"{name}.krt")
         deploy(microbit.address, program.file.to_bytes(), program.package)
         assert program.is_called(runs(microbit.address))
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == mine
+        receiver.remove("data")  # the next test finds the room that this one found
 
 
 def test_a_program_arrives_over_a_line_that_loses_changes_and_adds_bytes(

@@ -32,9 +32,9 @@ def until(line: serial.Serial, end: bytes) -> bytes:
 
 def interrupted(line: serial.Serial) -> bytes:
     """What a program says that is interrupted, again where nothing comes of it, as by a person's key."""
-    line.timeout = 5
+    line.timeout = 1
     found = b""
-    for _ in range(PATIENCE_S // 5):
+    for _ in range(PATIENCE_S):
         line.write(b"\x03")
         found += line.read_until(b"\x04>")
         if found.endswith(b"\x04>"):

@@ -89,7 +89,7 @@ def test_the_example_gives_the_commands_of_the_simulator_tick_by_tick(kit: Moder
     program = opened.mission.programs[0]
     image = opened.compiled[program.name].image
     assert image is not None
-    robot = opened.catalogue.robots[program.robot]
+    robot = opened.catalogue.robots[program.target]
     script = random_script(random.Random("kit"), robot, 60)
     with connect(kit.address, 10) as board:
         assert board.hello.program == done["program"]

@@ -16,7 +16,8 @@ import serial
 from kitrobot.deploy import News, connect, deploy
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import load_catalogue
-from kitrobot.workspace import BoardProgram, load_board_program
+from kitrobot.robots import BoardProgram
+from kitrobot.workspace import load_board_program
 from tests.boards.pico import Pico
 from tests.boards.proxy import Proxy
 from tests.boards.test_modern_robot import FORWARD_LEFT, FORWARD_RIGHT, LOOKS

@@ -11,8 +11,9 @@ from typing import Any
 
 import pytest
 
+from kitrobot.files import examples_folder
 from kitrobot.trace import TraceReader
-from kitrobot.workspace import examples_folder, load_board_program, open_trace, state_at, summary_of
+from kitrobot.workspace import load_board_program, open_trace, state_at, summary_of
 from tests.boards.host import write_pulse
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.watching import KITROBOT, LONG_S, counts, line_with, watched

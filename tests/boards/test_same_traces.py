@@ -23,7 +23,7 @@ from tests.strategies import random_script
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("**/*.krt"))
 RUNS = sorted((ROOT / "tests" / "programs" / "runs").glob("*.lll"))
-BUDGET = int(os.environ.get("KITROBOT_BUDGET", "200"))
+BUDGET = int(os.environ.get("KITROBOT_BUDGET", "100"))
 TICKS = 100
 
 
@@ -38,7 +38,7 @@ def test_programs_of_the_examples() -> None:
         opened = kitrobot.open(path)
         for program in opened.mission.programs:
             compiled = opened.compiled[program.name]
-            robot = opened.catalogue.robots[program.robot]
+            robot = opened.catalogue.robots[program.target]
             if compiled.image is not None:
                 name = f"{path.name} {program.name}"
                 script = random_script(seeded(name), robot, TICKS)
@@ -70,7 +70,7 @@ def test_random_programs() -> None:
     assert disagreements(cases) == []
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(rng=st.randoms(use_true_random=False))
 def test_small_programs_that_hypothesis_finds(rng: random.Random) -> None:
     case = small_case(rng)

@@ -8,6 +8,7 @@ import os
 import socket
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -36,18 +37,29 @@ def call(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([*KITROBOT, *arguments], capture_output=True, text=True, timeout=LONG_S, check=False)
 
 
+def hang_up(listener: socket.socket) -> None:
+    """Ends each connection at its first byte."""
+    with contextlib.suppress(OSError):
+        while True:
+            wire, _ = listener.accept()
+            with wire:
+                wire.recv(1)
+
+
 def test_one_that_fails_does_not_hold_up_the_others(two: Any, files: list[str]) -> None:
     one, other = two
     with socket.create_server(("127.0.0.1", 0)) as listener:
         nobody = f"socket://127.0.0.1:{listener.getsockname()[1]}"
+        threading.Thread(target=hang_up, args=(listener,), daemon=True).start()
         said = call("deploy", *files, "--to", one.address, "--to", nobody, "--to", other.address, "--json")
     assert said.returncode == 1
     found = json.loads(said.stdout)
     assert [each["ok"] for each in found] == [True, False, True]
     assert found[0]["program"] == found[2]["program"]
     assert f"{nobody}:" in said.stderr
-    for board in two:
-        seen = json.loads(call("boards", "--to", board.address, "--json").stdout)[0]
+    listed = json.loads(call("boards", "--to", one.address, "--to", other.address, "--json").stdout)
+    assert len(listed) == 2
+    for seen in listed:
         assert seen["state"] == "running"
         # It was sent from here, so its name is known.
         assert seen["name_of_program"] == "program"

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from kitrobot.cli import main
-from kitrobot.workspace import examples_folder
+from kitrobot.files import examples_folder
 
 _EXAMPLES = examples_folder()
 assert _EXAMPLES is not None

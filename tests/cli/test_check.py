@@ -304,16 +304,16 @@ def test_a_file_that_may_not_be_read_is_told(kitrobot, write, here, monkeypatch)
     def refused(path: Path) -> None:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr("kitrobot.workspace.files.open_regular", refused)
+    monkeypatch.setattr("kitrobot.files.disk.open_regular", refused)
     said = kitrobot("check", "p.krt", "--json")
     assert said.status == 1
     assert "permission denied" in said.json[0]["message"]
 
 
 def test_a_file_that_is_too_large_is_told(kitrobot, write, monkeypatch):
-    from kitrobot.workspace import files
+    from kitrobot.files import disk
 
-    monkeypatch.setattr(files, "LARGEST_FILE_BYTES", 100)
+    monkeypatch.setattr(disk, "LARGEST_FILE_BYTES", 100)
     assert kitrobot("check", write("p.lll", "#" * 100)).status == 0
     assert "larger" in kitrobot("check", write("p.lll", "#" * 101)).out
 

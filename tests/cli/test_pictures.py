@@ -9,7 +9,7 @@ from xml.sax.saxutils import escape
 import pytest
 
 from tests.cli.conftest import EXAMPLE
-from tests.workspace.pdf_files import attached, pdf
+from tests.files.pdf_files import attached, pdf
 
 KRT = EXAMPLE.read_bytes()
 KINDS = ("svg", "png", "pdf")

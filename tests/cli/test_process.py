@@ -20,6 +20,7 @@ import httpx
 import pytest
 import websockets
 
+from kitrobot.__main__ import _open_studio
 from tests.cli.conftest import EXAMPLE
 from tests.patience import PATIENCE_S
 
@@ -168,10 +169,19 @@ def test_a_port_that_is_taken_is_said(studio, tmp_path):
 
 
 @pytest.mark.parametrize("host", ["0.0.0.0", "192.168.1.1", "example.org", "::", ""])
-def test_the_studio_listens_on_this_machine_only(tmp_path, host):
-    ended = call(tmp_path, "--no-browser", "--port", "0", "--host", host)
+def test_the_studio_listens_on_this_machine_only(kitrobot, here, host):
+    ended = kitrobot(here, "--no-browser", "--port", "0", "--host", host, studio=_open_studio)
+    assert ended.status == 1
+    assert "does not listen" in ended.err
+
+
+def test_where_no_studio_is_served_no_web_server_is_loaded(tmp_path):
+    ended = call(tmp_path, "--no-browser", "--host", "0.0.0.0", env={"PYTHONPROFILEIMPORTTIME": "1"})
     assert ended.returncode == 1
     assert b"does not listen" in ended.stderr
+    loaded = set(re.findall(rb"\|\s+([\w.]+)\n", ended.stderr))
+    assert b"kitrobot.server.start" in loaded
+    assert not loaded & {b"numpy", b"fastapi", b"uvicorn", b"kitrobot.sim", b"kitrobot.server.app"}
 
 
 def test_a_second_kitrobot_on_a_folder_opens_a_page_of_the_first(tmp_path):

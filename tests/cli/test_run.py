@@ -254,3 +254,18 @@ def test_a_run_that_ends_at_once_says_how_to_see_more(kitrobot, short):
         "Done after 0.0 s: the program came to its end at once, without a part that takes time.",
         "  help: put a part that takes time before its end, such as `Wait`",
     ]
+
+
+def test_a_mission_is_set_up_once(kitrobot, short, monkeypatch):
+    from kitrobot.sim.setup import Setup
+
+    built = []
+    build = Setup._build
+
+    def counted(setup):
+        built.append(setup)
+        build(setup)
+
+    monkeypatch.setattr(Setup, "_build", counted)
+    assert kitrobot("run", short).status == 0
+    assert len(built) == 1

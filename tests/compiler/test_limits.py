@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.compiler import Compiled, compile_lll, compile_text
+from kitrobot.compiler import Compiled, compile_lll, compile_program, compile_text
 from kitrobot.image import (
     MOST_CELLS,
     MOST_COMMANDS,
@@ -17,7 +17,7 @@ from kitrobot.image import (
 )
 from kitrobot.lll import Call, Seq
 from kitrobot.primitives import Robot, read_robot
-from tests.compiler.graphs import shipped
+from tests.compiler.graphs import graph, shipped
 
 MINI = shipped().robots["mini-robot"]
 MARKED = ("Motor.Turn(1)", "Wheel.Advance(1)", "Light.LightOn()", "Switch.SwitchOn()")
@@ -222,3 +222,13 @@ def test_the_debug_map_leads_each_instruction_to_its_text() -> None:
     assert "Wheel.Stop()" in shown
     assert "WAIT(1)" in shown
     assert {compiled.debug.vertex(n) for n in range(-1, 99)} == {None}
+    assert {origin.program for origin in compiled.debug.origins} == {""}
+
+
+def test_the_debug_map_names_the_program_and_the_vertex_of_each_instruction() -> None:
+    program = graph("start > v:Wheel.Stop > w:Wheel.Stop > stop")
+    compiled = compile_program(program, shipped())
+    assert compiled.image is not None
+    made_by = [(origin.program, origin.vertex) for origin in compiled.debug.origins]
+    assert list(dict.fromkeys(made_by)) == [("p", "v"), ("p", "w")]
+    assert len(made_by) == compiled.image.instructions

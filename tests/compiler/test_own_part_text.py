@@ -54,7 +54,7 @@ def redrawn(program: Program, text: str, catalogue: Catalogue) -> Program:
     """The graph of an edited text beside the graph it came from; it says what the text says."""
     parsed = parse(text)
     assert parsed.ok, parsed.diagnostics
-    drawn = lll_to_graph(parsed.program, catalogue.robots[program.robot], catalogue, "p", program)
+    drawn = lll_to_graph(parsed.program, catalogue.robots[program.target], catalogue, "p", program)
     assert graph_to_lll(drawn, catalogue).program == parse(text).program
     return drawn
 

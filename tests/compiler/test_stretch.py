@@ -125,7 +125,7 @@ def test_what_stands_around_the_edit_keeps_its_vertices_and_its_order(
 
 def in_reading_order(program: Program) -> Program:
     """The same graph with its vertices and arcs as a text draws them."""
-    robot = shipped().robot(program.robot)
+    robot = shipped().robot(program.target)
     longer = parse(text_of(program, shipped()) + "WAIT(65535);\n").program
     drawn = lll_to_graph(longer, robot, shipped(), program.name, program)
     return lll_to_graph(parse(text_of(program, shipped())).program, robot, shipped(), program.name, drawn)

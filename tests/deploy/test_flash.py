@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from kitrobot.deploy.errors import FullError
 from kitrobot.deploy.flash import Flash
-from kitrobot.deploy.frozen import HEAD
+from kitrobot.deploy.flash_code import HEAD
 from tests.deploy.small_flash import CHUNK, END, PAGE, SPARE, START, FlashFull, SmallFlash
 
 

@@ -12,10 +12,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.deploy import Board, Line, Receiver, ResetError
+from kitrobot.deploy.boot_records import read_line
 from kitrobot.deploy.connecting import greet
 from kitrobot.deploy.flash import Flash
 from kitrobot.deploy.line import MOST
-from kitrobot.deploy.lying import read_line
 from kitrobot.deploy.repl import RawRepl
 from kitrobot.diagnostics import KitRobotError
 from kitrobot_onboard.link import unwrap, wrap

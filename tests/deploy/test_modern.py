@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-from typing import Any
-
 import pytest
-from mpremote.transport_serial import SerialTransport
 
 from kitrobot.deploy.modern import tell_at_once
 from kitrobot.deploy.repl import GarbledError
+from tests.deploy.pretended import PretendedLine
+
+PROMPT = {b"\r\x03\x01": [(0.0, b">")]}
 
 
 def test_what_the_transport_did_not_expect_is_an_error_and_nothing_is_printed(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    answers = [b">", b"R\x01\x80\x00\x01"]
-    monkeypatch.setattr(SerialTransport, "read_until", lambda self, *args, **more: answers.pop(0))
-    line: Any = SimpleNamespace(
-        address="a port", now=lambda: 0.0, read=lambda wait_s: b"??", waiting=lambda: 0, write=lambda data: None
-    )
+    answers = PROMPT | {b"\x05A\x01": [(0.0, b"??")]}
     with pytest.raises(GarbledError, match="raw repl"):
-        tell_at_once(line, "s=1")
+        tell_at_once(PretendedLine(lambda data: answers.get(data, [])), "s=1")
     assert capsys.readouterr().out == ""
+
+
+def test_what_was_lost_is_given_up_by_the_clock_of_the_line_and_soon() -> None:
+    answers = PROMPT | {b"\x05A\x01": [(0.0, b"R\x01\x80\x00\x01")]}
+    line = PretendedLine(lambda data: answers.get(data, []))
+    with pytest.raises(GarbledError, match="raw paste"):
+        tell_at_once(line, "s=1")
+    assert 1 < line.now() < 3

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.deploy import Board, News
+from kitrobot.deploy import Board, Fault, News
 from kitrobot.deploy.news import read_news
 from kitrobot_onboard.link import unwrap, wrap
 
@@ -130,3 +130,13 @@ def test_what_a_later_version_adds_at_the_end_is_left_out() -> None:
 
 def test_a_record_that_is_cut_off_is_left_out() -> None:
     assert read_news(struct.pack("<I", 5) + CELL + goes(RUNNING)[:-1]) == News(5, {4: -9}, {})
+
+
+def test_a_robot_that_told_a_fault_is_asked_how_it_stands(wired: tuple[Any, Board]) -> None:
+    twin, board = wired
+    twin.comes = told(7, goes(RUNNING)) + wrap("F", 0, struct.pack("<BHI", 1, 3, 8) + b"a0 OSError")
+    assert isinstance(board.news(0), News)
+    assert board.news(0) == Fault(1, 3, 8, "a0 OSError")
+    twin.asked = ""
+    board.look()
+    assert twin.asked == "h"

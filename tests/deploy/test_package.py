@@ -9,7 +9,7 @@ import pytest
 
 from kitrobot.compiler import compile_text
 from kitrobot.deploy import FAMILIES, Package, PackageError, ProgramFile, board_file
-from kitrobot.deploy.lying import StartLine, is_ours, needed, newest, read_line
+from kitrobot.deploy.boot_records import StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.package import name_of
 from kitrobot.deploy.program_file import Device
 from kitrobot.primitives import load_catalogue

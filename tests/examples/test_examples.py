@@ -62,8 +62,8 @@ def watch(path: Path, hands: Hands | None = None, seed: int = 1) -> Watched:
             watched.run.force(watched.run.agents[0].name, sensor, value)
         watched.run.step()
         watched.poses.append(list(watched.run.poses()))
-        faces = dict(watched.run.members[0].faces())
-        watched.pictures.append(tuple(f"{row:05}" for row in faces.get("Display", ())))
+        outputs = dict(watched.run.members[0].outputs())
+        watched.pictures.append(tuple(f"{row:05}" for row in outputs.get("Display", ())))
     return watched
 
 

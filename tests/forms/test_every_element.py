@@ -107,7 +107,7 @@ def machine_of(program: Program) -> Machine:
     compiled = compile_program(program, catalogue())
     assert [item.message for item in compiled.diagnostics] == []
     assert compiled.image is not None
-    return Machine(Image.from_bytes(compiled.image.to_bytes()), catalogue().robots[program.robot])
+    return Machine(Image.from_bytes(compiled.image.to_bytes()), catalogue().robots[program.target])
 
 
 def run(machine: Machine, ticks: int, given: dict[int, dict[str, int]]) -> dict[int, str]:

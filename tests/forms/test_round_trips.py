@@ -8,7 +8,7 @@ import re
 from dataclasses import replace
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kitrobot.compiler import compile_lll, graph_to_lll, lll_to_graph
@@ -16,6 +16,7 @@ from kitrobot.graph import Program
 from kitrobot.image import Image, assemble, disassemble
 from kitrobot.lll import Instruction, Seq, format_text, nodes, parse, print_program
 from kitrobot.primitives import Catalogue, Robot, load_catalogue
+from tests.effort import examples
 from tests.patience import PATIENCE_S
 from tests.strategies import Shape, random_program, random_robot, shipped_robots
 
@@ -167,6 +168,7 @@ def test_round_trip_of_many_programs(holds: object) -> None:
 
 @pytest.mark.parametrize("holds", PROPERTIES, ids=lambda holds: holds.__name__)
 @given(rng=st.randoms(note_method_calls=False))
+@settings(max_examples=examples(10))
 def test_round_trip_of_small_programs(holds: object, rng: random.Random) -> None:
     assert callable(holds)
     holds(rng)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kitrobot.diagnostics import Diagnostic
@@ -17,6 +17,7 @@ from kitrobot.lll import parse, print_program
 from kitrobot.mission import read_mission, write_mission
 from kitrobot.primitives import read_constructors, write_constructors
 from kitrobot.world import read_world, write_world
+from tests.effort import examples
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = ROOT / "src" / "kitrobot"
@@ -191,6 +192,7 @@ def test_what_is_shipped_is_read_as_it_is_written(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", list(KINDS))
 @given(st.randoms(use_true_random=False), st.data())
+@settings(max_examples=examples(20))
 def test_what_is_odd_is_read_as_it_is_written(kind: str, rng: random.Random, data: st.DataObject) -> None:
     text = data.draw(st.sampled_from(KINDS[kind][2]))
     for _ in range(5):

@@ -14,14 +14,18 @@ from pathlib import Path
 import pytest
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.primitives import Catalogue, Robot, Suggestions, load_catalogue
-from kitrobot.primitives.suggestions import MOST_COMPARISONS
-from kitrobot.workspace import check_file, compare_files, convert, lay_out_file, merge_files
+from kitrobot.files import lay_out_file
+from kitrobot.primitives import Catalogue, Robot, load_catalogue
+from kitrobot.text import Suggestions
+from kitrobot.text.suggestions import MOST_COMPARISONS
+from kitrobot.versions import compare_files, merge_files
+from kitrobot.workspace import check_file, convert
 from kitrobot.workspace.inputs import read_inputs
 from tests.counting import MOST, growth
+from tests.effort import THOROUGH
 from tests.growth.shapes import SHAPES, content
 
-N = 110
+N = 110 if THOROUGH else 70
 
 
 def grows(work: Callable[[int], Callable[[], object]]) -> float:
@@ -54,10 +58,10 @@ def _catalogue() -> Catalogue:
 def small_limits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing of the user's own is read, and what is done up to a limit only comes to its limit early."""
     monkeypatch.setenv("KITROBOT_CONFIG", str(tmp_path / "no-config"))
-    monkeypatch.setattr("kitrobot.primitives.suggestions._COMPARED", 10)
-    monkeypatch.setattr("kitrobot.primitives.xml.MAX_PROBLEMS", 20)
+    monkeypatch.setattr("kitrobot.text.suggestions._COMPARED", 10)
+    monkeypatch.setattr("kitrobot.xml.reading.MAX_PROBLEMS", 20)
     # What is the same for every file would only hide how the rest grows.
-    for module in ("opening", "conversion"):
+    for module in ("search_path", "conversion"):
         monkeypatch.setattr(f"kitrobot.workspace.{module}.load_catalogue", lambda folders=(): _catalogue())
 
 
@@ -130,7 +134,7 @@ def test_ten_thousand_columns_of_one_name_and_as_many_rows_of_one_tick_are_read(
 
 
 def test_of_very_many_misspelt_words_the_first_ones_get_a_suggestion(monkeypatch):
-    monkeypatch.setattr("kitrobot.primitives.suggestions._COMPARED", 1000)
+    monkeypatch.setattr("kitrobot.text.suggestions._COMPARED", 1000)
     words = [f"word-{number}" for number in range(1000)]
     suggestions = Suggestions()
     found = [suggestions.did_you_mean(f"wort-{number}", words) for number in range(1000)]

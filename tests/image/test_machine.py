@@ -1,8 +1,10 @@
-"""A host's hand on one robot: names for cells and commands, its state, and what it refuses."""
+"""One robot's program as a host runs it: names for cells and commands, its state, and what it refuses."""
 
 from __future__ import annotations
 
 import random
+import struct
+from collections.abc import Sequence
 from dataclasses import replace
 
 import pytest
@@ -10,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.compiler import compile_lll, compile_text
-from kitrobot.image import Command, ImageError, Machine, disassemble
+from kitrobot.image import Command, Image, ImageError, Machine, Readings, disassemble
 from kitrobot.primitives import Robot, read_robot
 from tests.image.listings import TWO_BRANCHES, compiled, mini_robot
 from tests.strategies import random_program, random_robot, random_script
@@ -231,3 +233,112 @@ def test_a_random_program_restored_anywhere_goes_on_the_same(rng: random.Random)
     go(fresh, range(rng.randint(0, 10)))
     fresh.restore(kept)
     assert go(fresh, range(half, 40)) == wanted
+
+
+# ---- a host's devices ---------------------------------------------------------------------------------------
+
+
+class Bench:
+    """Devices that give what they are told, and keep what they are given."""
+
+    def __init__(self, *readings: Readings) -> None:
+        self.readings = list(readings)
+        self.applied: list[Sequence[Command]] = []
+
+    def read(self) -> Readings:
+        return self.readings.pop(0)
+
+    def apply(self, commands: Sequence[Command]) -> None:
+        self.applied.append(commands)
+
+
+def test_a_reaction_reads_the_devices_then_ticks_then_applies_the_commands() -> None:
+    made = machine("A.Later(); B.On(); A.Go(S.Value());")
+    bench = Bench(Readings(done={"A": False}), Readings(), Readings({"S": 20}, {"A": True}))
+    given = [made.react(bench) for _ in range(3)]
+    assert bench.applied == given
+    called = [[(one.actuator, one.procedure, one.arguments) for one in commands] for commands in given]
+    assert called == [[("A", "Later", [])], [], [("A", "Go", [9]), ("B", "On", [])]]
+    assert made.input("S") == 9
+
+
+def test_an_input_without_a_reading_keeps_its_value() -> None:
+    made = machine("WAIT(1);")
+    bench = Bench(Readings({"S": 7}, {"A": False}), Readings())
+    made.react(bench)
+    made.react(bench)
+    assert (made.input("S"), made.cells[made.layout.done["A"]]) == (7, 0)
+
+
+# ---- the key of a state -------------------------------------------------------------------------------------
+
+
+def brought_to(made: Machine, key: bytes) -> Machine:
+    """A fresh machine of the same image that has nothing of the other one but its key."""
+    fresh, image = Machine(made.image, made.robot), made.image
+    numbers = list(struct.unpack(f"<{len(key) // 4}i", key))
+
+    def taken(count: int) -> list[int]:
+        found = numbers[:count]
+        del numbers[:count]
+        return found
+
+    fresh.cells[: image.first_constant] = taken(image.first_constant)
+    fresh.threads[: 2 * len(image.slots)] = taken(2 * len(image.slots))
+    at = 4 + 4 * len(image.slots)
+    fresh.pars[at : at + 5 * len(image.parallels) : 5] = taken(len(image.parallels))
+    at += 5 * len(image.parallels)
+    fresh.pars[at : at + 3 * len(image.stops) : 3] = taken(len(image.stops))
+    assert not numbers
+    return fresh
+
+
+@given(st.randoms(use_true_random=True))
+def test_machines_with_equal_keys_behave_alike_on_equal_inputs(rng: random.Random) -> None:
+    on = random_robot(rng)
+    image = compile_lll(random_program(rng, on), on).image
+    assert image is not None
+    readings = [Readings(step.inputs, step.done) for step in random_script(rng, on, 40)]
+    one, half = Machine(image, on), rng.randint(0, 39)
+    for reading in readings[:half]:
+        one.react(Bench(reading))
+    other = brought_to(one, one.state_key())
+    for reading in readings[half:]:
+        assert other.state_key() == one.state_key()
+        assert other.react(Bench(reading)) == one.react(Bench(reading))
+        assert (other.variables(), other.fault, other.active()) == (one.variables(), one.fault, one.active())
+
+
+@given(st.randoms(use_true_random=True))
+def test_whatever_changes_in_a_tick_changes_the_key(rng: random.Random) -> None:
+    on = random_robot(rng)
+    image = compile_lll(random_program(rng, on), on).image
+    assert image is not None
+    made, of_state = Machine(image, on), dict[bytes, object]()
+    for step in random_script(rng, on, 40):
+        made.react(Bench(Readings(step.inputs, step.done)))
+        state = made.snapshot()
+        assert of_state.setdefault(made.state_key(), state) == state
+
+
+def with_other_constants(image: Image) -> Image:
+    first = image.first_constant
+    return replace(image, cells=image.cells[:first] + tuple(value + 1 for value in image.cells[first:]))
+
+
+def test_constants_are_not_in_the_key() -> None:
+    image = compiled(TWO_BRANCHES)
+    assert image.constants > 0
+    made = Machine(image, mini_robot())
+    parts = len(image.parallels) + len(image.stops)
+    assert len(made.state_key()) == 4 * (image.first_constant + 2 * len(image.slots) + parts)
+    other = with_other_constants(compiled("Count.Add(1);"))
+    assert Machine(other, mini_robot()).state_key() == Machine(compiled("Count.Add(1);"), mini_robot()).state_key()
+
+
+def test_a_machine_and_its_twin_have_one_key_until_one_goes_on() -> None:
+    made = machine("V.Add(1);")
+    twin = made.twin()
+    assert twin.state_key() == made.state_key()
+    twin.tick()
+    assert twin.state_key() != made.state_key()

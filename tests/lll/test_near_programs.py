@@ -8,11 +8,10 @@ import random
 import pytest
 
 from kitrobot.compiler import compile_text
-from kitrobot.diagnostics import Diagnostic
+from kitrobot.diagnostics import Diagnostic, with_help
 from kitrobot.lll import print_program
 from kitrobot.lll.tokens import END, tokenise
 from kitrobot.translation.matching import translated
-from kitrobot.workspace import with_help
 from tests.strategies import Shape, random_program, shipped_robots
 
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "200"))

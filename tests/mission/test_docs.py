@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from kitrobot.mission.reading import _ROOTS
+from kitrobot.mission.reading import MISSION
 from kitrobot.mission.trial import TRIAL, FailureKind
 from kitrobot.workspace import open_mission
 
@@ -28,7 +28,7 @@ def test_the_example_opens_without_a_problem_runs_and_is_written_again_to_the_by
 
 
 def test_every_element_of_a_mission_is_in_the_table_and_the_example() -> None:
-    assert set(_ROOTS["kitrobot"].children) | {"kitrobot"} == set(ROWS)
+    assert set(MISSION["kitrobot"].children) | {"kitrobot"} == set(ROWS)
     for name in ROWS:
         assert f"<{name}" in PAGE.split("```")[1], name
 

@@ -9,7 +9,8 @@ import pytest
 
 from kitrobot.mission import Mission, read_mission, write_mission
 from kitrobot.primitives import MOST_OWN, OWN_GROUP, Constructor, Slot, SlotKind
-from kitrobot.workspace import differences, merge_missions, read_mission_data
+from kitrobot.versions import differences, merge_missions
+from kitrobot.workspace import SearchPath, read_mission_data
 
 HEAD = '<kitrobot version="1">'
 DANCE = """<constructor name="Dance" colour="action"><label xml:lang="fr">Danse</label>
@@ -95,7 +96,7 @@ def test_too_many_are_kept_but_not_used() -> None:
 
 def test_programs_use_them(tmp_path: Path) -> None:
     data = "\n".join((HEAD, DANCE, TRIPS, PROGRAM, "</kitrobot>")).encode()
-    opened = read_mission_data(data, "m.krt", tmp_path)
+    opened = read_mission_data(data, "m.krt", SearchPath(tmp_path))
     report = opened.check()
     assert [problem.code for problem in report.problems] == ["run-no-agent"]
     assert "Trips.LessThan(5)" in report.programs[0].lll
@@ -105,7 +106,7 @@ def test_programs_use_them(tmp_path: Path) -> None:
 
 def test_a_name_that_the_robot_has_is_an_error(tmp_path: Path) -> None:
     taken = '<variable robot="mini-robot" name="Count"/>'
-    opened = read_mission_data("\n".join((HEAD, taken, "</kitrobot>")).encode(), "m.krt", tmp_path)
+    opened = read_mission_data("\n".join((HEAD, taken, "</kitrobot>")).encode(), "m.krt", SearchPath(tmp_path))
     assert [problem.code for problem in opened.check().problems if problem.is_error] == ["own-variable"]
 
 

@@ -13,7 +13,8 @@ import kitrobot.primitives
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.mission import Mission, read_mission, write_mission
 from kitrobot.server.shapes import MissionShape, mission_from_shape, mission_shape
-from kitrobot.workspace import differences, merge_missions, open_mission
+from kitrobot.versions import differences, merge_missions
+from kitrobot.workspace import SearchPath, open_mission
 from kitrobot.workspace.opening import with_mission
 from kitrobot.world import SHIPPED, Wall, World, check_plan, read_world, write_world
 from tests.strategies.worlds import worlds
@@ -131,7 +132,7 @@ def test_what_nobody_knows_in_it_is_kept() -> None:
 def test_a_mission_runs_the_same_in_a_copy_of_its_world() -> None:
     opened = open_mission(EXAMPLES / "transport" / "transport.krt")
     alone = replace(opened.mission, world_href="", own_world=opened.world)
-    copied = with_mission(alone, EXAMPLES / "transport", name="alone.krt")
+    copied = with_mission(alone, "alone.krt", SearchPath(EXAMPLES / "transport"))
     assert copied.check().problems == opened.check().problems
     first, second = opened.run(seed=3, seconds=60), copied.run(seed=3, seconds=60)
     assert (first.ticks, first.delivered, first.outcome) == (second.ticks, second.delivered, second.outcome)
@@ -141,9 +142,8 @@ def test_what_is_wrong_with_it_keeps_a_mission_from_running() -> None:
     opened = open_mission(EXAMPLES / "transport" / "transport.krt")
     assert opened.world is not None
     bad = replace(opened.world, walls=(Wall(0, 0, 9000, 0),))
-    report = with_mission(
-        replace(opened.mission, world_href="", own_world=bad), EXAMPLES / "transport", name="bad.krt"
-    ).check()
+    mission = replace(opened.mission, world_href="", own_world=bad)
+    report = with_mission(mission, "bad.krt", SearchPath(EXAMPLES / "transport")).check()
     assert not report.ok
     assert [(item.code, item.thing, item.place) for item in report.problems] == [("world-outside", "wall:0", None)]
 

@@ -6,7 +6,7 @@ import pytest
 
 from kitrobot.mission import Breakpoint, Failure, FailureKind, Mission, read_mission, write_mission
 from kitrobot.server.shapes import MissionShape, mission_from_shape, mission_shape
-from kitrobot.workspace import differences, merge_missions
+from kitrobot.versions import differences, merge_missions
 
 HEAD = """<kitrobot version="1"><program name="p" robot="mini-robot"><vertex id="start" element="Start"/>
 <vertex id="stop" element="Stop"/><arc from="start" to="stop"/></program>

@@ -11,8 +11,8 @@ from typing import IO, Any
 import pytest
 
 from kitrobot.deploy import Package
+from kitrobot.deploy.boot_records import StartLine
 from kitrobot.deploy.carried import short
-from kitrobot.deploy.lying import StartLine
 from kitrobot_onboard.link import checksum
 
 OLD = b"0003a=1the old program"

@@ -63,7 +63,7 @@ def test_root_installs_it_with_apt(
     assert chromium.main(["--install"]) == 0
     assert capsys.readouterr().out == ""
     assert said.read_text() == (
-        "--quiet update\n--quiet install --yes --no-install-recommends chromium fonts-noto-core\n"
+        "--quiet update\n--quiet install --yes --no-install-recommends chromium-headless-shell fonts-noto-core\n"
     )
 
 

@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import PROGRAM, Program
-from kitrobot.primitives import Reader, Tag, read_constructors, read_robot
+from kitrobot.primitives import read_constructors, read_robot
 from kitrobot.tutorial import read_tutorial
+from kitrobot.xml import Reader, Tag, version
 
 CONSTRUCTORS = """<constructors version="1">
   <group name="Loops" colour="loop">
@@ -53,7 +54,7 @@ TUTORIAL = """<tutorial version="1" start="x.krt">
 def read_programs(data: bytes, name: str) -> tuple[list[Program], list[Diagnostic]]:
     """The programs of a mission, as the mission's reader will find them."""
     reader = Reader(data, name)
-    root = reader.read({"kitrobot": Tag(attributes=("version",), children={"program": PROGRAM})})
+    root = reader.read({"kitrobot": Tag(attributes={"version": version(1)}, children={"program": PROGRAM})})
     return (root.found(Program) if root is not None else []), reader.diagnostics
 
 

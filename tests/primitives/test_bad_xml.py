@@ -5,7 +5,7 @@ import codecs
 import pytest
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.primitives import MAX_BYTES, MAX_DEPTH
+from kitrobot.xml import MAX_BYTES, MAX_DEPTH
 from tests.primitives.samples import KINDS, Read
 
 each_kind = pytest.mark.parametrize(("root", "text", "read"), KINDS, ids=[kind[0] for kind in KINDS])

@@ -1,5 +1,6 @@
 """The catalogue: where files are looked for, who wins, and that a bad file hides nothing."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import BinaryIO
 
@@ -7,9 +8,9 @@ import pytest
 
 from kitrobot.diagnostics import KitRobotError, open_regular
 from kitrobot.lll import Break, Conditional, Seq, While
-from kitrobot.primitives import Catalogue, Constructor, load_catalogue, read_constructors, shape
+from kitrobot.primitives import Catalogue, Constructor, catalogue, load_catalogue, read_constructors, read_robot, shape
 from kitrobot.primitives.catalogue import config_folder
-from kitrobot.primitives.unfilling import is_more_specific
+from kitrobot.primitives.match_template import is_more_specific
 from tests.primitives.samples import CONSTRUCTORS, ROBOT, constructors
 
 
@@ -44,6 +45,32 @@ def test_a_file_dropped_into_a_folder_is_enough(folder: Path) -> None:
     catalogue = load_catalogue([folder])
     assert names(catalogue)["G"] == ["Mine"]
     assert catalogue.robot("tiny").name == "tiny"
+
+
+def test_a_file_is_read_once_until_it_changes(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    load_catalogue([])  # what is shipped
+    read: list[str] = []
+    for name, reader in (("read_robot", read_robot), ("read_constructors", read_constructors)):
+
+        def counting(data: bytes, file: str, reader: Callable[[bytes, str], object] = reader) -> object:
+            read.append(Path(file).name)
+            return reader(data, file)
+
+        monkeypatch.setattr(catalogue, name, counting)
+    (folder / "own.robot.xml").write_text(ROBOT)
+    (folder / "own.xml").write_text(constructors("<oops/>"))
+    first, second = load_catalogue([folder]), load_catalogue([folder])
+    assert sorted(read) == ["own.robot.xml", "own.xml"]
+    assert (first.robots, first.constructors, first.problems) == (second.robots, second.constructors, second.problems)
+    assert first.problems is not second.problems
+    (folder / "own.robot.xml").write_text(ROBOT.replace("<robot ", '<robot tick="40" ', 1))
+    assert load_catalogue([folder]).robots != first.robots
+    large = ROBOT + " " * catalogue.REMEMBERED_BYTES
+    (folder / "own.robot.xml").write_text(large)
+    read.clear()
+    for _ in range(2):
+        assert load_catalogue([folder]).robots == first.robots
+    assert read == ["own.robot.xml"] * 2, "large files are not kept in memory"
 
 
 def test_a_later_folder_wins_and_the_order_of_the_palette_stays(config: Path, folder: Path) -> None:

@@ -2,8 +2,9 @@
 
 import pytest
 
-from kitrobot.primitives import Category, nearest
+from kitrobot.primitives import Category
 from kitrobot.sim import simulated_devices
+from kitrobot.text import nearest
 
 NEAR = [
     ("driv", "drive"),

@@ -14,8 +14,8 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore")
     from starlette.testclient import TestClient
 
+from kitrobot.files import examples_folder
 from kitrobot.server import create_app
-from kitrobot.workspace import examples_folder
 
 __all__ = ["HOST", "SHORT", "SOCKET", "TOKEN", "TestClient", "whole"]
 

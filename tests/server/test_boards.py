@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import itertools
 import json
 import time
 from collections.abc import Callable, Iterator
@@ -12,12 +11,11 @@ from typing import Any
 import pytest
 from pydantic import TypeAdapter
 
-from kitrobot.deploy import BOARDS_VARIABLE, ForeignError, FullError, Hello, News
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.board_links import RealLinks
-from kitrobot.server.board_room import BoardRoom
+from kitrobot.deploy import BOARDS_VARIABLE, Hello, News
+from kitrobot.server.robot_gateway import SerialGateway
+from kitrobot.server.robot_registry import RobotRegistry
 from kitrobot.server.shapes import BoardsMessage
-from tests.boards.host import HELD_PACE, PULSER, HostBoard, host_board, write_pulse
+from tests.boards.host import HELD_PACE, HostBoard, host_board, write_pulse
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 
 MESSAGE: TypeAdapter[Any] = TypeAdapter(BoardsMessage)
@@ -78,10 +76,10 @@ def visit(app, folder) -> Iterator[Callable[..., Any]]:
 
 
 @pytest.fixture
-def robot(folder, tmp_path) -> Iterator[HostBoard]:
+def robot(folder) -> Iterator[HostBoard]:
     """A robot on the network with the program `pulse`."""
     write_pulse(folder)
-    with host_board(folder / "pulse.krt", "pulse", tmp_path, HELD_PACE) as board:
+    with host_board(folder / "pulse.krt", "pulse", HELD_PACE) as board:
         yield board
 
 
@@ -106,7 +104,7 @@ def test_a_held_run_goes_on_while_the_page_is_there_and_ends_with_it(visit, robo
         page.send("start", robot.address, held=True)
         page.board(state="running", held=True)
         # Longer than the robot waits without hearing anything: 40 ticks of 20 ms are 0.8 seconds.
-        later = page.until("board", lambda said: said["tick"] >= 120)
+        later = page.until("board", lambda said: said["tick"] >= 60)
         assert (later["state"], later["held"], later["fault"]) == ("running", True, None)
     with visit() as page:
         page.give("connect", robot.address)
@@ -175,9 +173,9 @@ def test_a_robot_that_is_pulled_out_says_so_and_that_its_motors_stop(visit, robo
         page.board(phase="closed")
 
 
-def test_a_fault_is_told_with_its_vertex_and_line(visit, folder, tmp_path) -> None:
+def test_a_fault_is_told_with_its_vertex_and_line(visit, folder) -> None:
     mission = write_pulse(folder, broken=True)
-    with host_board(mission, "pulse", tmp_path) as robot, visit(broken=True) as page:
+    with host_board(mission, "pulse") as robot, visit(broken=True) as page:
         # It ran at power-on and stopped by itself before anybody came.
         page.give("connect", robot.address)
         early = page.until("board", lambda said: said["fault"] is not None)
@@ -285,87 +283,6 @@ def test_ports_that_come_and_go_are_told_while_they_are_looked_at(visit, monkeyp
         page.until("ports", lambda said: len(said["ports"]) == len(plugged["ports"]) - 1)
 
 
-class SlowSending(RealLinks):
-    """Real links whose sending goes on until it is broken off, or is refused in the way that is asked for."""
-
-    def __init__(self, error: KitRobotError | None = None) -> None:
-        self.error = error
-        self.asked: list[tuple[bool, bool]] = []
-
-    def deploy(self, address, program, progress, replace, fresh) -> None:
-        self.asked.append((replace, fresh))
-        if self.error is not None:
-            raise self.error
-        for done in itertools.count():
-            progress("send", min(done, 1000), 1000)
-            time.sleep(0.001)
-
-
-def test_a_sending_tells_how_far_it_is_and_is_broken_off(visit, app, robot) -> None:
-    app.state.studio.boards = BoardRoom(SlowSending())
-    with visit() as page, visit() as other:
-        page.give("send", robot.address, then="held")
-        page.until("board", lambda said: said["progress"] is not None and said["progress"]["done"] > 0)
-        other.send("cancel", robot.address)
-        assert other.until("refused")["address"] == robot.address
-        page.send("cancel", robot.address)
-        said = page.board(phase="closed", progress=None)
-        assert "broken off" in said["message"]
-        assert "still has the program" in said["help"]
-
-
-def test_stop_breaks_a_sending_off_too(visit, app, robot) -> None:
-    app.state.studio.boards = BoardRoom(SlowSending())
-    with visit() as page, visit() as other:
-        page.give("send", robot.address, then="held")
-        page.board(phase="sending")
-        other.send("stop", "")
-        page.board(phase="closed")
-
-
-def test_a_page_that_goes_away_during_a_sending_leaves_nothing_behind(visit, app, robot) -> None:
-    app.state.studio.boards = room = BoardRoom(SlowSending())
-    with visit() as page:
-        page.give("send", robot.address, then="held")
-        page.board(phase="sending")
-    with visit() as page:
-        page.give("connect", robot.address)
-        assert page.board(phase="open", holder=page.you)["program"] == "pulse"
-    assert room is app.state.studio.boards
-
-
-@pytest.mark.parametrize(("error", "way"), [(ForeignError("no"), "replace"), (FullError("no"), "fresh")])
-def test_a_refused_sending_says_how_it_can_be_asked_for_again(visit, app, robot, error, way) -> None:
-    links = SlowSending(error)
-    app.state.studio.boards = BoardRoom(links)
-    with visit() as page:
-        page.give("send", robot.address, then="ready")
-        assert page.until("board", lambda said: said["message"])["way"] == way
-        page.give("send", robot.address, then="ready", **{way: True})
-        page.until("board", lambda said: len(links.asked) == 2 and said["phase"] == "closed" and said["way"] == way)
-    assert links.asked == [(False, False), (way == "replace", way == "fresh")]
-
-
-def test_what_a_program_shares_with_its_team_is_told_once_it_was_sent(
-    visit, app, folder, tmp_path, monkeypatch
-) -> None:
-    shared = PULSER.replace('name="Count" type="integer"', 'name="Count" shared="yes" type="integer"')
-    monkeypatch.setattr("tests.boards.host.PULSER", shared)
-
-    class Sent(RealLinks):
-        def deploy(self, address, program, progress, replace, fresh) -> None:
-            """It has it already."""
-
-    app.state.studio.boards = BoardRoom(Sent())
-    write_pulse(folder)
-    with host_board(folder / "pulse.krt", "pulse", tmp_path, HELD_PACE) as robot, visit() as page:
-        page.give("send", robot.address, then="held")
-        said = page.until("board", lambda said: "shared" in said["message"])
-        assert "line 3, vertex `v4`" in said["message"]
-        assert said["help"]
-        assert (said["phase"], said["state"]) == ("open", "running")
-
-
 class Flickering:
     """A robot that loses its power for a moment, soon after it was started, and then runs by itself."""
 
@@ -400,14 +317,14 @@ class Flickering:
 
 
 def test_a_held_robot_that_began_anew_by_itself_is_stopped(visit, app, monkeypatch) -> None:
-    monkeypatch.setattr("kitrobot.server.board_hand.LOOK_S", 0.0)
+    monkeypatch.setattr("kitrobot.robots.session.LOOK_S", 0.0)
     board = Flickering()
 
-    class Links(RealLinks):
+    class RobotGateway(SerialGateway):
         def connect(self, address):
             return board
 
-    app.state.studio.boards = BoardRoom(Links())
+    app.state.studio.boards = RobotRegistry(RobotGateway())
     with visit() as page:
         page.give("connect", "socket://127.0.0.1:1")
         page.send("start", "socket://127.0.0.1:1", held=True)

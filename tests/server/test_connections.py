@@ -13,7 +13,7 @@ import uvicorn
 from websockets.sync.client import connect
 from websockets.typing import Origin
 
-from kitrobot.server import create_app, start
+from kitrobot.server import create_app, serving
 from kitrobot.server.connections import LARGEST_HEAD_BYTES, BoundedConnection
 from tests.patience import PATIENCE_S
 from tests.server.conftest import SHORT, TOKEN
@@ -25,7 +25,7 @@ def port(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
     monkeypatch.setattr(BoundedConnection, "whole_within_s", 0.2)
     (tmp_path / "blink.krt").write_text(SHORT)
     listening = socket.create_server(("127.0.0.1", 0))
-    server = uvicorn.Server(start.server_config(create_app(tmp_path, tmp_path / "blink.krt", TOKEN)))
+    server = uvicorn.Server(serving.server_config(create_app(tmp_path, tmp_path / "blink.krt", TOKEN)))
     thread = threading.Thread(target=lambda: asyncio.run(server.serve([listening])))
     thread.start()
     yield listening.getsockname()[1]

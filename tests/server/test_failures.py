@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.sim.simulation import FAILED, MOVING, MUTED, STALLED
+from kitrobot.sim.agent_views import FAILED, MOVING, MUTED, STALLED
 from tests.server.test_run import Watcher, connect, forever, mission  # noqa: F401
 
 # The fixtures are those of test_run.

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.server import create_app
-from kitrobot.server.handshake import MOST_ASKED, proof_of
+from kitrobot.server.handshake import MOST_ASKED
+from kitrobot.server.proofs import proof_of
 from tests.server.conftest import HOST, TOKEN, TestClient
 
 SECRET = "the secret of the folder"

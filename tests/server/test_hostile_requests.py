@@ -11,6 +11,7 @@ import pytest
 
 from kitrobot.server import shapes
 from kitrobot.server.json_bodies import read_json
+from tests.effort import THOROUGH
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 
 BUDGET = int(os.environ.get("KITROBOT_BUDGET", "600"))
@@ -165,3 +166,31 @@ def test_no_frame_makes_a_socket_fail(app, page, path: str, stream: int) -> None
             said = socket.receive().get("text") or ""
             assert "went wrong inside" not in said
     assert page.get("/api/session").status_code == 200
+
+
+METHODS = ("GET", "HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT", "FOO")
+QUERIES = ("", "?", "?path=%00", "?path=%FF%FE", "?path=..%2F..%2Fx", "?path=" + "a" * 5000, "?path[]=1&path=2", "?%zz")
+HEADERS: tuple[dict[str, str], ...] = (
+    {},
+    *({"range": value} for value in ("bytes=0-1", f"bytes={'9' * 30}-", "bytes=-5,0-0,1-1", "lines=1")),
+    *({"content-encoding": "gzip", "content-type": kind} for kind in ("text/xml", "application/json; charset=x")),
+    {"accept-encoding": "br;q=nan, gzip;q=-1", "accept-language": "\xff,*;q=x", "if-none-match": "x"},
+)
+ADDRESSES = (
+    *("/%2e%2e/%2e%2e/x", "/assets/%2e%2e/index.html", "/assets/..%5cindex.html", "//", "/%", "/%00", "/index.html/"),
+    *("/" + "a/" * 3000, "/assets/" + "x" * 300, "/api/%2Fmission"),
+)
+
+
+def test_no_method_query_or_header_makes_the_studio_fail(app, page) -> None:
+    for path in (route.path for route in app.routes):
+        for method in METHODS:
+            tried = [(query, HEADERS[0]) for query in QUERIES] + [("", header) for header in HEADERS[1:]]
+            for query, header in tried if THOROUGH else random.Random(f"{path} {method}").sample(tried, 1):
+                headers = {name: value.encode("latin-1") for name, value in header.items()}
+                answer = page.request(method, path.replace("{", "").replace("}", "") + query, headers=headers)
+                assert answer.status_code < 500, (method, path, query, header)
+    for address in ADDRESSES:
+        answer = page.get(address)
+        assert answer.status_code in (200, 404), address
+        assert "root:" not in answer.text

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from kitrobot.image import Image, assemble
+from tests.files.pdf_files import attached, pdf
 from tests.server.conftest import SHORT, TestClient
-from tests.workspace.pdf_files import attached, pdf
 
 
 @pytest.fixture

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
+from kitrobot.server.json_bodies import read_json
 from kitrobot.server.shapes import world_shape
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.world import SHIPPED, read_world
@@ -99,8 +100,8 @@ def test_half_a_character_is_mended() -> None:
     world, _ = read_world((SHIPPED / "ring.world.xml").read_bytes(), "ring")
     assert world is not None
     shape = json.loads(own_world_shape(world).model_dump_json())
-    shape["name"] = "\ud800"
-    assert own_world(OwnWorldShape.model_validate(shape)).name == "\ufffd"
+    body = json.dumps({**shape, "name": "\ud800"}).encode()
+    assert own_world(OwnWorldShape.model_validate(read_json(body))).name == "\ufffd"
 
 
 if __name__ == "__main__":

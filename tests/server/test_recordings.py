@@ -1,4 +1,4 @@
-"""Recordings: what the player shows is what the run showed; opened, steered, saved, refused."""
+"""Recordings: what the replay shows is what the run showed; opened, steered, saved, refused."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from hypothesis import strategies as st
 
 import kitrobot
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.playing import Player
+from kitrobot.server.live_run import LiveRun
 from kitrobot.server.recordings import Recordings
+from kitrobot.server.replay import Replay
+from kitrobot.server.run_messages import MOST_REPORTED
 from kitrobot.server.security import Guard
-from kitrobot.server.telling import MOST_REPORTED
-from kitrobot.server.watching import Watch
 from kitrobot.trace import Threads, TraceReader, layout
 from kitrobot.trace.header import header_to_json
-from kitrobot.workspace import open_trace
+from kitrobot.workspace import RunOptions, open_trace
 from tests.server.test_run import FOREVER, connect, forever, mission  # noqa: F401
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 TRANSPORT = kitrobot.open(EXAMPLES / "transport" / "transport.krt")
 
 
-def watched(ticks: int, random: Random) -> Watch:
+def watched(ticks: int, random: Random) -> LiveRun:
     """A run of so many ticks, with things done to it on the way; it stands at its first tick again."""
-    watch = Watch(TRANSPORT, TRANSPORT.simulation(seed=random.randrange(100)))
+    watch = LiveRun(TRANSPORT.prepare(RunOptions(seed=random.randrange(100))))
     while watch.tick < ticks and watch.outcome is None:
         watch.advance(random.randrange(1, 60), 1e9, lambda: 0.0)
         match random.randrange(4):
@@ -45,7 +45,7 @@ def watched(ticks: int, random: Random) -> Watch:
     return watch
 
 
-def go(one: Watch | Player) -> None:
+def go(one: LiveRun | Replay) -> None:
     one.advance(1, 1e9, lambda: 0.0)
 
 
@@ -53,7 +53,7 @@ def never() -> bool:
     return False
 
 
-def told(one: Watch | Player) -> tuple[bytes, dict[str, Any], float]:
+def told(one: LiveRun | Replay) -> tuple[bytes, dict[str, Any], float]:
     frame, news = one.tell()
     news["events"] = []
     return frame, news, one.seconds
@@ -70,58 +70,60 @@ def test_the_player_shows_at_every_tick_what_the_run_showed(
     watch.record_to(path)
     latest = watch.tick
     watch.seek(0, never)
-    watch._again = True
+    watch._run._again = True
     # A page that has just begun to watch: nobody was told of yet.
-    watch._teller._before = [None] * len(watch._teller._before)
-    player = Player(open_trace(path))
-    assert player.started("x").model_dump(exclude={"recording"}) == watch.started("x").model_dump(exclude={"recording"})
-    events = player._reader.events
-    assert [(e.tick, e.kind, e.text) for _, e in events] == [(e.tick, e.kind, e.text) for e in watch._timeline.events]
-    assert told(player) == told(watch)
-    while player.tick < latest:
-        go(player)
+    watch._encoder._before = [None] * len(watch._encoder._before)
+    replay = Replay(open_trace(path))
+    assert replay.started("x").model_dump(exclude={"recording"}) == watch.started("x").model_dump(exclude={"recording"})
+    events = replay._reader.events
+    assert [(e.tick, e.kind, e.text) for _, e in events] == [
+        (e.tick, e.kind, e.text) for e in watch._run.timeline.events
+    ]
+    assert told(replay) == told(watch)
+    while replay.tick < latest:
+        go(replay)
         go(watch)
-        assert told(player) == told(watch)
+        assert told(replay) == told(watch)
     for _ in range(6):
         match random.randrange(3):
             case 0:
                 tick = random.randrange(latest + 1)
-                player.seek(tick, never)
+                replay.seek(tick, never)
                 watch.seek(tick, never)
             case 1:
                 agent = random.choice(["", "carrier-1", "loader"])
-                player.step_back(agent, never)
+                replay.step_back(agent, never)
                 watch.step_back(agent, never)
             case _:
-                player.seek(latest // 2, never)
+                replay.seek(latest // 2, never)
                 watch.seek(latest // 2, never)
-                player.step("carrier-1", never)
+                replay.step("carrier-1", never)
                 watch.step("carrier-1", never)
                 if watch.tick > latest:
                     # A run goes on beyond what was recorded of it; the recording stands at its end.
-                    assert player.tick == latest
+                    assert replay.tick == latest
                     break
-        assert told(player) == told(watch)
-    player.close()
+        assert told(replay) == told(watch)
+    replay.close()
 
 
 def test_a_recording_refuses_what_would_change_it(tmp_path: Path) -> None:
     TRANSPORT.run(seed=1, seconds=1, trace=tmp_path / "a.krtrace")
-    player = Player(open_trace(tmp_path / "a.krtrace"))
+    replay = Replay(open_trace(tmp_path / "a.krtrace"))
     for act in (
-        lambda: player.force("carrier-1", "Collision", 1),
-        lambda: player.set_variable("carrier-1", "Dock", 1),
-        lambda: player.harm("carrier-1", "fail"),
+        lambda: replay.force("carrier-1", "Collision", 1),
+        lambda: replay.set_variable("carrier-1", "Dock", 1),
+        lambda: replay.harm("carrier-1", "fail"),
     ):
         with pytest.raises(KitRobotError, match="recording"):
             act()
-    player.close()
+    replay.close()
 
 
-@pytest.fixture
-def recorded(tmp_path: Path) -> bytes:
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> bytes:
     """The bytes of a whole recording of the transport mission."""
-    path = tmp_path / "transport.krtrace"
+    path = tmp_path_factory.mktemp("recorded") / "transport.krtrace"
     TRANSPORT.run(seed=5, trace=path)
     return path.read_bytes()
 
@@ -374,20 +376,21 @@ def test_two_saves_at_once_both_come(page, connect, forever):  # noqa: F811
         assert all(answer.startswith(layout.MAGIC) for answer in answers)
 
 
-def test_of_a_crowd_all_are_drawn_and_those_looked_at_are_told(tmp_path):
+def test_of_a_crowd_all_are_drawn_and_those_looked_at_are_told(tmp_path, monkeypatch):
     from kitrobot.sim import simulate
     from tests.sim.teams import random_team
 
+    monkeypatch.setattr("kitrobot.sim.recording.PROGRESS_STEPS", 20)
     path = tmp_path / "crowd.krtrace"
-    simulate(random_team(3, 130), path, lambda run: run.tick >= 250)
-    player = Player(open_trace(path))
-    header = player._reader.header
-    frame, news = player.tell()
+    simulate(random_team(3, 130), path, lambda run: run.tick >= 20)
+    replay = Replay(open_trace(path))
+    header = replay._reader.header
+    frame, news = replay.tell()
     assert struct.unpack_from("<2f", frame) == (0, len(header.agents))
     assert len(header.agents) > MOST_REPORTED
     first = {agent.program: agent.name for agent in reversed(header.agents)}
     assert set(news["agents"]) == set(first.values())
     other = next(agent.name for agent in reversed(header.agents) if agent.name not in first.values())
-    player.look_at([other, "nobody"])
-    assert other in player.tell()[1]["agents"]
-    player.close()
+    replay.look_at([other, "nobody"])
+    assert other in replay.tell()[1]["agents"]
+    replay.close()

@@ -11,7 +11,7 @@ import pytest
 from kitrobot.server import create_app
 from kitrobot.server.shapes.mission import MOST_VERTICES
 from kitrobot.workspace import KeptPrograms
-from kitrobot.workspace.kept import MOST_NAMED, MOST_STATES
+from kitrobot.workspace.compile_cache import MOST_NAMED, MOST_STATES
 from tests.server.conftest import HOST, TOKEN, TestClient, whole
 
 Mission = dict[str, Any]

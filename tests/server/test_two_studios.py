@@ -14,10 +14,11 @@ from pathlib import Path
 import httpx
 import pytest
 
+from tests.effort import THOROUGH
 from tests.patience import PATIENCE_S
 from tests.server.conftest import SHORT
 
-ROUNDS = 40
+ROUNDS = 40 if THOROUGH else 10
 
 
 @contextlib.contextmanager

@@ -12,6 +12,8 @@ from kitrobot.graph import empty_program
 from kitrobot.mission import Agent, Failure, Goal, Mission, Team, read_mission
 from kitrobot.primitives import Catalogue, Robot, load_catalogue, read_robot
 from kitrobot.sim import Simulation
+from kitrobot.sim.columns import FREE, REALS, ROAD, WHOLES
+from kitrobot.sim.state import Robots
 from kitrobot.world import Pose, Start, World, find_world, read_world
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "transport" / "transport.krt"
@@ -72,6 +74,15 @@ def empty_world(**poses: tuple[float, float, float]) -> World:
     """The empty room, with a start for each robot named."""
     starts = tuple(Start(name, pose=Pose(*pose)) for name, pose in poses.items())
     return replace(shipped_world("empty"), starts=starts)
+
+
+def robots_with(real: Mapping[int, list[float]]) -> Robots:
+    """Tables of robots that have wheels and are free, with these columns of numbers; all else is 0."""
+    count = len(next(iter(real.values())))
+    who = list(range(count))
+    reals = [list(real.get(column, [0.0] * count)) for column in range(REALS)]
+    wholes = [[FREE if column == ROAD else 0] * count for column in range(WHOLES)]
+    return Robots(reals, wholes, solid=who, guided=[], free=who, free_solid=who, carriers=[])
 
 
 def run_of(

@@ -48,7 +48,10 @@ def _settings(rng: random.Random, noise: int) -> str:
 
 
 def _board_parts(rng: random.Random) -> list[str]:
-    """What is on a small board: a display, a buzzer, a pin each way, a key, an accelerometer, chance."""
+    """What is on a small board: a display, a buzzer, a pin each way, a key, an accelerometer, chance; devices of one's
+    own.
+    """
+    moments = " ".join(f"{at / 10}:{rng.randint(0, 100)}" for at in range(0, 20, 4))
 
     def parameters(*names: str) -> str:
         return "".join(f'<parameter name="{name}" min="0" max="100"/>' for name in names)
@@ -70,6 +73,13 @@ def _board_parts(rng: random.Random) -> list[str]:
         _tests("Tilt", -2000, 2000, "accelerometer", _settings(rng, 20) + rng.choice((' axis="z"', ' what="shake"'))),
         _tests("Wire", 0, 1023, "pin-in", _settings(rng, 20)),
         _tests("Chance", 1, 6, "random", _settings(rng, 0)),
+        f"""<actuator name="Gauge" device="indicator" shows="{rng.choice(("lamp", "bar", "sound", "number"))}"
+        time="{rng.choice((0, 110))}" {_settings(rng, 20)}><procedure name="Rest"/><procedure name="Full"/>
+        <procedure name="Show" completes="{rng.choice(("now", "later"))}" stop="Rest">{parameters("value")}</procedure>
+        </actuator>""",
+        _tests("Knob", 0, 100, "slider", _settings(rng, 20) + ' initial="7"'),
+        _tests("Day", 0, 100, "schedule", f'values="{moments}" between="{rng.choice(("line", "steps"))}" repeat="1.9"'),
+        _tests("Luck", 0, 1, "chance", _settings(rng, 0) + ' period="70"'),
     ]
 
 

@@ -52,7 +52,7 @@ def run(text: str, *parts: str, seed: int = 1, seconds: float | None = 60, tick:
 
 
 def shown(simulation: Simulation, name: str) -> list[int]:
-    return dict(simulation.members[0].faces())[name]
+    return dict(simulation.members[0].outputs())[name]
 
 
 def picture(simulation: Simulation) -> list[str]:
@@ -109,20 +109,20 @@ def test_a_number_runs_through_in_its_time_and_is_done_when_it_is_out() -> None:
 
 
 def test_a_number_below_zero_runs_through_with_its_sign() -> None:
-    face = [0] * 6
-    assert not run_through(-7, 5, face)
-    assert face[:5] == [0, 0, 9990, 0, 0]
-    assert not run_through(-7, 11, face)
-    assert [f"{row:05}" for row in face[:5]] == ["99999", "00090", "00900", "09000", "90000"]
-    assert not run_through(-7, 16, face)
-    assert run_through(-7, 17, face)
+    output = [0] * 6
+    assert not run_through(-7, 5, output)
+    assert output[:5] == [0, 0, 9990, 0, 0]
+    assert not run_through(-7, 11, output)
+    assert [f"{row:05}" for row in output[:5]] == ["99999", "00090", "00900", "09000", "90000"]
+    assert not run_through(-7, 16, output)
+    assert run_through(-7, 17, output)
 
 
 @given(st.integers(-(2**29), 2**29), st.integers(0, 100))
 def test_whatever_runs_through_every_row_is_five_lights(value: int, column: int) -> None:
-    face = [0] * 6
-    assert run_through(value, column, face) == (column >= 5 + 6 * len(str(value)))
-    assert all(0 <= row <= 99_999 and set(f"{row:05}") <= {"0", "9"} for row in face[:5])
+    output = [0] * 6
+    assert run_through(value, column, output) == (column >= 5 + 6 * len(str(value)))
+    assert all(0 <= row <= 99_999 and set(f"{row:05}") <= {"0", "9"} for row in output[:5])
 
 
 def test_another_command_takes_the_place_of_a_number_that_runs_through() -> None:
@@ -172,7 +172,7 @@ def test_a_robot_that_failed_is_silent() -> None:
     made = steps(run_of(agents, empty_world(a=(1000, 1000, 0), b=(2000, 1000, 0))), 5)
     made.harm("a", "fail")
     steps(made, 1)
-    assert [dict(member.faces())["Music"] for member in made.members] == [[0, 0], [300, 0]]
+    assert [dict(member.outputs())["Music"] for member in made.members] == [[0, 0], [300, 0]]
 
 
 def test_a_pin_remembers_how_it_is_used_and_what_it_was_told() -> None:

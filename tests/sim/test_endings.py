@@ -4,19 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kitrobot.compiler import compile_program, compile_text
-from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Failure, FailureKind, Goal, Mission, Team
-from kitrobot.primitives import Catalogue
-from kitrobot.sim import MAX_AGENTS, Simulation, SimulationError, look_over
+from kitrobot.mission import Failure, FailureKind, Goal
+from kitrobot.sim import Simulation
 from kitrobot.sim.columns import CHANCE, STUCK
-from kitrobot.world import Pose, Start, Wall, World
+from kitrobot.world import Wall
 from tests.sim.building import (
     WHEEL,
     avatar,
@@ -25,7 +21,6 @@ from tests.sim.building import (
     example_images,
     run_of,
     shipped_world,
-    steps,
     transport,
 )
 
@@ -149,7 +144,7 @@ def test_what_is_called_stuck_never_changes_again(seed: int, step: int, agent: s
         return
 
     def standing() -> list[object]:
-        return [[list(row) for row in run.state.real], list(run.state.stock), run.collisions]
+        return [[list(row) for row in run.state.robots.floats], list(run.state.docks.stock), run.collisions]
 
     before = standing()
     run.outcome, run.state.clock[STUCK] = None, 0
@@ -312,122 +307,6 @@ def test_one_waits_and_many_wait(names: list[str], said: str) -> None:
 
 def test_the_one_program_of_a_run_is_not_counted() -> None:
     assert ended("WAIT(99);", seconds=1).sentence == "The time of 1 s ran out: the program had not ended."
-
-
-# ---- what keeps a run from beginning
-
-
-def refused(mission: Mission, world: World = ROOM, robots: Catalogue | None = None) -> SimulationError:
-    known = robots or catalogue()
-    images = {program.name: compile_program(program, known) for program in mission.programs}
-    with pytest.raises(SimulationError) as caught:
-        Simulation(mission, world, images, known)
-    return caught.value
-
-
-def team(*agents: Agent, goals: list[Goal] | None = None) -> Mission:
-    return Mission(programs=[empty_program("p", MINI)], team=Team(list(agents), goals or []))
-
-
-def test_a_team_of_nobody_is_refused() -> None:
-    assert "nobody to run" in refused(team()).message
-
-
-def test_a_program_that_is_not_there_or_has_errors_is_refused() -> None:
-    assert "“q” is not in this mission" in refused(team(Agent("a", "q"))).message
-    broken = team(Agent("a", "p"))
-    broken.programs[0].arcs.clear()
-    broken.programs[0].vertices[0].element = "Nonsense"
-    assert "has errors" in refused(broken).message
-
-
-def test_an_agent_without_a_start_is_refused_with_the_starts_there_are() -> None:
-    error = refused(team(Agent("c", "p")))
-    assert error.message == "c has no start “c” in the world empty"
-    assert error.help == "starts that are free there: a, b"
-
-
-def test_two_agents_in_one_place_are_refused() -> None:
-    assert "a and c start in the same place" in refused(team(Agent("a", "p"), Agent("c", "p", "a"))).message
-
-
-@pytest.mark.parametrize(("apart", "fits"), [(134, False), (136, True)])
-def test_two_carriers_start_on_one_road_when_they_are_a_length_apart(apart: float, fits: bool) -> None:
-    starts = (Start("a", road="ring", at_mm=20), Start("b", road="ring", at_mm=20 + apart))
-    mission = Mission(programs=[empty_program("p", "carrier")], team=Team([Agent("a", "p"), Agent("b", "p")]))
-    world = replace(shipped_world("ring"), starts=starts)
-    if fits:
-        images = {"p": compile_program(mission.programs[0], catalogue())}
-        assert steps(Simulation(mission, world, images, catalogue()), 1).outcome == "done"
-    else:
-        assert "a and b start in the same place" in refused(mission, world).message
-
-
-def test_a_robot_that_is_too_large_for_its_place_is_refused() -> None:
-    world = World("w", 4000, 2500, walls=ROOM.walls, starts=(Start("a", pose=Pose(60, 1000, 0)),))
-    assert "a starts in a wall" in refused(team(Agent("a", "p")), world).message
-
-
-def test_a_goal_that_names_no_storehouse_is_refused() -> None:
-    assert "“Z” is not in the world" in refused(team(Agent("a", "p"), goals=[Goal("Z")])).message
-
-
-def test_everything_in_the_way_is_said_at_once() -> None:
-    error = refused(team(Agent("c", "p"), Agent("d", "p"), goals=[Goal("Z")]))
-    assert len(error.diagnostics) == 3
-
-
-def test_a_million_agents_are_refused_in_a_sentence() -> None:
-    error = refused(team(*[Agent("a", "p")] * 10**6))
-    assert error.message == f"expected at most {MAX_AGENTS} agents in a run, found 1000000"
-
-
-@pytest.mark.parametrize(
-    ("limits", "words"),
-    [
-        ({"seconds": 1e308}, "expected a time limit of more than 0 and at most 1000000000 seconds, found 1e+308"),
-        ({"seconds": float("nan")}, "found nan"),
-        ({"seconds": float("inf")}, "found inf"),
-        ({"seconds": 0}, "found 0"),
-        ({"seed": -1}, "expected a seed from 0 to 9007199254740992, found -1"),
-        ({"seed": 2**53 + 1}, "found 9007199254740993"),
-        ({"seed": 10**400}, "expected a seed"),
-        ({"fail_rate": float("nan")}, "expected a probability from 0 to 1 that a robot fails, found nan"),
-        ({"fail_rate": 1.5}, "found 1.5"),
-    ],
-)
-def test_numbers_that_no_run_can_have_are_refused_in_a_sentence(limits: dict[str, Any], words: str) -> None:
-    agents = {"a": (catalogue().robots[MINI], "")}
-    with pytest.raises(SimulationError) as caught:
-        run_of(agents, ROOM, **limits)
-    assert words in caught.value.message
-    assert caught.value.help
-
-
-@pytest.mark.parametrize("limits", [{"seconds": 1e9}, {"seed": 2**53}, {"fail_rate": 1.0}])
-def test_the_largest_numbers_of_a_run_are_taken(limits: dict[str, Any]) -> None:
-    assert gone_on(run_of({"a": (catalogue().robots[MINI], "")}, ROOM, **limits)).outcome is not None
-
-
-def test_looking_over_a_mission_says_what_making_its_run_says() -> None:
-    wrong = team(Agent("c", "p"), Agent("a", "p"), Agent("b", "p", "a"), goals=[Goal("Z")])
-    for mission in (wrong, team(Agent("a", "p"), Agent("b", "p", "a")), team()):
-        images = {program.name: compile_program(program, catalogue()) for program in mission.programs}
-        with pytest.raises(SimulationError) as caught:
-            look_over(mission, ROOM, images, catalogue())
-        assert caught.value.diagnostics == refused(mission).diagnostics
-    fine = team(Agent("a", "p"), Agent("b", "p"))
-    look_over(fine, ROOM, {"p": compile_program(fine.programs[0], catalogue())}, catalogue())
-
-
-@pytest.mark.slow
-def test_as_many_agents_as_allowed_begin_a_run() -> None:
-    plain = avatar('<variable name="Count" type="integer"/>')
-    mission = Mission(programs=[empty_program("p", "avatar")])
-    mission.team.agents = [Agent(f"a{n}", "p", "a") for n in range(MAX_AGENTS)]
-    images = {"p": compile_text("", plain)}
-    run = Simulation(mission, ROOM, images, Catalogue(robots={"avatar": plain}))
-    assert steps(run, 1).outcome == "done"
 
 
 def test_a_program_that_never_waits_and_never_ends_is_bounded() -> None:

@@ -23,12 +23,12 @@ SWITCH = """<actuator name="Switch" device="switch" {settings}>
   <procedure name="SwitchOn" stop="SwitchOff"/><procedure name="SwitchOff"/></actuator>"""
 
 ACTUATORS: dict[str, tuple[str, str, Callable[[Simulation], float]]] = {
-    "motor": (MOTOR, "Motor.Turn(50);", lambda run: run.state.real[HEADING][0]),
-    "drive": (WHEEL, "Wheel.Advance(50);", lambda run: run.state.real[SPEED][0]),
-    "wheel": (SIDE.replace("{name}", "Left"), "Left.Forward(50);", lambda run: run.state.real[SPEED][0]),
-    "door": (DOOR, "Door.Open();", lambda run: run.state.actuator_real[A_P][0]),
+    "motor": (MOTOR, "Motor.Turn(50);", lambda run: run.state.robots.floats[HEADING][0]),
+    "drive": (WHEEL, "Wheel.Advance(50);", lambda run: run.state.robots.floats[SPEED][0]),
+    "wheel": (SIDE.replace("{name}", "Left"), "Left.Forward(50);", lambda run: run.state.robots.floats[SPEED][0]),
+    "door": (DOOR, "Door.Open();", lambda run: run.state.actuators.floats[A_P][0]),
     "light": (LIGHT, "Light.LightOn();", lambda run: run.agents[0].flags & LAMP),
-    "switch": (SWITCH, "Switch.SwitchOn();", lambda run: run.state.actuator[A_WAY][0]),
+    "switch": (SWITCH, "Switch.SwitchOn();", lambda run: run.state.actuators.ints[A_WAY][0]),
 }
 """What it is in XML, how it is told to do something, and what changes when it does."""
 

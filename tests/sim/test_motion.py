@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from kitrobot.sim import MOVING, Simulation
 from kitrobot.sim.angles import direction
-from kitrobot.sim.columns import A_R
+from kitrobot.sim.columns import A_R, ACCELERATION, BRAKING, HEADING, SPEED, TARGET, TURN, UX, UY, WAY, X, Y
 from kitrobot.sim.motion import roll, wander
 from kitrobot.world import Corner, Road, Start, World, normalised
-from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, run_of, shipped_world, steps
+from tests.sim.building import MOTOR, SIDE, WHEEL, avatar, empty_world, robots_with, run_of, shipped_world, steps
 
 
 def driver(text: str, settings: str = 'speed="400" acceleration="1000000" braking="1000000"') -> Simulation:
@@ -60,22 +60,22 @@ def test_speed_is_gained_at_the_acceleration_of_the_robot() -> None:
 @given(st.floats(-500, 500), st.floats(-500, 500), st.floats(1, 5000), st.integers(1, 50))
 def test_the_way_of_many_short_steps_is_the_way_of_one_long_one(v: float, u: float, rate: float, parts: int) -> None:
     def way(count: int) -> tuple[float, float]:
-        speed, total = [v], 0.0
+        robots, total = robots_with({SPEED: [v], TARGET: [u], ACCELERATION: [rate], BRAKING: [rate]}), 0.0
         for _ in range(count):
-            step = [0.0]
-            roll(0.5 / count, [0], speed, [u], [rate], [rate], step)
-            total += step[0]
-        return total, speed[0]
+            roll(0.5 / count, robots)
+            total += robots.floats[WAY][0]
+        return total, robots.floats[SPEED][0]
 
     assert way(parts) == pytest.approx(way(1), abs=1e-6)
 
 
 @given(st.floats(-400, 400), st.floats(-3, 3), st.floats(-3, 3))
 def test_driving_and_turning_at_once_is_an_arc_of_radius_v_by_omega(v: float, omega: float, heading: float) -> None:
-    x, y, h = [0.0], [0.0], [heading]
-    ux, uy = ([part] for part in direction(heading))
+    ux, uy = direction(heading)
+    robots = robots_with({HEADING: [heading], UX: [ux], UY: [uy], WAY: [v * 0.02], TURN: [omega * 0.02]})
+    x, y, h = (robots.floats[column] for column in (X, Y, HEADING))
     for _ in range(50):
-        wander(1.0, [0], [v * 0.02], [omega * 0.02], x, y, h, ux, uy)
+        wander(1.0, robots)
     assert normalised(h[0] - heading - omega) == pytest.approx(0, abs=1e-9)
     if abs(omega) > 1e-3:
         radius = v / omega
@@ -202,7 +202,7 @@ def test_wheels_gain_and_lose_speed_as_their_xml_says(percent: int) -> None:
         f"{both.format(f'Forward({percent})')} WAIT(30); {both.format('Stop()')} WAIT(600);",
         f'speed="400" acceleration="{gain}" braking="{braking}" track="80"',
     )
-    while run.state.actuator_real[A_R][0] != 0 or run.tick < 2:
+    while run.state.actuators.floats[A_R][0] != 0 or run.tick < 2:
         run.step()
     # Three seconds, and the one step in which it is told to stop has begun to brake.
     steps(run, 200)

@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 import asyncio
-import os
 import secrets
 import shutil
 import socket
 import threading
 from collections.abc import Iterator
-from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
 import uvicorn
+from fastapi import FastAPI
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+from starlette.types import Receive, Scope, Send
 
 from kitrobot.server import create_app
-from kitrobot.server.start import server_config
+from kitrobot.server.serving import server_config
+from tests.effort import THOROUGH
 from tests.patience import PATIENCE_S, STATE_MS
 from tools.chromium import FLAGS
 
@@ -27,8 +28,16 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 WIDTH, HEIGHT = 1600, 1000
 expect.set_options(timeout=STATE_MS)
 
+IS_OPEN = """() => {
+    const at = (id) => document.querySelector(`[data-testid="${id}"]`);
+    return at("run-button")?.checkVisibility() && at("canvas")?.checkVisibility()
+        && at("code")?.querySelector(".cm-line")?.textContent;
+}"""
+"""Looked at in each frame: Playwright's `expect` waits up to half a second between two looks, and each look at what is
+not there yet makes a description of the whole page."""
 
-LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if os.environ.get("KITROBOT_THOROUGH") else [])]
+
+LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if THOROUGH else [])]
 """Theme and language that axe looks at whole; it holds the contrast of every screen in every theme besides."""
 
 
@@ -41,8 +50,30 @@ def browser(chromium_path: str) -> Iterator[Browser]:
         browser.close()
 
 
+class Slot:
+    """One address, at which the studios of a worker's tests are served one after another.
+
+    The same address lets the browser keep what it has compiled of the page.
+    """
+
+    def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
+        self.app: FastAPI | None = None
+        listening = socket.create_server(("127.0.0.1", 0))
+        self.address = f"http://127.0.0.1:{listening.getsockname()[1]}"
+        self._server = uvicorn.Server(server_config(self))
+        self._ended = asyncio.run_coroutine_threadsafe(self._server.serve([listening]), loop)
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        assert self.app is not None, "a request to a studio whose test has ended"
+        await self.app(scope, receive, send)
+
+    def close(self) -> None:
+        self._server.should_exit = True
+        self._ended.result(PATIENCE_S)
+
+
 class ServerThread:
-    """One event loop on a thread, which serves the studios of a worker's tests one after another.
+    """One event loop on a thread, which serves the studios of a worker's tests.
 
     What only a process shows (a kill, a restart, its first line) has tests with processes: test_journal.py.
     """
@@ -51,18 +82,22 @@ class ServerThread:
         self._loop = asyncio.new_event_loop()
         self._thread = threading.Thread(target=self._loop.run_forever, name="studios", daemon=True)
         self._thread.start()
+        self._slots: list[Slot] = []
 
     def serve(self, target: Path) -> ServedStudio:
         """Serves the studio on a mission's file or a folder, as `kitrobot studio` does."""
         token = secrets.token_urlsafe(24)
         folder, mission = (target, None) if target.is_dir() else (target.parent, target)
-        app = create_app(folder, mission, token)
-        listening = socket.create_server(("127.0.0.1", 0))
-        server = uvicorn.Server(server_config(app))
-        ended = asyncio.run_coroutine_threadsafe(server.serve([listening]), self._loop)
-        return ServedStudio(f"http://127.0.0.1:{listening.getsockname()[1]}/?token={token}", server, ended)
+        slot = next((slot for slot in self._slots if slot.app is None), None)
+        if slot is None:
+            slot = Slot(self._loop)
+            self._slots.append(slot)
+        slot.app = create_app(folder, mission, token)
+        return ServedStudio(f"{slot.address}/?token={token}", slot)
 
     def close(self) -> None:
+        for slot in self._slots:
+            slot.close()
         self._loop.call_soon_threadsafe(self._loop.stop)
         self._thread.join(PATIENCE_S)
 
@@ -72,12 +107,10 @@ class ServedStudio:
     """A studio that is being served."""
 
     address: str
-    server: uvicorn.Server
-    ended: Future[None]
+    slot: Slot
 
     def close(self) -> None:
-        self.server.should_exit = True
-        self.ended.result(PATIENCE_S)
+        self.slot.app = None
 
 
 @pytest.fixture(scope="session")
@@ -131,8 +164,7 @@ class Studio:
 
     def full_speed(self) -> None:
         """As fast as it goes: the last notch of the speed slider."""
-        self.at("speed").focus()
-        self.page.keyboard.press("End")
+        self.at("speed").press("End")
 
     def wait_until_done(self) -> None:
         """Waits until the run has ended as done."""
@@ -167,9 +199,7 @@ def open_studio(
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
         page.goto(running.address)
-        expect(page.get_by_test_id("run-button")).to_be_visible()
-        expect(page.get_by_test_id("canvas")).to_be_visible()
-        expect(page.locator('[data-testid="code"] .cm-line').first).not_to_be_empty()
+        page.wait_for_function(IS_OPEN)
         studio = Studio(page, target, faults)
         pages.append(studio)
         return studio

@@ -35,6 +35,8 @@ def place_of(studio, name: str) -> tuple[float, float]:
     """Where the robot is on the screen: in the middle of the arena, once it is followed."""
     choose(studio, name)
     studio.page.keyboard.press("f")
+    # The arena follows with the next frame.
+    studio.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
     box = studio.at("arena-canvas").bounding_box()
     assert box is not None
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
+from kitrobot.files import carried_mission
 from kitrobot.image import Image, assemble
-from kitrobot.workspace import carried_mission
 from tests.studio.conftest import EXAMPLES, Studio
 
 pytestmark = pytest.mark.browser

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
 
+from tests.patience import STATE_MS
 from tests.studio.conftest import HEIGHT, WIDTH
 
 pytestmark = pytest.mark.browser
@@ -90,6 +91,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
 @pytest.fixture
 def context(browser: Browser) -> Iterator[BrowserContext]:
     context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT})
+    context.set_default_timeout(STATE_MS)
     yield context
     context.close()
 
@@ -308,115 +310,3 @@ def test_a_damaged_journal_opens_what_is_whole_of_it(start: Start, mission: Path
     expect_wait(page, 7)
     expect(page.get_by_test_id("banner")).to_contain_text("The journal was damaged")
     assert next(mission.parent.rglob("*.damaged")).read_bytes() == data
-
-
-def open_file(page: Page, name: str, data: bytes) -> None:
-    """File → Open, a file of this computer."""
-    page.keyboard.press("Control+o")
-    page.get_by_test_id("open-file").set_input_files({"name": name, "mimeType": "", "buffer": data})
-
-
-def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_open(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    page = start(mission).open(context)
-    banner = page.get_by_test_id("banner")
-    wait_for(page, 7)
-    page.get_by_test_id("menu-File").click()
-    page.get_by_test_id("menu-file-new").click()
-    expect(banner).to_contain_text("they are kept in the journal")
-    banner.get_by_role("button", name="Go on without saving").click()
-    expect(banner).to_contain_text("Unsaved work on blink.krt is kept.")
-    expect(page.get_by_test_id("title")).not_to_contain_text("blink")
-    page.keyboard.press("Control+o")
-    page.get_by_test_id("open-left").get_by_role("button", name="blink.krt").click()
-    expect_wait(page, 7)
-    expect(page.get_by_test_id("saved-state")).to_have_text("not saved")
-    page.keyboard.press("Control+z")
-    expect_wait(page, 2)
-    page.keyboard.press("Control+o")
-    expect(page.get_by_test_id("open-dialog")).to_contain_text("blink")
-    expect(page.get_by_test_id("open-left")).to_have_count(0)
-
-
-def test_work_that_the_journal_cannot_hold_is_not_left_without_a_word(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    page = start(mission).open(context)
-    banner = page.get_by_test_id("banner")
-    page.route("**/api/journal", lambda route: route.fulfill(status=422, json={"message": "Full.", "help": ""}))
-    wait_for(page, 7)
-    expect(banner).to_contain_text("Your changes are not kept safe at the moment")
-    page.get_by_test_id("menu-File").click()
-    page.get_by_test_id("menu-file-new").click()
-    banner.get_by_role("button", name="Go on without saving").click()
-    expect(banner).to_contain_text("without saving they would be lost")
-    expect_wait(page, 7)
-    banner.get_by_role("button", name="Cancel").click()
-    expect_wait(page, 7)
-
-
-@pytest.mark.parametrize(
-    ("name", "data", "words"),
-    [
-        ("empty.krt", b'<kitrobot version="1"/>', "there is no program in it"),
-        ("page.krt", b"<html><body>hello</body></html>", "page.krt"),
-        ("holiday.jpg", b"\xff\xd8\xff\xe0\0\x10JFIF", "is a photo (JPEG)"),
-    ],
-)
-def test_a_file_that_gives_no_mission_is_refused_and_the_open_one_stays(
-    start: Start, mission: Path, context: BrowserContext, name: str, data: bytes, words: str
-) -> None:
-    page = start(mission).open(context)
-    expect_wait(page, 2)
-    open_file(page, name, data)
-    expect(page.get_by_test_id("banner")).to_contain_text(words)
-    expect_wait(page, 2)
-    expect(page.get_by_test_id("title")).to_contain_text("blink")
-
-
-def test_without_its_server_a_page_claims_nothing_of_its_file(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    server = start(mission)
-    first, second = server.open(context), server.open(context)
-    state = second.get_by_test_id("saved-state")
-    expect(state).to_have_text("saved")
-    server.kill()
-    expect(state).to_have_text("no connection to the studio")
-    second.locator(".vertex", has_text="Wait").first.click()
-    second.keyboard.press("Delete")
-    expect(state).to_have_text("not saved, not kept: no connection")
-    expect(first.get_by_test_id("saved-state")).to_have_text("no connection to the studio")
-
-
-def test_a_window_on_an_older_file_does_not_say_that_it_is_saved(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    server = start(mission)
-    first, second = server.open(context), server.open(context)
-    expect(second.get_by_test_id("saved-state")).to_have_text("saved")
-    wait_for(first, 5)
-    first.keyboard.press("Control+s")
-    expect(first.get_by_test_id("saved-state")).to_have_text("saved")
-    expect(second.get_by_test_id("saved-state")).to_have_text("changed on disk")
-    second.get_by_test_id("banner").get_by_role("button", name="Keep this one").click()
-    expect(second.get_by_test_id("saved-state")).to_have_text("changed on disk")
-
-
-def test_what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(
-    start: Start, mission: Path, context: BrowserContext
-) -> None:
-    page = start(mission).open(context)
-    wait_for(page, 5)
-    held = []
-    page.route("**/api/mission", lambda route: held.append(route), times=1)
-    with page.expect_request("**/api/mission"):
-        page.keyboard.press("Control+s")
-    wait_for(page, 6)
-    held[0].continue_()
-    expect(page.get_by_test_id("saved-state")).to_have_text("not saved")
-    page.keyboard.press("Control+s")
-    expect(page.get_by_test_id("saved-state")).to_have_text("saved")
-    expect(page.get_by_test_id("banner")).to_have_count(0)
-    assert mission.read_text() == MISSION.format(6)

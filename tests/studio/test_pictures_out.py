@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from kitrobot.workspace import carried_mission
+from kitrobot.files import carried_mission
 from tests.studio.conftest import EXAMPLES, Studio
 
 pytestmark = pytest.mark.browser

@@ -44,7 +44,7 @@ def robots(tmp_path: Path) -> Iterator[Callable[..., HostBoard]]:
         def robot(broken: bool = False) -> HostBoard:
             folder = tmp_path / "robots"
             folder.mkdir(exist_ok=True)
-            return stack.enter_context(host_board(write_pulse(folder, broken), "pulse", folder, HELD_PACE))
+            return stack.enter_context(host_board(write_pulse(folder, broken), "pulse", HELD_PACE))
 
         yield robot
 

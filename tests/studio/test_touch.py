@@ -29,7 +29,7 @@ def open_with_fingers(open_studio: Callable[..., Studio]) -> Callable[[ViewportS
     return open_on
 
 
-class Hand:
+class RobotSession:
     """Fingers on the glass, as the browser hears of them."""
 
     def __init__(self, studio: Studio) -> None:
@@ -73,7 +73,7 @@ def test_a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(
     open_with_fingers: Callable[[ViewportSize], Studio],
 ) -> None:
     studio = open_with_fingers(PHONE)
-    hand = Hand(studio)
+    hand = RobotSession(studio)
     loop = studio.page.locator(".vertex", has_text="While").first
     box = loop.bounding_box()
     assert box is not None
@@ -90,7 +90,7 @@ def test_a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(
 
 def test_a_part_is_dragged_from_the_palette_onto_an_arc(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
     studio = open_with_fingers(TABLET)
-    hand = Hand(studio)
+    hand = RobotSession(studio)
     begin, end = middle(studio.at("part-Wait")), middle(studio.at("arc-start.next"))
     hand.put("touchStart", begin)
     expect(studio.page.locator(".ghost")).to_be_visible()
@@ -110,7 +110,7 @@ def test_a_tap_on_a_part_adds_it(open_with_fingers: Callable[[ViewportSize], Stu
 
 def test_two_fingers_zoom_and_move_even_on_vertices(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
     studio = open_with_fingers(PHONE)
-    hand = Hand(studio)
+    hand = RobotSession(studio)
     x, y = middle(studio.page.locator(".vertex", has_text="While").first)
     before = camera(studio)
     hand.put("touchStart", (x - 40, y), (x + 40, y))
@@ -132,7 +132,7 @@ def test_two_fingers_zoom_and_move_even_on_vertices(open_with_fingers: Callable[
 
 def test_one_finger_moves_the_canvas(open_with_fingers: Callable[[ViewportSize], Studio]) -> None:
     studio = open_with_fingers(TABLET)
-    hand = Hand(studio)
+    hand = RobotSession(studio)
     canvas = studio.at("canvas").bounding_box()
     assert canvas is not None
     begin = (canvas["x"] + 24, canvas["y"] + 40)

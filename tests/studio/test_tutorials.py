@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
 
 import pytest
 from playwright.sync_api import expect
 
-from tests.studio.conftest import EXAMPLES, LOOKS, Studio
+from tests.studio.conftest import LOOKS, Studio
 from tests.studio.test_reach import choose, find_nothing
 
 pytestmark = pytest.mark.browser
@@ -332,50 +331,6 @@ def test_what_was_saved_elsewhere_is_where_it_goes_on(open_studio: OpenStudio) -
     studio.expect_code("Wheel.Advance(50);")
     expect(studio.page.locator(".title")).to_contain_text("mine.krt")
     done(studio, 1)
-
-
-def test_a_tutorial_in_the_folder_appears_and_one_with_a_mistake_says_which(open_studio: OpenStudio) -> None:
-    studio = open_studio(BLINK)
-    text = (EXAMPLES / "tutorials" / "first-steps" / "first-steps.tutorial.xml").read_text(encoding="utf-8")
-    mine = text.replace("<label>First steps</label>", "<label>Our class</label>").replace("first-steps.krt", "x.krt")
-    shutil.copy(EXAMPLES / "tutorials" / "first-steps" / "first-steps.krt", studio.folder / "x.krt")
-    (studio.folder / "mine.tutorial.xml").write_text(mine, encoding="utf-8")
-    (studio.folder / "bad.tutorial.xml").write_text(mine.replace("<step>", "<stop>", 1), encoding="utf-8")
-    studio.page.keyboard.press("Control+o")
-    bad = studio.at("tutorial-card-bad.tutorial.xml")
-    expect(bad).to_contain_text("This tutorial cannot be used:")
-    expect(bad).to_contain_text("<stop>")
-    studio.at("tutorial-card-mine.tutorial.xml").click()
-    at_step(studio, 1)
-    expect(studio.at("tutorial")).to_contain_text("Our class")
-    studio.at("menu-Help").click()
-    expect(studio.at("menu-help-tutorial-mine.tutorial.xml")).to_be_visible()
-    expect(studio.at("menu-help-tutorial-bad.tutorial.xml")).to_have_count(0)
-
-
-def test_an_empty_program_invites_to_a_tutorial(open_studio: OpenStudio) -> None:
-    studio = open_studio(BLINK)
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
-    cards = studio.page.locator(".teaching .tutorial-card")
-    expect(cards).to_have_count(3)
-    cards.first.click()
-    at_step(studio, 1)
-    expect(studio.page.locator(".teaching .tutorial-card")).to_have_count(0)
-
-
-def test_a_newcomer_is_welcomed_once(open_studio: OpenStudio) -> None:
-    studio = open_studio(None)
-    welcome = studio.at("welcome")
-    expect(welcome).to_contain_text("New here?")
-    studio.at("welcome-close").click()
-    expect(welcome).to_have_count(0)
-    studio.page.reload()
-    expect(studio.at("run-button")).to_be_visible()
-    studio.at("menu-Help").click()
-    expect(studio.at(f"menu-help-tutorial-{FIRST}")).to_be_visible()
-    expect(welcome).to_have_count(0)
 
 
 @pytest.mark.parametrize("look", LOOKS, ids=str)

@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 
 import kitrobot
+from kitrobot.files import examples_folder, first_example
 from kitrobot.graph import empty_program
-from kitrobot.workspace import examples_folder, first_example
+from tests.effort import THOROUGH
 
 _FOLDER = examples_folder()
 assert _FOLDER is not None
@@ -48,11 +49,16 @@ WAIT_FOR_SOMEBODY = ("dice", "reaction")
 """Games: without a hand on their buttons they go on. tests/examples plays them."""
 
 
+RUN = {"square", "transport", "dice"}
+"""Those that are run here; tests/examples runs them all."""
+
+
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_every_example_is_free_of_errors_and_ends_as_done(path):
     mission = kitrobot.open(path)
     assert [problem for problem in mission.check().problems if problem.is_error] == []
-    assert mission.run(seed=1).outcome == ("time" if path.stem in WAIT_FOR_SOMEBODY else "done")
+    if THOROUGH or path.stem in RUN:
+        assert mission.run(seed=1).outcome == ("time" if path.stem in WAIT_FOR_SOMEBODY else "done")
 
 
 def test_running_a_mission_with_errors_raises_with_what_is_wrong(tmp_path):

@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.diagnostics import Severity
-from kitrobot.primitives import Element
 from kitrobot.world import SHIPPED, World, find_world, read_world, write_world
+from kitrobot.xml import Element
 
 GOOD = """\
 <world version="1" name="test" width="2000" height="1000">

@@ -15,6 +15,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import cache
 from typing import Annotated, Any, Final
 
 import typer
@@ -136,10 +137,15 @@ def _status(act: Callable[[], int], failed: int) -> int:
     return status
 
 
+@cache
+def _command() -> Any:
+    """All commands as Typer's Click has them; it takes as long to make as most commands take."""
+    return typer.main.get_command(app)
+
+
 def _obey(arguments: list[str], studio: Studio | None) -> int:
-    command = typer.main.get_command(app)
     try:
-        status = command.main(arguments, prog_name="kitrobot", obj=studio, standalone_mode=False)
+        status = _command().main(arguments, prog_name="kitrobot", obj=studio, standalone_mode=False)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else int(end.code is not None)
     except _ClickError as error:

@@ -11,7 +11,7 @@ from kitrobot.cli.json_results import AsJson, of_board
 from kitrobot.cli.speaking import clean, error_object, give, json_text, tell, tell_of_waiting
 
 if TYPE_CHECKING:
-    from kitrobot.workspace import Seen
+    from kitrobot.robots import Seen
 
 
 def list_boards(

@@ -28,8 +28,8 @@ def check_files(
     constructors and worlds. Of an `.lll` without `--robot` only the syntax is checked. The exit status is 1 if there is
     an error, and 0 if there are only warnings and hints.
     """
-    from kitrobot.diagnostics import to_json
-    from kitrobot.workspace import check_file, find_robot, with_help, written_out
+    from kitrobot.diagnostics import to_json, with_help, written_out
+    from kitrobot.workspace import check_file, find_robot
 
     meant = find_robot(robot) if robot is not None else None
     reports = [check_file(path, meant) for path in files]

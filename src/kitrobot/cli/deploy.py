@@ -14,7 +14,7 @@ from kitrobot.cli.json_results import AsJson, of_board
 from kitrobot.cli.speaking import clean, complain, give, json_text, show, tell
 
 if TYPE_CHECKING:
-    from kitrobot.workspace import Sent
+    from kitrobot.robots import Sent
 
 _STAGES = {"connect": "connecting", "compare": "comparing", "send": "sending", "start": "starting"}
 
@@ -58,7 +58,8 @@ def deploy_program(
     Only what is new is sent, and it is read back. Until all of it is there the robot keeps what it had. The exit status
     is 1 when the program has errors, or when one of the robots could not be brought to run it.
     """
-    from kitrobot.workspace import chosen_boards, load_board_program, send_program
+    from kitrobot.robots import chosen_boards
+    from kitrobot.workspace import load_board_program, send_program
 
     ready = load_board_program(mission, robot=robot, program=program)
     show(ready.diagnostics, ready.sources)

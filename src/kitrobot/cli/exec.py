@@ -44,7 +44,8 @@ def execute_program(
     program has ended. Before any row of the inputs, sensors are 0 and every device is done; a row holds from its tick
     on, an empty cell changes nothing. The exit status is 1 when the program or the inputs have errors.
     """
-    from kitrobot.workspace import ProblemsError, execute, load_executable
+    from kitrobot.diagnostics import ProblemsError
+    from kitrobot.workspace import execute, load_executable
 
     loaded = load_executable(program, robot=robot, program=name, inputs=inputs)
     if loaded.image is None or loaded.inputs is None:

@@ -40,7 +40,7 @@ def format_files(
 
 
 def _format(name: str, write: bool, check: bool) -> bool:
-    from kitrobot.workspace import lay_out, lay_out_file
+    from kitrobot.files import lay_out, lay_out_file
 
     if name == STDIN:
         if sys.stdin is None:

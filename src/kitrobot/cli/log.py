@@ -24,8 +24,8 @@ def show_log(
 ) -> None:
     """Show the last fault of a robot, with the place in the program, and the text that the robot prints."""
     from kitrobot.deploy import Fault, SilentError, Text, connect
-    from kitrobot.workspace import chosen_boards
-    from kitrobot.workspace.board_watching import fault_object, fault_sentence, names_for
+    from kitrobot.robots import chosen_boards, fault_object, fault_sentence
+    from kitrobot.workspace.watching import known_program
 
     def say(sentence: str, found: dict[str, Any]) -> None:
         give(json_text(found) + "\n" if as_json else f"{clean(sentence)}\n")
@@ -39,7 +39,8 @@ def show_log(
             say(printed, {"kind": "text", "text": printed})
         raise
     with board:
-        names = names_for(board.hello, mission, program, robot)
+        known = known_program(board.hello, mission, program, robot)
+        names = known.names if known is not None else None
         fault = board.last_fault()
         if fault is None:
             say("no fault", {"kind": "fault", "number": 0})

@@ -42,7 +42,7 @@ def run_mission(
     if not math.isfinite(fail_rate):
         raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
     from kitrobot.sim import MAX_SECONDS, MAX_SEED
-    from kitrobot.workspace import open_mission
+    from kitrobot.workspace import RunOptions, open_mission
 
     if not 0 < seconds <= MAX_SECONDS:
         words = f"a run takes more than 0 and at most {MAX_SECONDS:.0f} seconds"
@@ -50,12 +50,10 @@ def run_mission(
     if seed > MAX_SEED:
         raise typer.BadParameter(f"a seed is a whole number from 0 to {MAX_SEED}", param_hint="'--seed'")
 
-    mission = open_mission(file)
-    report = mission.check()
-    if report.ok:
-        show(report.problems, report.sources)
+    prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate, trace))
+    show(prepared.problems, prepared.sources)
     with _progress(seconds) as progress:
-        run = mission.run(seed=seed, seconds=seconds, trace=trace, progress=progress, fail_rate=fail_rate)
+        run = prepared.run(progress)
     give(json_text(run.to_json()) + "\n" if as_json else _summary(run))
     if run.outcome != "done":
         raise typer.Exit(1)

@@ -43,7 +43,7 @@ def begin() -> None:
 
 def failure() -> str:
     """What went wrong as one line of JSON; "" when the command has given data already."""
-    from kitrobot.workspace import with_help
+    from kitrobot.diagnostics import with_help
 
     if _Said.given:
         return ""
@@ -114,7 +114,7 @@ def give(text: str) -> None:
 
 def show(diagnostics: Iterable[Diagnostic], sources: Iterable[Source] = ()) -> None:
     """Diagnostics, on standard error."""
-    from kitrobot.workspace import written_out
+    from kitrobot.diagnostics import written_out
 
     diagnostics = list(diagnostics)
     _Said.problems += diagnostics

@@ -29,7 +29,7 @@ def stop_boards(to: Addresses = None, everyone: Everyone = False, as_json: AsJso
 
 def _each(to: Sequence[str], everyone: bool, as_json: bool, act: Callable[[Board], None], word: str) -> None:
     from kitrobot.deploy import list_ports
-    from kitrobot.workspace import at_boards, chosen_boards
+    from kitrobot.robots import at_boards, chosen_boards
 
     if everyone and to:
         raise typer.BadParameter("choose one of --all and --to")

@@ -69,7 +69,8 @@ def _existing(target: str, commands: list[str]) -> Path:
     path = Path(target)
     if path.is_dir() or (path.is_file() and path.suffix.lower() == ".krt"):
         return path
-    from kitrobot.workspace import is_picture, is_trace, open_trace, read_carried
+    from kitrobot.files import is_picture, read_carried
+    from kitrobot.workspace import is_trace, open_trace
 
     if path.is_file() and is_trace(path.name):
         # As with pictures: one that cannot be played is told before a browser opens.
@@ -86,7 +87,7 @@ def _existing(target: str, commands: list[str]) -> Path:
             "turn it into one with `kitrobot convert`" if ending in (".lll",) else "",
         )
     if path.suffix or len(path.parts) > 1:
-        from kitrobot.workspace import look_alike
+        from kitrobot.files import look_alike
 
         raise StudioError(f"there is no file or folder `{target}`", look_alike(path))
     from difflib import get_close_matches

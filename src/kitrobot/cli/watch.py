@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rich.console import Group
 
     from kitrobot.deploy import Fault, News, Text
-    from kitrobot.workspace.board_watching import View, Watched
+    from kitrobot.robots import WatchedRobot
 
 Boards = Annotated[
     list[str] | None,
@@ -88,22 +88,22 @@ def watch_board(
     """
     if seconds is not None and not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("watching takes more than 0 seconds", param_hint="'--seconds'")
-    from kitrobot.workspace import chosen_boards
-    from kitrobot.workspace.board_watching import connected, recorder_of
+    from kitrobot.robots import chosen_boards
+    from kitrobot.workspace.watching import record_robots, watched_robot
 
     with ExitStack() as stack:
         watched = [
-            stack.enter_context(connected(address, mission, program, robot, partial(tell_of_waiting, address)))
+            stack.enter_context(watched_robot(address, mission, program, robot, partial(tell_of_waiting, address)))
             for address in chosen_boards(to or [])
         ]
         for one in watched:
-            if one.view.names is None:
-                called = one.board.hello.program
+            if one.names is None:
+                called = one.hello.program
                 tell(f"{one.address}: the program {called} was not sent from here; only its numbers are known")
                 tell("  help: name the mission with --mission")
         recorder = None
         if trace is not None:
-            recorder = recorder_of(trace, watched, mission)
+            recorder = record_robots(trace, watched, mission)
             stack.callback(recorder.close)
         failed = _watch(watched, period, math.inf if seconds is None else seconds, as_json)
         if recorder is not None:
@@ -116,7 +116,7 @@ def watch_board(
         raise typer.Exit(1)
 
 
-def _watch(watched: Sequence[Watched], period: int, seconds: float, as_json: bool) -> bool:
+def _watch(watched: Sequence[WatchedRobot], period: int, seconds: float, as_json: bool) -> bool:
     """Watches for so long, until Ctrl-C, or until no robot answers any more; whether a link was lost."""
     there = list(watched)
     try:
@@ -143,48 +143,48 @@ def _watch(watched: Sequence[Watched], period: int, seconds: float, as_json: boo
 
 
 @contextmanager
-def _shown(watched: Sequence[Watched], as_json: bool) -> Iterator[Any]:
+def _shown(watched: Sequence[WatchedRobot], as_json: bool) -> Iterator[Any]:
     """What shows a robot after some news: a table that stays in its place, or lines."""
     several = len(watched) > 1
     if as_json:
-        yield lambda one: give(_json(one.view, one.news, one.address)) if one.news is not None else None
+        yield lambda one: give(_json(one, one.news)) if one.news is not None else None
         return
     if not sys.stdout.isatty():
-        yield lambda one: give(_lines(one.view, one.news, one.address if several else "")) if one.news else None
+        yield lambda one: give(_lines(one, one.news, several)) if one.news else None
         return
     from rich.console import Console, Group
     from rich.live import Live
 
     def tables() -> Group:
-        return Group(*(_table(one.view, one.address if several else "") for one in watched))
+        return Group(*(_table(one, several) for one in watched))
 
     with Live(tables(), console=Console(), refresh_per_second=10, transient=False) as live:
         yield lambda one: live.update(tables())
 
 
-def _json(view: View, news: News | Fault | Text, board: str) -> str:
-    found = json_text({"board": board, **view.to_json(news)})
+def _json(one: WatchedRobot, news: News | Fault | Text) -> str:
+    found = json_text({"board": one.address, **one.to_json(news)})
     sys.stdout.flush()
     return found + "\n"
 
 
-def _lines(view: View, news: News | Fault | Text, board: str) -> str:
-    before = f"{board}: " if board else ""
-    return "".join(f"{clean(before + line)}\n" for line in view.told(news))
+def _lines(one: WatchedRobot, news: News | Fault | Text, several: bool) -> str:
+    before = f"{one.address}: " if several else ""
+    return "".join(f"{clean(before + line)}\n" for line in one.told(news))
 
 
-def _table(view: View, board: str) -> Group:
+def _table(one: WatchedRobot, several: bool) -> Group:
     from rich import box
     from rich.console import Group
     from rich.table import Table
     from rich.text import Text
 
-    title = f"{board}: {view.title()}" if board else view.title()
+    title = f"{one.address}: {one.title()}" if several else one.title()
     table = Table(box=box.SIMPLE, title=Text(clean(title)), title_justify="left")
     table.add_column("runs")
     table.add_column("variables")
     table.add_column("inputs")
-    rows = [view.standing(), view.values(view.variables), view.values(view.inputs)]
+    rows = [one.standing(), one.variables(), one.inputs()]
     table.add_row(*(Text("\n".join(clean(line) for line in row)) for row in rows))
-    last = [Text(clean(line)) for line in view.printed[-5:]]
+    last = [Text(clean(line)) for line in one.printed[-5:]]
     return Group(table, *last)

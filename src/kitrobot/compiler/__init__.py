@@ -8,6 +8,7 @@ from kitrobot.compiler.own_part import Chosen, Look, Offered, Part, PartError, m
 from kitrobot.compiler.part_offers import Offer
 from kitrobot.compiler.part_reading import PartText, draw_template, read_part
 from kitrobot.compiler.selection import SelectionError
+from kitrobot.compiler.target import Target, target_of
 from kitrobot.compiler.text_edit import Followed, VertexPlace, follow_text
 
 __all__ = [
@@ -21,6 +22,7 @@ __all__ = [
     "PartError",
     "PartText",
     "SelectionError",
+    "Target",
     "Translation",
     "VertexPlace",
     "check",
@@ -34,4 +36,5 @@ __all__ = [
     "make_part",
     "offer_part",
     "read_part",
+    "target_of",
 ]

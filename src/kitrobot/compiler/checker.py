@@ -13,6 +13,7 @@ from kitrobot.compiler import rules
 from kitrobot.compiler.always import always_holds
 from kitrobot.compiler.flow import FlowAnalysis
 from kitrobot.compiler.giving_way import given_way
+from kitrobot.compiler.target import Target
 from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule, Source, in_reading_order
 from kitrobot.lll import (
     And,
@@ -35,15 +36,16 @@ from kitrobot.lll import (
     bodies,
     nodes,
 )
-from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, Suggestions, ValueType, listed
+from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
+from kitrobot.text import Suggestions, listed
 
 
-def check(program: Seq, robot: Robot, source: Source, program_name: str = "") -> list[Diagnostic]:
-    """All that is wrong or odd about a program for a robot, in reading order.
+def check(program: Seq, target: Target, source: Source, program_name: str = "") -> list[Diagnostic]:
+    """All that is wrong or odd about a program for a target, in reading order.
 
     `source` is the text the nodes' places point into; `program_name` is set on each diagnostic.
     """
-    checker = _Checker(robot, source, program_name)
+    checker = _Checker(target, source, program_name)
     checker.seq(program, in_loop=False, in_parallel=False)
     if not any(item.is_error for item in checker.found):
         checker.overwritten(program)

@@ -35,7 +35,7 @@ class Code:
     def __init__(self) -> None:
         self.rows: list[tuple[int, Operand, Operand, Operand]] = []
         self.origins: list[Origin] = []
-        self.origin = Origin(0, 0, None)
+        self.origin = Origin("", None, 0, 0)
         self.labels: list[int] = []
         self.constants: list[int] = []
         self._constant: dict[int, int] = {}

@@ -9,11 +9,13 @@ from kitrobot.compiler.graph_rules import UNKNOWN_ELEMENT
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lowering import lower
 from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
+from kitrobot.compiler.target import Target, target_of
 from kitrobot.diagnostics import Diagnostic, Source, in_reading_order
 from kitrobot.graph import Program
 from kitrobot.image import DebugMap, Image
-from kitrobot.lll import Seq, collection_paused, parse, print_program
-from kitrobot.primitives import Catalogue, Robot
+from kitrobot.lll import Seq, parse, print_program
+from kitrobot.primitives import Catalogue
+from kitrobot.text import collection_paused
 
 
 @dataclass(frozen=True)
@@ -33,30 +35,30 @@ class Compiled:
 
 
 def compile_lll(
-    program: Seq, robot: Robot, source: Source | None = None, name: str = "", *, sound: bool = False
+    program: Seq, target: Target, source: Source | None = None, name: str = "", *, sound: bool = False
 ) -> Compiled:
-    """Checks a tree for a robot and lowers it. Without a `source` the tree is printed first, to have a text.
+    """Checks a tree for a target and lowers it. Without a `source` the tree is printed first, to have a text.
 
     `name` is the program's name in its mission, set on the diagnostics; `sound`: `check` found nothing in an equal
     tree.
     """
     if source is None:
         source = Source(f"{name or 'program'}.lll", print_program(program))
-    diagnostics = [] if sound else check(program, robot, source, name)
+    diagnostics = [] if sound else check(program, target, source, name)
     if any(item.is_error for item in diagnostics):
         return Compiled(program, source, None, DebugMap(), diagnostics)
-    image, debug, too_large = lower(program, robot)
+    image, debug, too_large = lower(program, target, name)
     diagnostics += [replace(item, place=source.place(0, 0), program=name) for item in too_large]
     return Compiled(program, source, image, debug, diagnostics)
 
 
-def compile_text(text: str, robot: Robot, name: str = "program.lll") -> Compiled:
+def compile_text(text: str, target: Target, name: str = "program.lll") -> Compiled:
     """Reads an LLL text and compiles it; `name` is the file name that diagnostics show."""
     parsed = parse(text, name)
     if parsed.ok:
-        compiled = compile_lll(parsed.program, robot, parsed.source)
+        compiled = compile_lll(parsed.program, target, parsed.source)
     else:
-        found = check(parsed.program, robot, parsed.source)
+        found = check(parsed.program, target, parsed.source)
         compiled = Compiled(parsed.program, parsed.source, None, DebugMap(), found)
     return replace(compiled, diagnostics=in_reading_order(parsed.diagnostics + compiled.diagnostics))
 
@@ -64,7 +66,7 @@ def compile_text(text: str, robot: Robot, name: str = "program.lll") -> Compiled
 def compile_program(
     program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
 ) -> Compiled:
-    """Translates a graph to LLL and compiles it for its robot. Vertices are named in the diagnostics and debug map.
+    """Translates a graph to LLL and compiles it for its target. Vertices are named in the diagnostics and debug map.
 
     `translation`: the graph's, where it was made already; `sound`: `check` found nothing in a tree equal to its own.
 
@@ -75,15 +77,15 @@ def compile_program(
 
 
 def _compile_program(program: Program, catalogue: Catalogue, translation: Translation | None, sound: bool) -> Compiled:
-    robot = catalogue.robot(program.robot)
+    target = target_of(program, catalogue)
     if translation is None:
         translation = graph_to_lll(program, catalogue)
     source = Source(f"{program.name}.lll", print_program(translation.program))
     if not translation.ok:
-        found = check(translation.program, robot, source, program.name)
+        found = check(translation.program, target, source, program.name)
         diagnostics = translation.diagnostics + _news(found, translation.diagnostics)
         return Compiled(translation.program, source, None, DebugMap(), diagnostics)
-    compiled = compile_lll(translation.program, robot, source, program.name, sound=sound)
+    compiled = compile_lll(translation.program, target, source, program.name, sound=sound)
     return Compiled(
         compiled.program, source, compiled.image, compiled.debug, translation.diagnostics + compiled.diagnostics
     )

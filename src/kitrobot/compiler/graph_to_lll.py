@@ -15,7 +15,8 @@ from dataclasses import dataclass, field
 from typing import Any, cast
 
 from kitrobot.compiler import graph_rules as rules
-from kitrobot.compiler.filling import fill
+from kitrobot.compiler.expand_template import fill
+from kitrobot.compiler.target import target_of
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
@@ -85,7 +86,7 @@ class _Walk:
         self.holes = holes
         self.stretches: dict[str, list[Instr]] = {}
         self.program = program
-        self.robot = catalogue.robot(program.robot)
+        self.robot = target_of(program, catalogue)
         self.catalogue = catalogue
         self.wiring = Wiring(program, self.robot, catalogue)
         self.visited: set[str] = set()

@@ -18,7 +18,7 @@ from typing import Any
 
 from kitrobot.compiler.anew import write_anew
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
-from kitrobot.compiler.keeping import Before, Branch, Old, Origin, Row, lines_of, note, nothing_before
+from kitrobot.compiler.preserve_ids import Before, Branch, Old, Origin, Row, lines_of, note, nothing_before
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
 from kitrobot.lll import Call, Instruction, Node, Number, Seq, nodes
@@ -61,7 +61,7 @@ def redraw(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, before: Befo
     if tree == seq:
         for node, was in zip(nodes(seq), nodes(tree), strict=True):
             node.vertex = was.vertex
-        return replace(before.program, name=name, robot=robot.name), before.translation
+        return replace(before.program, name=name, target=robot.name), before.translation
     old = Old.beside(before, seq)
     drawn, translation = Program(name, robot.name), before.translation
     for notes_anew in (False, True):

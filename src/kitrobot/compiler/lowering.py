@@ -10,6 +10,7 @@ from kitrobot.compiler import rules
 from kitrobot.compiler.code import FAULT, Cell, Code, Label
 from kitrobot.compiler.flow import FlowAnalysis
 from kitrobot.compiler.slots import SlotTree
+from kitrobot.compiler.target import Target
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.image import (
     LARGEST_VALUE,
@@ -50,9 +51,12 @@ from kitrobot.lll import (
 from kitrobot.primitives import Category, Kind, Method, Robot, RobotObject
 
 
-def lower(program: Seq, robot: Robot) -> tuple[Image | None, DebugMap, list[Diagnostic]]:
-    """The image of a program, or None and why it is too large; and where each instruction came from."""
-    lowering = _Lowering(program, robot)
+def lower(program: Seq, target: Target, name: str = "") -> tuple[Image | None, DebugMap, list[Diagnostic]]:
+    """The image of a program, or None and why it is too large; and where each instruction came from.
+
+    `name` is the program's name in its mission, kept in the origins.
+    """
+    lowering = _Lowering(program, target, name)
     too_large = lowering.too_large()
     debug = DebugMap(lowering.code.origins)
     if too_large:
@@ -61,7 +65,8 @@ def lower(program: Seq, robot: Robot) -> tuple[Image | None, DebugMap, list[Diag
 
 
 class _Lowering:
-    def __init__(self, program: Seq, robot: Robot) -> None:
+    def __init__(self, program: Seq, robot: Robot, name: str) -> None:
+        self.name = name
         self.robot = robot
         self.layout = Layout(robot)
         self.flow = FlowAnalysis(robot)
@@ -128,7 +133,7 @@ class _Lowering:
     def seq(self, seq: Seq) -> None:
         for node in seq.items:
             self.code.free_temporaries()
-            self.code.origin = Origin(node.start, node.end, node.vertex)
+            self.code.origin = Origin(self.name, node.vertex, node.start, node.end)
             self.instruction(node)
 
     def body(self, seq: Seq) -> None:
@@ -145,7 +150,7 @@ class _Lowering:
             case Interrupt():
                 assert isinstance(node.call, Call)
                 if node.call.vertex is not None:
-                    code.origin = Origin(node.start, node.end, node.call.vertex)
+                    code.origin = Origin(self.name, node.call.vertex, node.start, node.end)
                 self.action(node.call, marked=True)
             case Repeat():
                 self.repeat(node)

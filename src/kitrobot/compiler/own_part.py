@@ -19,6 +19,7 @@ from kitrobot.compiler.graph_to_lll import SlotName, condition_to_lll, graph_to_
 from kitrobot.compiler.part_offers import TAKEN_PORTS, TYPED, Offer, offers_of
 from kitrobot.compiler.part_placing import contents, put_part
 from kitrobot.compiler.selection import Selection, select
+from kitrobot.compiler.target import target_of
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.graph import NEXT, START, STOP, Arc, Program, Vertex
@@ -102,7 +103,7 @@ def offer_part(program: Program, vertices: Sequence[str], catalogue: Catalogue) 
     Raises:
         SelectionError: it is not one stretch, and not one condition.
     """
-    wiring = Wiring(program, catalogue.robot(program.robot), catalogue)
+    wiring = Wiring(program, target_of(program, catalogue), catalogue)
     selection = select(wiring, vertices)
     offers = offers_of(wiring, selection)
     holes = {place: offer.name for place, offer, _ in _places(offers, ())}
@@ -127,7 +128,7 @@ def make_part(
         SelectionError: it is not one stretch, and not one condition.
         PartError: the name is taken, or what is chosen makes no template; `diagnostics` has the places.
     """
-    wiring = Wiring(program, catalogue.robot(program.robot), catalogue)
+    wiring = Wiring(program, target_of(program, catalogue), catalogue)
     selection = select(wiring, vertices)
     check_name(look.name, catalogue)
     slots = _slots(_places(offers_of(wiring, selection), chosen))
@@ -309,11 +310,11 @@ def _piece(program: Program, selection: Selection, wiring: Wiring) -> Program:
     vertices = [replace(wiring.vertices[name], notes=[]) for name in selection.held]
     arcs = [arc for arc in program.arcs if arc.source in held and arc.target in held]
     if selection.is_condition:
-        return Program(program.name, program.robot, vertices, arcs)
+        return Program(program.name, program.target, vertices, arcs)
     first, last = selection.chain[0], selection.chain[-1]
     arcs = [arc for arc in arcs if (arc.source, arc.out) != (last, NEXT)]
     ends = [Vertex(start, START), Vertex(stop, STOP)]
-    return Program(program.name, program.robot, [*vertices, *ends], [*arcs, Arc(start, first), Arc(last, stop)])
+    return Program(program.name, program.target, [*vertices, *ends], [*arcs, Arc(start, first), Arc(last, stop)])
 
 
 def _unused(held: set[str], name: str) -> str:

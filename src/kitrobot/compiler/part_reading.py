@@ -39,11 +39,11 @@ from kitrobot.primitives import (
     SlotKind,
     Template,
     ValueType,
-    escape_text,
     holes,
     read_own,
     write_constructor,
 )
+from kitrobot.xml import escape_text
 
 FILE = "part.lll"
 """The name by which problems speak of the text."""
@@ -192,7 +192,7 @@ def _without_chain(program: Program) -> Program:
     gone = chained | {vertex.id for vertex in program.vertices if vertex.element in (START, STOP)}
     return Program(
         program.name,
-        program.robot,
+        program.target,
         [vertex for vertex in program.vertices if vertex.id not in gone],
         [arc for arc in program.arcs if arc.source not in gone and arc.target not in gone],
     )

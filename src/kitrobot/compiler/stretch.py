@@ -14,9 +14,9 @@ from typing import Any
 
 from kitrobot.compiler.anew import write_anew
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
-from kitrobot.compiler.identity import same_nodes
-from kitrobot.compiler.keeping import Before, Old, lines_of
 from kitrobot.compiler.lll_to_graph import Drawing, redraw
+from kitrobot.compiler.preserve_ids import Before, Old, lines_of
+from kitrobot.compiler.tree_diff import same_nodes
 from kitrobot.graph import IN, NEXT, Arc, Program
 from kitrobot.lll import Call, Interrupt, Repeat, Seq, children, nodes
 from kitrobot.primitives import Catalogue, Robot
@@ -164,4 +164,4 @@ def _spliced(before: Before, drawn: Program, entry: Arc, stretch: _Stretch) -> P
             arcs.append(arc)
     vertices = program.vertices
     kept = [vertex for vertex in vertices[place:] if vertex.id not in gone]
-    return Program(program.name, drawn.robot, [*vertices[:place], *drawn.vertices, *kept], arcs)
+    return Program(program.name, drawn.target, [*vertices[:place], *drawn.vertices, *kept], arcs)

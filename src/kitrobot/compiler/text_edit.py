@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 
 from kitrobot.compiler.checker import check
 from kitrobot.compiler.graph_to_lll import Translation
-from kitrobot.compiler.keeping import Before, Old
+from kitrobot.compiler.preserve_ids import Before, Old
 from kitrobot.compiler.stretch import redraw_edited
 from kitrobot.diagnostics import Diagnostic, Place, Source, in_reading_order
 from kitrobot.graph import Program

@@ -12,7 +12,8 @@ from typing import Any
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.diagnostics import ArcName, Diagnostic, Fix, FixKind
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
-from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind, Suggestions
+from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind
+from kitrobot.text import Suggestions
 
 
 class Wiring:

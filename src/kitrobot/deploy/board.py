@@ -1,9 +1,9 @@
-"""A board that runs KitRobot's loop, as a host talks to it: requests with answers, and the news in between.
+"""The host's end of the link to a board that runs KitRobot's loop: requests with answers, and news in between.
 
-One lock guards the line, so that one thread may wait for news while another says stop. What comes unasked while an
-answer is awaited is kept for `news`. Every request is said again until it is answered; the robot does nothing twice.
-Left to others: how long a robot is waited for (patience), the first greeting (connecting), what the numbers are called
-(workspace), putting something onto a board (installing).
+One lock guards the line, so that one thread may wait for news while another sends a stop. Messages that arrive
+unrequested while an answer is awaited are queued for `news`. A request is repeated until it is answered; the board
+recognises repetitions by their number and executes a request once. Left to others: how long an answer is waited for
+(patience), the first greeting (connecting), names for numbers (kitrobot.robots), installing (installing).
 """
 
 from __future__ import annotations
@@ -319,6 +319,7 @@ class Board:
                 answer = found[0], found[2]
             elif found[1] == 0 and found[0] == "F":
                 self._waiting.append(read_fault(found[2]))
+                self._told = -math.inf  # the state that it reported before holds no more
             elif found[1] == 0 and found[0] == "T":
                 news = read_news(found[2])
                 self._waiting.append(news)

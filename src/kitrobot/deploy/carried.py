@@ -1,6 +1,6 @@
-"""The modules of `kitrobot_onboard` as they land on a board: short, in pieces, and with names that they share.
+"""The modules of `kitrobot_onboard` as they are installed on a board: minified, in pieces, with shared short names.
 
-Those of the loop share one space of names there, so they need no imports of one another.
+The modules of the loop share one namespace on a board, so they need no imports of one another.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from functools import cache
 from pathlib import Path
 
 import kitrobot_onboard
+from kitrobot.deploy.builtin_names import GLOBALS, LOCALS
 from kitrobot.deploy.constants import Constants, constants_of, told_in_place
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.frozen import Frozen, WithNames, frozen, literals_of
-from kitrobot.deploy.known import GLOBALS, LOCALS
+from kitrobot.deploy.flash_code import Frozen, WithNames, frozen, literals_of
 from kitrobot.deploy.naming import renamed, short_names
 from kitrobot.deploy.shortening import parsed, shortened
-from kitrobot_onboard.asked import ASKED, BY_FAMILY
+from kitrobot_onboard.requests import BY_FAMILY, REQUESTS
 
 ONBOARD = Path(kitrobot_onboard.__file__).parent
 ROOT = "kitrobot_onboard"
@@ -31,11 +31,11 @@ _WORDS = 8
 _PIECE = 90
 """Letters of a piece of a script, where a statement needs no more."""
 
-LOOP = ("telling", "reaction", "robot", "link", "obeying", "hearing", "acting", "checking", "equipping")
+LOOP = ("telling", "reaction", "robot", "link", "dispatch", "receive", "acting", "checking", "equipping")
 """Modules of the loop in the order in which a board compiles them: the largest first, because there is less and less
 room for it."""
 
-_SCRIPTED = ("asked", "driver", "error", "package", "space", "where", "memory", "place", "spot", "tail")
+_SCRIPTED = ("requests", "driver", "error", "package", "space", "where", "memory", "place", "spot", "tail")
 """Names of variables that only a program file has."""
 
 _LITERALS = tuple(f"literal{number}" for number in range(24))
@@ -45,7 +45,7 @@ IN_FLASH = {
     "microbit": (
         ("interpreter",),
         ("reaction", "robot"),
-        ("ports/microbit", "link", "obeying", "hearing", "acting", "checking", "equipping"),
+        ("ports/microbit", "link", "dispatch", "receive", "acting", "checking", "equipping"),
         ("telling",),
     )
 }
@@ -141,8 +141,8 @@ def words() -> Sequence[str]:
     would cut that in two.
     """
     found: set[str | bytes] = set()
-    for name in {name for kind, names in ASKED.items() if kind not in _LARGE for name in names}:
-        for node in (one for piece in pieces(f"asked/{name}") for one in ast.walk(ast.parse(piece))):
+    for name in {name for kind, names in REQUESTS.items() if kind not in _LARGE for name in names}:
+        for node in (one for piece in pieces(f"requests/{name}") for one in ast.walk(ast.parse(piece))):
             match node:
                 case ast.Name(id=word) | ast.Attribute(attr=word) | ast.Constant(value=str(word) | bytes(word)):
                     found.add(word)
@@ -152,12 +152,12 @@ def words() -> Sequence[str]:
     return [",".join(listed[at : at + _WORDS]) for at in range(0, len(listed), _WORDS)]
 
 
-def asked_file(family: str) -> bytes:
+def requests_file(family: str) -> bytes:
     """What a board reads when it is asked: each piece of an answer behind its letter and its size."""
     found = ""
-    for kind, names in ASKED.items():
+    for kind, names in REQUESTS.items():
         for name in BY_FAMILY.get(family, {}).get(kind, names):
-            found += "".join(f"{kind}{len(piece):03}{piece}" for piece in pieces(f"asked/{name}"))
+            found += "".join(f"{kind}{len(piece):03}{piece}" for piece in pieces(f"requests/{name}"))
     return found.encode()
 
 
@@ -166,7 +166,7 @@ def _carried() -> frozenset[Path]:
     """The modules that call one another; drivers are called by fixed names only."""
     return frozenset(
         path
-        for folder in (ONBOARD, ONBOARD / "ports", ONBOARD / "asked")
+        for folder in (ONBOARD, ONBOARD / "ports", ONBOARD / "requests")
         for path in folder.glob("*.py")
         if path.name not in _NOT_CARRIED
     )

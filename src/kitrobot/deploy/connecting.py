@@ -1,7 +1,7 @@
-"""The first greeting on a line: with a robot that runs, or a board at its prompt, whose program is started then.
+"""The first greeting on a line: to a robot that runs, or to a board at its prompt, whose program is started then.
 
-All that is said here is harmless to who is not meant: a greeting and Ctrl-B are noise to a program of one's own, and a
-Ctrl-C is said only to who has shown that it takes text in raw paste mode, where a line that was cut leaves it.
+Everything sent here is harmless to a device that is no KitRobot: a greeting and Ctrl-B are noise to another program,
+and Ctrl-C is sent only to a board that has answered in raw paste mode, where an interrupted line leaves it.
 """
 
 from __future__ import annotations

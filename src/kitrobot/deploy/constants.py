@@ -1,7 +1,7 @@
-"""Numbers with names become plain numbers: on a small board a name takes room wherever it is used.
+"""Named constants are replaced by their numbers: on a small board a name takes memory wherever it is used.
 
-A constant is a name in capitals that a module gives a whole number at its top, once. It is told in place, in that
-module and in those that import it from there, and its definition stays at home.
+A constant is a name in capitals that a module assigns a whole number at its top level, once. Its uses are replaced in
+that module and in those that import it, and its definition is left out.
 """
 
 from __future__ import annotations

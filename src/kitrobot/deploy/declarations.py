@@ -1,13 +1,13 @@
-"""What a driver says of itself to the host: which settings it understands, and which procedures it can do.
+"""What a driver declares to the host: the settings that it accepts, and the procedures that it can execute.
 
-A driver may hold, at its top level,
+A driver may have, at its top level,
 
     SETTINGS = {"pin": "pin", "time": "1..60000 = 1000", "active": "high|low = high", "threshold": "1..65535?"}
     PROCEDURES = "Open Close"
 
-A setting is a `pin` (a number or a name), a `text`, a whole number in a range, or one of several words; `= VALUE` says
-the usual one, `?` that it may be left out. Both are read without running the driver and are left out of what lands on a
-board. A driver that says nothing is told whatever stands in the XML.
+A setting is a `pin` (a number or a name), a `text`, a whole number in a range, or one of several words; `= VALUE` is
+the default, `?` marks an optional setting. Both are read without running the driver and are left out of what is
+installed on a board. A driver without declarations gets all settings of the XML, unchecked.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What can go wrong between a host and a board; each says in a sentence what, and what to do about it."""
+"""The errors between a host and a board; each message is one sentence with a way out."""
 
 from __future__ import annotations
 

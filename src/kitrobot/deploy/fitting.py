@@ -1,4 +1,4 @@
-"""Whether the drivers of a program's devices understand what the robot's XML tells them, before anything is sent."""
+"""Checks that the drivers of a program's devices accept the settings of the robot's XML, before anything is sent."""
 
 from __future__ import annotations
 

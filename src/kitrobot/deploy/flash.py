@@ -1,9 +1,10 @@
-"""The flash of a micro:bit of 2016: what its files leave free of it, for code that runs where it lies.
+"""The flash of a micro:bit of 2016: the space that its file system leaves free, for code that is executed in place.
 
-Its file system consists of pieces of 128 bytes. The first byte of each says what it is (freed, unused, the start of a
-file, or the number of the piece before it), the last one names the next. What is neither freed nor unused is left
-alone, and copied when the board tidies its flash up. So a block of ours is a run of pieces that belong to no file; it
-may be moved by a page when the board writes a file, and is found by its head (`kitrobot.deploy.frozen.head`).
+The file system consists of pieces of 128 bytes. The first byte of each is its kind (freed, unused, the start of a
+file, or the number of the piece before it), the last one the number of the next. A piece that is neither freed nor
+unused is left alone, and copied when the board compacts its flash. So a block of ours is a run of pieces that belong
+to no file; the board may move it by a page when it writes a file, and it is found by its head
+(`kitrobot.deploy.flash_code.head`).
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from kitrobot.deploy.errors import BoardError, FullError
-from kitrobot.deploy.frozen import CHUNK, HEAD, head, unknown_firmware
+from kitrobot.deploy.flash_code import CHUNK, HEAD, head, unknown_firmware
 from kitrobot.deploy.receiver import Receiver, strange
 
 PAGE = 1024

@@ -1,9 +1,9 @@
-"""Putting a program, and the package that it needs, onto a board.
+"""Installs a program, and the package that it needs, on a board.
 
-The order is what makes it safe to break off anywhere: what nobody names is removed; missing files are sent and read
-back; last of all a line is written beside the one that counts. Until that line is whole the board starts what it
-started before. When the board then does not greet as what was sent, the line is removed again. The files of the
-installation before stay until the next one.
+The order of the steps makes an interruption safe at any point: unreferenced files are removed; missing files are sent
+and read back; last of all a boot record is written beside the valid one. Until that record is complete the board
+starts what it started before. When the board then does not greet with the new program, the record is removed again.
+The files of the previous installation stay until the next one.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from kitrobot.deploy.board import Board, Hello
+from kitrobot.deploy.boot_records import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.connecting import STARTS, greet
 from kitrobot.deploy.errors import BoardError, ForeignError, FullError, NoMemoryError, SilentError
 from kitrobot.deploy.fitting import refuse_misfits
-from kitrobot.deploy.freezing import freeze
-from kitrobot.deploy.frozen import sign_of
+from kitrobot.deploy.flash_code import sign_of
+from kitrobot.deploy.flash_install import freeze
 from kitrobot.deploy.line import Line
-from kitrobot.deploy.lying import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.memory import WORKING, refuse_what_does_not_fit
 from kitrobot.deploy.package import MODULE, PROGRAM, Built, Package
 from kitrobot.deploy.patience import STARTING_S

@@ -1,13 +1,15 @@
-"""A line to a board: bytes there and back, over a serial port or whatever else a pyserial URL means.
+"""A line to a board: bytes in both directions, over a serial port or any other pyserial URL.
 
-Reading never waits longer than it is told and gives what is there. Whatever pyserial raises becomes a `LineError`. Left
-to others: what the bytes mean (repl, receiver, board).
+A read waits at most as long as its timeout and returns what has arrived. Exceptions of pyserial become a `LineError`.
+Left to others: what the bytes mean (repl, receiver, board).
 """
 
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
+import select
 import socket
 import time
 from typing import Any
@@ -47,21 +49,36 @@ class Line:
             self.port = _opened(address)
         except Trouble as error:
             raise LineError(f"`{address}` cannot be opened: {_reason(error)}", _way_out(address, error)) from error
+        wire = getattr(self.port, "_socket", None)
+        self._wire = wire if isinstance(wire, socket.socket) else None
+        """The connection of a `socket://` address, which pyserial would read byte by byte."""
 
     def read(self, timeout_s: float) -> bytes:
         """What has come, at once when there is something, else as soon as it comes; empty when the time is over."""
         until = self.now() + timeout_s
         try:
             while True:
-                data: bytes = self.port.read(1)
-                if data:
-                    while (waiting := self.port.in_waiting) and len(data) < _AT_ONCE:
-                        data += self.port.read(min(waiting, _AT_ONCE))
+                data = self._come() if self._wire is None else self._received(self._wire)
+                if data or self.now() >= until:
                     return data
-                if self.now() >= until:
-                    return b""
         except Trouble as error:
             raise self._broken(error) from error
+
+    def _come(self) -> bytes:
+        """What has come at the port; empty after a slice of time in which nothing came."""
+        data: bytes = self.port.read(1)
+        while data and (waiting := self.port.in_waiting) and len(data) < _AT_ONCE:
+            data += self.port.read(min(waiting, _AT_ONCE))
+        return data
+
+    def _received(self, wire: socket.socket) -> bytes:
+        """The same for a connection."""
+        ready, _, _ = select.select([wire], [], [], _SLICE_S)
+        if not ready:
+            return b""
+        if data := wire.recv(_AT_ONCE):
+            return data
+        raise ConnectionResetError(errno.ECONNRESET, os.strerror(errno.ECONNRESET))
 
     def waiting(self) -> int:
         """How many bytes have come and can be read at once."""
@@ -114,10 +131,10 @@ class Line:
             # In this order a board whose reset hangs on these two wires is not reset.
             self.port.rts = False
             self.port.dtr = False
-        wire = getattr(self.port, "_socket", None)
-        if isinstance(wire, socket.socket):
-            # pyserial would wait a while after it; nobody reads what was not answered.
-            wire.close()
+        if self._wire is not None:
+            # pyserial would wait a while after it, also when it is collected; nobody reads what was not answered.
+            self.port.is_open = False
+            self._wire.close()
             return
         with contextlib.suppress(*Trouble):
             self.port.close()

@@ -1,8 +1,8 @@
-"""Whether a program fits a board's memory, before anything is sent.
+"""Estimates whether a program fits a board's memory, before anything is sent.
 
-An estimate: what the loop takes at least while the board compiles it, what the package's modules take then, what the
-arrays of the program take, and what is needed to work. It refuses only what is sure not to fit; what it lets through
-and does not fit after all is refused by the board itself, which then goes on with what it had.
+The estimate is the least memory of the loop while the board compiles it, of the package's modules, of the program's
+arrays, and of the working memory. It refuses only what certainly does not fit; a program that passes and does not fit
+after all is refused by the board itself, which then keeps its previous program.
 """
 
 from __future__ import annotations

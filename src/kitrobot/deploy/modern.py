@@ -1,7 +1,7 @@
-"""Boards with MicroPython 1.20 and later: a text of any length is told at once, through mpremote's transport.
+"""Boards with MicroPython 1.20 and later: a text of any length is sent at once, through mpremote's transport.
 
-They have raw paste mode, which tells the host when to wait, so nothing is lost in a burst. mpremote's class opens its
-port itself and says nothing of why it could not; this one takes a line that is open, whatever kind of URL it came from.
+They have raw paste mode with flow control, so nothing is lost in a burst. mpremote's class opens its port itself and
+hides why that failed; this one takes a line that is open, of any kind of URL.
 """
 
 from __future__ import annotations
@@ -12,7 +12,10 @@ from typing import Any
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.repl import GarbledError
 
-_PATIENCE_S = 5.0
+_PATIENCE_S = 2.0
+"""Silence after which something was lost; the text is told in another way then."""
+
+_PACES = 10
 
 
 def tell_at_once(line: Line, text: str, pace_s: float = 0.0) -> None:
@@ -27,7 +30,7 @@ def tell_at_once(line: Line, text: str, pace_s: float = 0.0) -> None:
     from mpremote.transport import TransportError
     from mpremote.transport_serial import SerialTransport
 
-    port = _Patient(line, max(_PATIENCE_S, 4 * pace_s))
+    port = _Patient(line, max(_PATIENCE_S, _PACES * pace_s))
 
     class OnOpenLine(SerialTransport):  # type: ignore[misc]
         def __init__(self) -> None:
@@ -37,6 +40,9 @@ def tell_at_once(line: Line, text: str, pace_s: float = 0.0) -> None:
             self.mounted = False
             self.is_pty = False
             self.serial = port
+
+        def read_until(self, min_num_bytes: int, ending: bytes, *times: float | None, **more: Any) -> bytes:
+            return port.read_until(ending)  # mpremote looks every 10 ms whether something came, for 10 s
 
     transport_serial.print = lambda *words: None  # it prints what it did not expect; we try again in another way
     transport = OnOpenLine()
@@ -65,6 +71,13 @@ class _Patient:
             self.left += self.line.read(wait)
         found, self.left = self.left[:count], self.left[count:]
         return found
+
+    def read_until(self, end: bytes) -> bytes:
+        """What comes up to `end`, or all that came before a silence."""
+        data = b""
+        while not data.endswith(end) and (byte := self.read(1)):
+            data += byte
+        return data
 
     def write(self, data: bytes) -> Any:
         """Sends bytes."""

@@ -1,10 +1,9 @@
-"""Short names for what the modules of `kitrobot_onboard` call one another: a small board has no room for long ones.
+"""Short names for the names that the modules of `kitrobot_onboard` share: a small board has no memory for long ones.
 
 python-minifier shortens names inside functions; names of functions, classes and attributes that cross modules it must
-leave alone, because it sees one module at a time. Here all modules are seen at once. A name is shortened when it is
-defined in one of them, and when nothing that others made (Python, MicroPython, a driver of somebody's own) may be meant
-by it. What is used most gets a single letter; other short names hang on the name alone, so that a module that did not
-change mostly stays as it was.
+leave alone, because it sees one module at a time. Here all modules are processed together. A name is shortened when
+one of them defines it, and when it cannot be a name of Python, MicroPython or a user's driver. The most used ones get
+single letters; other short names depend on the long name alone, so that an unchanged module mostly keeps its bytes.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ import struct
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
-from kitrobot.deploy.known import GLOBALS, LETTERS, LOCALS
+from kitrobot.deploy.builtin_names import GLOBALS, LETTERS, LOCALS
 
 DRIVER_FACE = frozenset({"make", "do", "done", "stop", "read", "show"})
 """What a driver offers, and what users write."""

@@ -1,4 +1,4 @@
-"""What a board says unasked (docs/reference/link.md): news of its program, why it stopped, text."""
+"""Messages that a board sends unrequested (docs/reference/link.md): changes of its program, faults, text."""
 
 from __future__ import annotations
 

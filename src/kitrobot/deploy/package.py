@@ -1,11 +1,11 @@
-"""What lands on a board: the modules of `kitrobot_onboard` that it needs, and the drivers of a program's devices.
+"""The files of a board: the modules of `kitrobot_onboard` that it needs, and the drivers of a program's devices.
 
-A small board has a flat folder, so every module becomes one file, shortened, named by the start of the SHA-256 of what
-is in it; its imports of other modules of ours are rewritten to such names first. So the name of the first module stands
-for all of them, a module that did not change keeps its name, and two installations can lie side by side.
+A small board has a flat folder, so every module becomes one file, minified, named by the start of the SHA-256 of its
+content; its imports of other modules of ours are rewritten to such names first. So the name of the first module
+identifies all of them, an unchanged module keeps its name, and two installations can exist side by side.
 
-Drivers are looked for by the name that a robot's XML gives: shipped ones by family of boards, then those for any; a
-user's own `NAME.driver.py` in the configuration folder and then in the mission's, of which the later one wins.
+Drivers are found by the name in a robot's XML: shipped ones by family of boards, then those for any; a user's own
+`NAME.driver.py` in the configuration folder and then in the mission's, of which the later one wins.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from kitrobot.deploy.carried import (
     IN_FLASH,
     ONBOARD,
     ROOT,
-    asked_file,
     frozen_loop,
     loop_files,
     part,
     read_source,
+    requests_file,
     short_text,
 )
 from kitrobot.deploy.declarations import Declared, declared, without_declarations
 from kitrobot.deploy.errors import PackageError
-from kitrobot.deploy.frozen import Frozen
+from kitrobot.deploy.flash_code import Frozen
 from kitrobot.deploy.naming import own_names, renamed
 from kitrobot.deploy.shortening import parsed
 from kitrobot.deploy.starting import start_file, start_from_flash
@@ -55,7 +55,7 @@ class Built:
         family: of boards.
         files: by name, without `main`, which is `main.py`.
         module: what the whole is called.
-        interpreter: the name of its module, or of the block of flash in which it is (`frozen`).
+        interpreter: the name of its module, or of the block of flash in which it is (`flash_code`).
         start: the name of the file that a program's begins with.
         loop: names of files that it compiles: the port and the loop; none when they are in flash.
         drivers: names of files by names of drivers.
@@ -128,18 +128,18 @@ class Package:
 
 def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool]) -> Built:
     package = _Making()
-    asked = package.stored(asked_file(family))
+    requests = package.stored(requests_file(family))
     loop: list[str] = []
     if family in IN_FLASH:
         in_flash = frozen_loop(family)
         interpreter = in_flash.name
-        start = package.stored(start_from_flash(in_flash, family, asked))
+        start = package.stored(start_from_flash(in_flash, family, requests))
     else:
         in_flash = None
         interpreter = package.stored(part(ONBOARD / "interpreter.py"))[: -len(".py")]
         loop = [package.stored(part(path)) for path in (ONBOARD / "ports" / f"{family}.py", *loop_files())]
         sizes = [len(package.files[name]) for name in loop]
-        start = package.stored(start_file(interpreter, list(zip(loop, sizes, strict=True)), asked))
+        start = package.stored(start_file(interpreter, list(zip(loop, sizes, strict=True)), requests))
     main = package.files["main.py"] = part(ONBOARD / "boot.py")
     package.files["krboot.py"] = part(ONBOARD / "krboot.py")
     module = name_of(b"".join(sorted(package.files.values())))

@@ -1,8 +1,8 @@
-"""How long an answer is waited for, so that a robot that is slow is told from one that is silent.
+"""Timeouts of an answer, which tell a slow robot from a silent one.
 
-What is asked is asked again, each time after a longer wait, until the line was silent for `silent_s`. Any whole frame
-of the board proves that it is there (an answer to an earlier request, news), and begins that silence anew; only who
-says something and never what was asked is given up after `longest_s`. No number of tries decides.
+A request is repeated, each time after a longer wait, until the line was silent for `silent_s`. Any complete frame of
+the board (an answer to an earlier request, news) restarts that time; a board that sends frames but never the answer is
+given up after `longest_s`. The number of attempts is not limited.
 """
 
 from __future__ import annotations

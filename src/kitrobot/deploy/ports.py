@@ -1,6 +1,6 @@
-"""Which boards may be there: serial ports on USB, and the addresses that KITROBOT_BOARDS names.
+"""The addresses where boards may be: serial ports on USB, and those in KITROBOT_BOARDS.
 
-A port is only listed, never spoken to: what answers there is found out by who connects.
+Ports are listed without opening them; `connecting` determines what is there.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""The program file: what a board's loop needs to know of a robot's devices, and the image (docs/reference/link.md).
+"""The program file: what a board's loop needs of a robot's devices, and the image (docs/reference/link.md).
 
-Only what the program uses is there: a device that nobody reads or commands costs no memory on the board, and its pins
-stay free, so that one pin may be an output in one program and an input in another.
+It holds only what the program uses: an unused device costs no memory on the board, and its pins stay free, so that one
+pin may be an output in one program and an input in another.
 """
 
 from __future__ import annotations

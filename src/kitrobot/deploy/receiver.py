@@ -1,15 +1,16 @@
-"""Files of a board, over a line that loses and garbles bytes.
+"""File access on a board, over a line that may lose and garble bytes.
 
-A small program that answers each frame is told to the board over the raw REPL and is gone after the next reset
-(`kitrobot_onboard.receiver`, with the frames of `kitrobot_onboard.link`). What is asked is asked again until the answer
-comes whole; the board does nothing twice. So what these methods say has happened, has happened.
+A small program that answers each frame is loaded over the raw REPL and is gone after the next reset
+(`kitrobot_onboard.receiver`, with the frames of `kitrobot_onboard.link`). A request is repeated until its answer
+arrives intact; the board executes it once. So when a method returns, its effect has taken place.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import cache
 from importlib.resources import files
 from itertools import cycle
 
@@ -334,7 +335,8 @@ def _number(text: bytes) -> int:
     return int(text)
 
 
-def _texts(family: str) -> list[str]:
+@cache
+def _texts(family: str) -> Sequence[str]:
     """What is told to the board: the frames, then the receiver without its import of them."""
     found = []
     for name in ("link", "receiver", *(["flash"] if family == MICROBIT else [])):

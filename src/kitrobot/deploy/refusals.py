@@ -1,4 +1,4 @@
-"""Why a robot did not do what it was asked, in a sentence with a way out."""
+"""The errors for requests that a robot refuses, each a sentence with a way out."""
 
 from __future__ import annotations
 

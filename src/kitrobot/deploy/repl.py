@@ -1,8 +1,8 @@
-"""The raw REPL of a MicroPython board, from any state that the board may be in.
+"""The raw REPL of a MicroPython board, entered from any state that the board may be in.
 
-Bytes may be lost or garbled on the way, and small boards buffer no more than 64 of them: so a command has at most 60
-bytes, is awaited, and is sent again when no whole answer comes. A command may therefore arrive twice or changed, and
-nothing is said here that could do harm: what touches files goes through the receiver, whose messages are checked.
+Bytes may be lost or garbled, and small boards buffer no more than 64 of them: so a command has at most 60 bytes, its
+answer is awaited, and it is sent again when none arrives intact. A command may therefore arrive twice or changed, so
+no command here can do harm: file access goes through the receiver, whose messages have checksums.
 """
 
 from __future__ import annotations

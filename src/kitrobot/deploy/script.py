@@ -1,9 +1,9 @@
-"""What a program is on a board: the pieces of Python that `kitrobot_onboard.boot` does one by one, and the arrays.
+"""The program file as the board executes it: the pieces of Python for `kitrobot_onboard.boot`, and the arrays.
 
-They name every file that the program needs. They are written for one kind of board and one set of drivers, so that the
-board has nothing to look up: behind the start that all programs have (`kitrobot.deploy.starting`) it makes the devices,
-each from large to small, and then reads the arrays, which need no more room than they keep. Of the orders that were
-tried on the micro:bit of 2016 this one leaves the most room in one piece (docs/reference/boards.md).
+The pieces name every file that the program needs. They are generated for one family of boards and one set of drivers,
+so that the board looks nothing up: after the start that all programs share (`kitrobot.deploy.starting`) the devices
+are made, from large to small, and then the arrays are read, which need no more memory than they keep. Of the orders
+that were measured on the micro:bit of 2016 this one leaves the largest free block (docs/reference/boards.md).
 """
 
 from __future__ import annotations

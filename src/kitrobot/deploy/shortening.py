@@ -1,6 +1,6 @@
-"""Python made short for a board: no comments, no docstrings, short names inside functions.
+"""Minifies Python for a board: no comments, no docstrings, short names inside functions.
 
-What others call keeps its name. The result is still source, so any MicroPython reads it.
+Names that other modules use are kept. The result is source code, so any MicroPython can compile it.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""How a robot starts on a board: the pieces that are the same for every program, in a file of their own.
+"""The start of a robot on a board: the pieces that are the same for every program, in a file of their own.
 
-A program file (`kitrobot.deploy.script`) begins with them. They bring in the interpreter and the loop, and make the
-list that a robot is. A board compiles the interpreter first, while there is most room, then the loop, from large to
-small; one that runs them from its flash only finds them there.
+A program file (`kitrobot.deploy.script`) begins with them. They load the interpreter and the loop, and make the list
+that holds a robot's state. A board compiles the interpreter first, while most memory is free, then the loop, from
+large to small; a board that executes them from its flash only locates them there.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from kitrobot.deploy.carried import in_flash_pieces, joined, named, pieces, words
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.flash import END, FIRST
-from kitrobot.deploy.frozen import CHUNK, HEAD, Frozen, head
+from kitrobot.deploy.flash_code import CHUNK, HEAD, Frozen, head
 
 _MOST = 9999
 """Bytes that a piece may have."""
@@ -21,15 +21,15 @@ _MOST = 9999
 _BACK = "$file.close();$file=$tail;$tail=0"
 
 
-def start_file(interpreter: str, loop: Sequence[tuple[str, int]], asked: str) -> bytes:
+def start_file(interpreter: str, loop: Sequence[tuple[str, int]], requests: str) -> bytes:
     """The start of a board that compiles everything. `loop`: names and sizes of files, the port first."""
     port, *others = (f"exec(open({name!r}).read({size}))" for name, size in loop)
-    return b"".join(map(piece, [f"from {interpreter} import $tick", port, *_list(asked), *others, _BACK]))
+    return b"".join(map(piece, [f"from {interpreter} import $tick", port, *_list(requests), *others, _BACK]))
 
 
-def start_from_flash(one: Frozen, family: str, asked: str) -> bytes:
+def start_from_flash(one: Frozen, family: str, requests: str) -> bytes:
     """The start of a board that has that block in its flash."""
-    return b"".join(map(piece, [*_found(one), *in_flash_pieces(family), *_list(asked), _BACK]))
+    return b"".join(map(piece, [*_found(one), *in_flash_pieces(family), *_list(requests), _BACK]))
 
 
 def begun(start: str, package: str) -> bytes:
@@ -49,8 +49,8 @@ def piece(text: str) -> bytes:
     return b"%04d" % len(found) + found
 
 
-def _list(asked: str) -> list[str]:
-    return [f"$asked={asked!r}", *pieces("begin"), *words()]
+def _list(requests: str) -> list[str]:
+    return [f"$requests={requests!r}", *pieces("begin"), *words()]
 
 
 def _found(one: Frozen) -> Iterator[str]:

@@ -1,7 +1,7 @@
-"""Leaving out of a driver what a program never asks of it: a small board has no room for what is not used.
+"""Removes the parts of a driver that a program does not use: a small board has no memory for them.
 
-In the method `do(self, procedure, arguments)`, branches for procedures that the program never gives; `done`, when it
-gives none that completes later; then constants of the module that nobody reads any more.
+In the method `do(self, procedure, arguments)`, branches for procedures that the program does not call; `done`, when it
+calls none that completes later; then constants of the module that are no longer read.
 """
 
 from __future__ import annotations

@@ -14,7 +14,8 @@ from kitrobot.diagnostics.model import (
     rule,
     rules,
 )
-from kitrobot.diagnostics.regular import expect_regular, open_regular
+from kitrobot.diagnostics.problems import ProblemsError, with_help, written_out
+from kitrobot.diagnostics.regular import expect_regular, lock_handle, open_regular
 from kitrobot.diagnostics.rendering import render, render_one, to_json, to_page_json
 
 __all__ = [
@@ -24,11 +25,13 @@ __all__ = [
     "FixKind",
     "KitRobotError",
     "Place",
+    "ProblemsError",
     "Rule",
     "Severity",
     "Source",
     "expect_regular",
     "in_reading_order",
+    "lock_handle",
     "open_regular",
     "render",
     "render_one",
@@ -36,4 +39,6 @@ __all__ = [
     "rules",
     "to_json",
     "to_page_json",
+    "with_help",
+    "written_out",
 ]

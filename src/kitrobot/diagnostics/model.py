@@ -7,11 +7,12 @@ documents; rules register themselves where they are made, nobody keeps a list.
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
+
+from kitrobot.text import TextPositions
 
 
 class Severity(StrEnum):
@@ -41,19 +42,12 @@ class Source:
     text: str
 
     @cached_property
-    def _line_starts(self) -> list[int]:
-        starts = [0]
-        find = self.text.find
-        at = find("\n")
-        while at >= 0:
-            starts.append(at + 1)
-            at = find("\n", at + 1)
-        return starts
+    def _positions(self) -> TextPositions:
+        return TextPositions(self.text)
 
     def position(self, offset: int) -> tuple[int, int]:
         """Line and column (from 1) of a character offset."""
-        line = bisect_right(self._line_starts, offset)
-        return line, offset - self._line_starts[line - 1] + 1
+        return self._positions.position(offset)
 
     def place(self, start: int, end: int) -> Place:
         """The place between two offsets."""
@@ -63,7 +57,7 @@ class Source:
 
     def line(self, number: int) -> str:
         """The text of a line (from 1) without its line break; empty when there is no such line."""
-        starts = self._line_starts
+        starts = self._positions.line_starts
         if not 1 <= number <= len(starts):
             return ""
         end = starts[number] if number < len(starts) else len(self.text)

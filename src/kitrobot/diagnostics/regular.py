@@ -1,4 +1,4 @@
-"""Opening and replacing files that a person names: only those that have an end, and without waiting for anybody.
+"""Opening, replacing and locking files that a person names: only those with an end, and without waiting for anybody.
 
 A pipe waits until somebody writes into it, a device has no end: neither is a file of ours, whatever its name is.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 import errno
 import os
 import stat
+import sys
 from pathlib import Path
 from typing import BinaryIO
 
@@ -17,6 +18,8 @@ _KINDS = (
     (stat.S_ISFIFO, errno.EINVAL, "it is a pipe, not a file"),
     (stat.S_ISSOCK, errno.EINVAL, "it is a socket, not a file"),
 )
+_TAKEN = {errno.EACCES, errno.EAGAIN, errno.EWOULDBLOCK, errno.EDEADLK}
+"""What the system answers when somebody has the lock; anything else says that there are no locks to be had."""
 _DEVICE = "it is a device, not a file"
 
 
@@ -52,6 +55,30 @@ def expect_regular(path: Path) -> None:
     except FileNotFoundError:
         return
     _look(state, path)
+
+
+def lock_handle(handle: int) -> bool:
+    """Locks an open file for whoever has it open like that; it ends when the file is closed, and with the process.
+
+    Returns: whether it was free.
+
+    Raises:
+        OSError: its file system has no locks.
+    """
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        if error.errno in _TAKEN:
+            return False
+        raise
+    return True
 
 
 def _look(state: os.stat_result, path: Path) -> None:

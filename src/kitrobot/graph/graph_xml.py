@@ -15,8 +15,9 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from kitrobot.graph.model import IN, NEXT, Arc, Note, Program, Vertex
-from kitrobot.primitives import Element, Tag, attributes, escape_text, shown
-from kitrobot.primitives.rules import DUPLICATE, MISSING
+from kitrobot.text import shown
+from kitrobot.xml import NAME, Element, Kind, Tag, attributes, escape_text, needed, optional
+from kitrobot.xml.rules import DUPLICATE, MISSING
 
 
 class _Setting(NamedTuple):
@@ -99,23 +100,36 @@ def _arc(element: Element) -> Arc | None:
     return Arc(source, target, element.attributes.get("out", NEXT), element.attributes.get("at", IN))
 
 
-_INSIDE_VERTEX = {"set": Tag(_setting, ("name",), text=True), "note": Tag(_note, ("at",), text=True)}
-
-PROGRAM = Tag(
-    _program,
-    ("name", "robot"),
-    {
-        "vertex": Tag(_vertex, ("id", "element"), _INSIDE_VERTEX, keep=_keep),
-        "arc": Tag(_arc, ("from", "out", "to", "at")),
-    },
+_SET = Tag(_setting, {"name": needed()}, text=True, about="What was typed into a slot or parameter.")
+_NOTE = Tag(
+    _note,
+    {"at": optional(Kind(pattern="after|in:.+|"))},
+    text=True,
+    about="A comment. at: nothing (above), after (same line), in:SLOT (end of that body).",
 )
+_VERTEX = Tag(
+    _vertex,
+    {
+        "id": needed(),
+        "element": needed(about="Start, Stop, the name of a constructor, or Object.Method."),
+    },
+    {"set": _SET, "note": _NOTE},
+    keep=_keep,
+    about="A program element. XML of other kinds inside it is kept word for word.",
+)
+_ARC = Tag(
+    _arc,
+    {"from": needed(), "out": optional(NAME, NEXT), "to": needed(), "at": optional(NAME, IN)},
+    about="From a port of one vertex to a port of another.",
+)
+PROGRAM = Tag(_program, {"name": needed(), "robot": needed()}, {"vertex": _VERTEX, "arc": _ARC})
 """A `<program>`: goes among the children of the element that holds it, where `found(Program)` gives what was read."""
 
 
 def write_program(program: Program, indent: str = "  ") -> list[str]:
     """The lines of a `<program>`, without line breaks; what is inside stands two spaces deeper than `indent`."""
     inner = indent + "  "
-    lines = [f"{indent}<program{attributes(('name', program.name), ('robot', program.robot))}>"]
+    lines = [f"{indent}<program{attributes(('name', program.name), ('robot', program.target))}>"]
     lines += [inner + _vertex_line(vertex) for vertex in program.vertices]
     lines += [inner + _arc_line(arc) for arc in program.arcs]
     lines.append(f"{indent}</program>")

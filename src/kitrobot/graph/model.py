@@ -59,14 +59,14 @@ class Arc:
 
 @dataclass(slots=True)
 class Program:
-    """A graph and the robot it is for."""
+    """A graph, and what it is for: `target` names the kind of robot of the agents that run it."""
 
     name: str
-    robot: str
+    target: str
     vertices: list[Vertex] = field(default_factory=list)
     arcs: list[Arc] = field(default_factory=list)
 
 
-def empty_program(name: str, robot: str) -> Program:
+def empty_program(name: str, target: str) -> Program:
     """The paper's smallest graph: start → stop."""
-    return Program(name, robot, [Vertex("start", START), Vertex("stop", STOP)], [Arc("start", "stop")])
+    return Program(name, target, [Vertex("start", START), Vertex("stop", STOP)], [Arc("start", "stop")])

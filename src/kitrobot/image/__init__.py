@@ -1,8 +1,9 @@
 """Images: the compiled form of a program, its file, its listing, its verification, and the machine that runs it."""
 
 from kitrobot.image.debug import DebugMap, Origin
+from kitrobot.image.devices import Command, Devices, Readings
 from kitrobot.image.listing import assemble, disassemble
-from kitrobot.image.machine import Command, Layout, Machine
+from kitrobot.image.machine import Layout, Machine
 from kitrobot.image.model import (
     LARGEST_VALUE,
     MOST_ARGUMENTS,
@@ -31,12 +32,14 @@ __all__ = [
     "MOST_STOPS",
     "Command",
     "DebugMap",
+    "Devices",
     "Image",
     "ImageError",
     "Layout",
     "Machine",
     "Origin",
     "ParallelRecord",
+    "Readings",
     "SlotRecord",
     "StopRecord",
     "assemble",

@@ -1,4 +1,4 @@
-"""The debug map: instruction → the LLL it came from and the vertex. It stays on the host and is never sent."""
+"""The debug map: instruction → its program, vertex and LLL. It stays on the host and is never sent."""
 
 from __future__ import annotations
 
@@ -7,11 +7,15 @@ from typing import NamedTuple
 
 
 class Origin(NamedTuple):
-    """Where an instruction came from: a stretch of the LLL text and, when it came from a graph, a vertex."""
+    """Where an instruction came from: a program, its vertex when it came from a graph, and a stretch of the LLL text.
 
+    `program` is "" for a text or a tree without a name; `start` and `end` are offsets of characters, `end` exclusive.
+    """
+
+    program: str
+    vertex: str | None
     start: int
     end: int
-    vertex: str | None
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""A host's hand on one robot's program: the arrays of a verified image, and names for what is in them.
+"""One robot's program as a host runs it: the arrays of a verified image, and names for what is in them.
 
 `tick` itself is the one in `kitrobot_onboard`; this class only sets inputs before it and reads commands after it. Cells
 are named by the robot's definition: sensors in the order of its file, then one `done` flag for each actuator that has a
@@ -7,10 +7,11 @@ procedure which completes later, then variables.
 
 from __future__ import annotations
 
+import struct
 from copy import copy
 from functools import lru_cache
-from typing import NamedTuple
 
+from kitrobot.image.devices import Command, Devices
 from kitrobot.image.model import Image, ImageError
 from kitrobot.image.verification import verify
 from kitrobot.primitives import Robot, RobotObject
@@ -25,16 +26,6 @@ _VERIFIED = 64
 def _verified(image: Image) -> None:
     """Raises ImageError unless the image is safe to run; only that it is is remembered."""
     verify(image)
-
-
-class Command(NamedTuple):
-    """A command for a device, the thread slot that gave it, and the instruction that did."""
-
-    actuator: str
-    procedure: str
-    arguments: list[int]
-    slot: int
-    instruction: int
 
 
 class Layout:
@@ -129,6 +120,17 @@ class Machine:
         tick(self.code, self.cells, self.threads, self.pars, self.out, self.seen)
         return self.commands()
 
+    def react(self, devices: Devices) -> list[Command]:
+        """One reaction with a host's devices: reads them, ticks, and applies the commands, which are returned too."""
+        readings = devices.read()
+        for sensor, value in readings.sensors.items():
+            self.set_input(sensor, value)
+        for actuator, done in readings.done.items():
+            self.set_done(actuator, done)
+        commands = self.tick()
+        devices.apply(commands)
+        return commands
+
     def commands(self) -> list[Command]:
         """The commands of the last tick."""
         out = self.out
@@ -177,3 +179,23 @@ class Machine:
         """Goes back to a state of this very image."""
         for ours, theirs in zip((self.cells, self.threads, self.pars), snapshot, strict=True):
             ours[:] = theirs
+
+    def state_key(self) -> bytes:
+        """Everything that can change while the image runs, as bytes: two machines of one image with equal keys give
+        equal commands for equal inputs from then on.
+
+        Little-endian 32-bit numbers: the cells up to the first constant (fault flag, inputs, variables, counters,
+        temporaries), the next instruction and wait of each slot, for each parallel whether it is active, and for each
+        stop what armed it. Constants and the records of the image are not part of it.
+        """
+        image = self.image
+        slots = 4 + 4 * len(image.slots)
+        parallels = slots + 5 * len(image.parallels)
+        stops = parallels + 3 * len(image.stops)
+        numbers = [
+            *self.cells[: image.first_constant],
+            *self.threads[: 2 * len(image.slots)],
+            *self.pars[slots:parallels:5],
+            *self.pars[parallels:stops:3],
+        ]
+        return struct.pack(f"<{len(numbers)}i", *numbers)

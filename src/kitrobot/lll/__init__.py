@@ -1,6 +1,5 @@
 """The Low Level Language as text and tree: tokens, parser, printer."""
 
-from kitrobot.lll.collection import collection_paused
 from kitrobot.lll.formatting import format_text
 from kitrobot.lll.parser import Parsed, parse, parse_template
 from kitrobot.lll.printer import print_program, print_template
@@ -57,7 +56,6 @@ __all__ = [
     "While",
     "bodies",
     "children",
-    "collection_paused",
     "format_text",
     "is_name",
     "nodes",

@@ -17,7 +17,6 @@ from typing import Any
 
 from kitrobot.diagnostics import Diagnostic, Fix, Source
 from kitrobot.lll import habits, rules
-from kitrobot.lll.collection import collection_paused
 from kitrobot.lll.cursor import Mistake
 from kitrobot.lll.expressions import Expressions
 from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, OTHER, SYMBOL, Token
@@ -36,6 +35,7 @@ from kitrobot.lll.tree import (
     Wait,
     While,
 )
+from kitrobot.text import collection_paused
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 from kitrobot.diagnostics import Diagnostic
@@ -10,8 +11,13 @@ from kitrobot.mission import rules
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
 from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
-from kitrobot.primitives import OWN, TEXTS, Constructor, Element, OwnVariable, Reader, Tag, shown
+from kitrobot.primitives import OWN, Constructor, OwnVariable
+from kitrobot.text import shown
 from kitrobot.world import ATTRIBUTES, PARTS, World, keep_unknown, read_plan, with_things
+from kitrobot.xml import TEXTS, Element, Kind, Reader, Tag, needed, one, optional, version, whole
+
+LARGEST_GOAL = 65535
+"""The largest stock that a goal may ask for."""
 
 
 class _Where(NamedTuple):
@@ -37,7 +43,7 @@ def _agent(element: Element) -> Agent:
 
 def _goal(element: Element) -> Goal | None:
     stock = element.optional("stock", ALL)
-    if stock != ALL and not (stock.isascii() and stock.isdigit() and int(stock[:9]) <= 65535 and len(stock) < 9):
+    if stock != ALL and not (stock.isascii() and stock.isdigit() and int(stock[:9]) <= LARGEST_GOAL and len(stock) < 9):
         message = f'expected a whole number from 0 to 65535 or "{ALL}" in stock, found {shown(stock)}'
         element.report(rules.GOAL, message, "stock")
         return None
@@ -75,24 +81,41 @@ def _keep(element: Element, raw: str) -> None:
     element.values.append((_Unknown(raw), element))
 
 
-_AGENT = Tag(_agent, ("name", "program", "start"))
-_TEAM = Tag(_team, children={"agent": _AGENT, "goal": Tag(_goal, ("storehouse", "stock"))})
-_WORLD = Tag(_world, ("href", *ATTRIBUTES), {**TEXTS, **PARTS}, keep=keep_unknown, kept_whole=True)
-_ROOTS = {
+_GOAL = Tag(_goal, {"storehouse": needed(), "stock": optional(Kind(either=(one(ALL), whole(0, LARGEST_GOAL))), ALL)})
+_AGENT = Tag(
+    _agent,
+    {
+        "name": needed(),
+        "program": needed(),
+        "start": optional(about="A start of the world; else the one with the agent's name."),
+    },
+)
+_WORLD = Tag(
+    _world,
+    {"href": optional(), **{name: replace(attribute, needed=False) for name, attribute in ATTRIBUTES.items()}},
+    {**TEXTS, **PARTS},
+    keep=keep_unknown,
+    kept_whole=True,
+    about="The name of a world's file in href, or a world of this mission's own.",
+)
+MISSION = {
     "kitrobot": Tag(
-        attributes=("version",),
+        attributes={"version": version(VERSION)},
         children={
             **TEXTS,
             **OWN,
             **TRIAL,
             "program": PROGRAM,
-            "team": _TEAM,
+            "team": Tag(_team, children={"agent": _AGENT, "goal": _GOAL}),
             "world": _WORLD,
         },
         open=_open,
         keep=_keep,
+        unique=("program",),
+        about="A mission, the .krt file: programs as graphs, the team that runs them, and where.",
     )
 }
+"""The first element of a mission's file."""
 
 
 def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnostic]]:
@@ -103,7 +126,7 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
         name: what people call it, for messages.
     """
     reader = Reader(data, name)
-    root = reader.read(_ROOTS)
+    root = reader.read(MISSION)
     if root is None:
         return None, reader.diagnostics
     version = next(iter(root.found(_Version)), VERSION)

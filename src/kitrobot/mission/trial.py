@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from kitrobot.mission import rules
-from kitrobot.primitives import Element, Tag, attributes, shown
+from kitrobot.text import shown
+from kitrobot.xml import YES_NO, Element, Tag, attributes, decimal, needed, one, optional, whole
 
 MOST_HITS = 1_000_000
 LONGEST_S = 1_000_000.0
@@ -75,7 +76,7 @@ def _breakpoint(element: Element) -> Breakpoint | None:
     if len(when) > LONGEST_CONDITION:
         message = f"expected at most {LONGEST_CONDITION} characters in when, found {len(when)}"
         element.report(rules.BREAKPOINT, message, "when")
-    every, hits = element.flag("every"), element.integer("hits", 1, MOST_HITS, 1)
+    every, hits = element.flag("every"), element.integer("hits")
     enabled = not element.flag("off")
     if element.faulty:
         return None
@@ -84,19 +85,36 @@ def _breakpoint(element: Element) -> Breakpoint | None:
 
 def _failure(element: Element) -> Failure | None:
     agent = element.required("agent")
-    at_s = round(element.decimal("at", 0.0, LONGEST_S), 3)
-    kind = FailureKind(element.choice("kind", [kind.value for kind in FailureKind], FailureKind.FAIL.value))
+    at_s = round(element.decimal("at"), 3)
+    kind = FailureKind(element.choice("kind"))
     return None if element.faulty else Failure(agent, at_s, kind)
 
 
 TRIAL: dict[str, Tag] = {
     "breakpoint": Tag(
         _breakpoint,
-        ("program", "vertex", "every", "when", "hits", "off"),
-        {"agent": Tag(_watched, ("name",))},
+        {
+            "program": needed(),
+            "vertex": needed(),
+            "every": optional(YES_NO, "no", about="Whether all of them must stand there."),
+            "when": optional(about="A condition of LLL."),
+            "hits": optional(whole(1, MOST_HITS), "1", about="The first visit that counts."),
+            "off": optional(YES_NO, "no"),
+        },
+        {"agent": Tag(_watched, {"name": needed()}, about="Whom it watches; without any, all that run the program.")},
         kept_whole=True,
+        about="A run pauses when an agent comes to this vertex.",
     ),
-    "failure": Tag(_failure, ("agent", "at", "kind"), kept_whole=True),
+    "failure": Tag(
+        _failure,
+        {
+            "agent": needed(),
+            "at": needed(decimal(0.0, LONGEST_S)),
+            "kind": optional(one(*(kind.value for kind in FailureKind)), FailureKind.FAIL.value),
+        },
+        kept_whole=True,
+        about="What happens to an agent at so many simulated seconds.",
+    ),
 }
 """Goes among the children of an element with `keep`."""
 

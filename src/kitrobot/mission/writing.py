@@ -1,26 +1,21 @@
 """Missions to XML, in one true layout, and safely to disk.
 
-`save` never leaves a half-written file: it writes beside the old one, makes sure the bytes are on the disk, and then
-puts the new file in the place of the old, which is kept with a `~` behind its name. Left to others: that nobody else
-saves the same file meanwhile.
+`save` replaces a file whole and keeps the old one with a `~` behind its name. Left to others: that nobody else saves
+the same file meanwhile.
 """
 
 from __future__ import annotations
 
-import os
-import shutil
-import tempfile
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError, expect_regular
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import replace_whole
 from kitrobot.graph import write_program
 from kitrobot.mission.model import Mission, Team
 from kitrobot.mission.trial import write_breakpoint, write_failure
-from kitrobot.primitives import Texts, attributes, text_element, write_constructor, write_variable
+from kitrobot.primitives import Texts, write_constructor, write_variable
 from kitrobot.world import world_lines
-
-TEMPORARY_ENDING = ".kitrobot-part"
-"""Of a file that is being written; who sweeps up after a crash knows it by that."""
+from kitrobot.xml import attributes, text_element
 
 
 def write_mission(mission: Mission) -> bytes:
@@ -74,46 +69,7 @@ def save(path: Path, mission: Mission) -> bytes:
     """
     data = write_mission(mission)
     try:
-        _replace(Path(os.path.realpath(path)), data)
+        replace_whole(path, data, keep_old=True)
     except OSError as error:
         raise SaveError(f"{path.name} cannot be saved: {error.strerror or error}", "The file is as it was.") from error
     return data
-
-
-def _replace(path: Path, data: bytes) -> None:
-    expect_regular(path)
-    handle, name = tempfile.mkstemp(prefix=f".{path.name[:50]}.", suffix=TEMPORARY_ENDING, dir=path.parent)
-    fresh = Path(name)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        if path.exists():
-            shutil.copymode(path, fresh)
-            kept = path.with_name(path.name + "~")
-            copy = Path(name + "~")
-            try:
-                shutil.copy2(path, copy)
-                os.replace(copy, kept)
-            finally:
-                copy.unlink(missing_ok=True)
-        else:
-            mask = os.umask(0)
-            os.umask(mask)
-            fresh.chmod(0o666 & ~mask)
-        os.replace(fresh, path)
-    finally:
-        fresh.unlink(missing_ok=True)
-    _settle(path.parent)
-
-
-def _settle(folder: Path) -> None:
-    """Makes sure the folder itself is on the disk, where the system lets us."""
-    if os.name != "posix":
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)

@@ -10,7 +10,8 @@ import re
 
 from kitrobot.primitives import rules
 from kitrobot.primitives.robot import LONGEST_SETTING, MOST_SETTINGS, Board
-from kitrobot.primitives.xml_element import Element, Tag, shown
+from kitrobot.text import shown
+from kitrobot.xml import Element, Kind, Tag, optional
 
 _DRIVER = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _BREAKING = frozenset(' ="')
@@ -44,5 +45,12 @@ def _board(element: Element) -> Board:
     return Board(driver or "", settings)
 
 
-BOARD = Tag(_board, ("driver",), free_attributes=True)
+_DRIVER_NAME = Kind(longest=LONGEST_SETTING, pattern=r"[A-Za-z][A-Za-z0-9_\-]*")
+BOARD = Tag(
+    _board,
+    {"driver": optional(_DRIVER_NAME, about="The driver; without it the device.")},
+    free_attributes=True,
+    about="At most one: what the real robot's driver is told, pins and the like. Attributes beside driver are its "
+    f'settings: 1 to {LONGEST_SETTING} characters without spaces, = and ". The simulator does not look at it.',
+)
 """What the real robot's driver of an actuator or a sensor is told."""

@@ -15,7 +15,7 @@ import re
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from pathlib import Path
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, open_regular
@@ -23,19 +23,26 @@ from kitrobot.lll import Condition, Instr
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group
 from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.match_template import is_more_specific
 from kitrobot.primitives.own_xml import OWN_GROUP, OWN_LABEL, OwnVariable
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.robot_xml import read_robot
-from kitrobot.primitives.suggestions import Suggestions, did_you_mean
 from kitrobot.primitives.templates import Shape, inverse_shape, shape, shape_drawn
-from kitrobot.primitives.unfilling import is_more_specific
-from kitrobot.primitives.xml_decoding import MAX_BYTES
+from kitrobot.text import Suggestions, did_you_mean
+from kitrobot.xml import MAX_BYTES
+from kitrobot.xml import rules as xml_rules
 
 SHIPPED = Path(__file__).parent / "shipped"
 """The folder of the XML that comes with the package."""
 
 ROBOT_SUFFIX = ".robot.xml"
 """How the name of a robot's file ends."""
+
+REMEMBERED_FILES = 100
+"""How many files are remembered as they were read: the shipped ones, and those of the missions at hand."""
+
+REMEMBERED_BYTES = 100_000
+"""The size of a file that is remembered, at most."""
 
 # Atomic groups: a hostile file must not make this search slow.
 _FIRST_ELEMENT = re.compile(rb"(?:\s|(?><\?.*?\?>)|(?><!--.*?-->))*+<([A-Za-z]+)", re.DOTALL)
@@ -170,6 +177,28 @@ def load_catalogue(folders: Sequence[Path | str] = ()) -> Catalogue:
     return loading.catalogue()
 
 
+def _robot(data: bytes, name: str) -> tuple[Robot | None, Sequence[Diagnostic]]:
+    """As `read_robot`; what the same file gave before is given again."""
+    return _robot_once(data, name) if len(data) <= REMEMBERED_BYTES else read_robot(data, name)
+
+
+def _constructors(data: bytes, name: str) -> tuple[Sequence[Group], Sequence[Diagnostic]]:
+    """As `read_constructors`; what the same file gave before is given again."""
+    return _constructors_once(data, name) if len(data) <= REMEMBERED_BYTES else read_constructors(data, name)
+
+
+@lru_cache(REMEMBERED_FILES)
+def _robot_once(data: bytes, name: str) -> tuple[Robot | None, tuple[Diagnostic, ...]]:
+    robot, problems = read_robot(data, name)
+    return robot, tuple(problems)
+
+
+@lru_cache(REMEMBERED_FILES)
+def _constructors_once(data: bytes, name: str) -> tuple[tuple[Group, ...], tuple[Diagnostic, ...]]:
+    groups, problems = read_constructors(data, name)
+    return tuple(groups), tuple(problems)
+
+
 class _Loading:
     """What the folders read so far amount to."""
 
@@ -203,7 +232,7 @@ class _Loading:
         first = _FIRST_ELEMENT.match(data.removeprefix(b"\xef\xbb\xbf"))
         root = first.group(1) if first else b""
         if path.name.lower().endswith(ROBOT_SUFFIX) or root == b"robot":
-            robot, problems = read_robot(data, str(path))
+            robot, problems = _robot(data, str(path))
             self.problems += problems
             if robot is None:
                 return []
@@ -212,7 +241,7 @@ class _Loading:
             return [f"the robot {robot.name}"]
         if root != b"constructors" and not path.name.lower().endswith("constructors.xml"):
             return []
-        groups, problems = read_constructors(data, str(path))
+        groups, problems = _constructors(data, str(path))
         self.problems += problems
         for group in groups:
             known = self.groups.get(group.name, group)
@@ -249,7 +278,7 @@ def _read(path: Path) -> tuple[bytes | None, Diagnostic | None]:
     try:
         size = path.stat().st_size
         if size > MAX_BYTES:
-            return None, rules.TOO_LARGE(f"expected at most {MAX_BYTES} bytes, found {size}", Place(str(path)))
+            return None, xml_rules.TOO_LARGE(f"expected at most {MAX_BYTES} bytes, found {size}", Place(str(path)))
         with open_regular(path) as stream:
             return stream.read(), None
     except OSError as error:

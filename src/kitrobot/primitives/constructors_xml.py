@@ -9,35 +9,43 @@ Left to others: constructors of several files together, and whether `<adds>` nam
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from typing import NamedTuple
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import And, Call, Not, Or, Seq, is_name, print_template, without_comments
+from kitrobot.lll import And, Call, Not, Or, Seq, print_template, without_comments
 from kitrobot.primitives import rules
+from kitrobot.primitives.attribute_kinds import COLOUR, COLOURS, IDENTIFIER, ROBOT_NUMBER
 from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
 from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
 from kitrobot.primitives.templates import holes
-from kitrobot.primitives.xml import TEXTS, Reader
-from kitrobot.primitives.xml_element import Element, Tag, one_of, shown
+from kitrobot.text import one_of, shown
+from kitrobot.xml import (
+    ICON,
+    LONGEST_NAME,
+    NAME,
+    TEXTS,
+    YES_NO,
+    Element,
+    Kind,
+    Reader,
+    Tag,
+    needed,
+    optional,
+    version,
+    whole,
+)
+from kitrobot.xml import rules as xml_rules
 
 VERSION = 1
 """The newest version of the format that is read."""
 
-COLOURS = ("loop", "choice", "parallel", "action", "test", "team")
-"""The categories of the studio's colours."""
-
 MOST_BRANCHES = 16
 """How many bodies a repeated slot may ask a new vertex to come with."""
 
-NAME_IN_WORDS = "a name of letters, digits and _ (not WAIT or BREAK)"
-"""What messages say of a name of the language."""
-
 _TAKEN_PORTS = ("in", "next", "return")
 _TAKEN_ELEMENTS = ("Start", "Stop")
-_ICON = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
 class _Code(NamedTuple):
@@ -63,19 +71,19 @@ class _Adds(NamedTuple):
 def read_constructors(data: bytes, name: str) -> tuple[list[Group], list[Diagnostic]]:
     """Reads a constructors file; a constructor with an error is left out, a file that is not XML gives no groups."""
     reader = Reader(data, name)
-    root = reader.read({"constructors": _CONSTRUCTORS})
+    root = reader.read(CONSTRUCTORS)
     groups = _distinct(root) if root is not None else []
     return groups, reader.diagnostics
 
 
 def icon(element: Element) -> str:
     """The name of a picture of the Lucide set, or ""."""
-    return element.matching("icon", _ICON.fullmatch, "the name of a Lucide icon, such as arrow-up,", "")
+    return element.matching("icon", "")
 
 
 def _slot(element: Element) -> Slot:
     kind = SlotKind(element.name)
-    name = element.matching("name", is_name, NAME_IN_WORDS)
+    name = element.matching("name")
     if name in _TAKEN_PORTS:
         element.report(rules.SLOT, f"a slot cannot be named {name}, a port of every vertex", "name")
     slot = Slot(name, kind, label=element.texts.get("label", {}))
@@ -83,19 +91,17 @@ def _slot(element: Element) -> Slot:
         repeat = element.flag("repeat")
         if not repeat and "least" in element.attributes:
             element.report(rules.SLOT, 'expected repeat="yes" beside least, found none', "least")
-        return replace(
-            slot, loop=element.flag("loop"), repeat=repeat, least=element.integer("least", 0, MOST_BRANCHES, 0)
-        )
+        return replace(slot, loop=element.flag("loop"), repeat=repeat, least=element.integer("least"))
     if kind in (SlotKind.NUMBER, SlotKind.VALUE):
-        least = element.integer("min", -LARGEST_VALUE, LARGEST_VALUE, 0) if "min" in element.attributes else None
-        most = element.integer("max", -LARGEST_VALUE, LARGEST_VALUE, 0) if "max" in element.attributes else None
+        least = element.integer("min", 0) if "min" in element.attributes else None
+        most = element.integer("max", 0) if "max" in element.attributes else None
         if least is not None and most is not None and least > most:
             element.report(rules.RANGE, f"expected min at most max, found {least} and {most}", "min")
         default = element.optional("default")
         if default:
             low = least if least is not None else -LARGEST_VALUE
             high = most if most is not None else LARGEST_VALUE
-            element.integer("default", low, max(low, high))
+            element.between("default", low, max(low, high))
         return replace(slot, minimum=least, maximum=most, default=default, unit=element.optional("unit"))
     return replace(slot, default=element.optional("default"))
 
@@ -151,13 +157,13 @@ def _element_name(name: str) -> bool:
 def _constructor(element: Element) -> Constructor | None:
     group = element.parent
     assert group is not None
-    name = element.matching("name", _element_name, "a name that is not Start or Stop and has no dot")
-    colour = element.choice("colour", COLOURS, group.attributes.get("colour", COLOURS[0]))
+    name = element.matching("name")
+    colour = element.choice("colour", group.attributes.get("colour", COLOURS[0]))
     slots = element.distinct(Slot, lambda slot: slot.name, "slot")
     codes, added = element.found(_Code), element.found(_Adds)
     if len(codes) + len(added) != 1:
         element.report(
-            rules.MISSING, f"expected one <code> or one <adds> in the constructor, found {len(codes) + len(added)}"
+            xml_rules.MISSING, f"expected one <code> or one <adds> in the constructor, found {len(codes) + len(added)}"
         )
     if added and slots:
         element.report(
@@ -199,7 +205,7 @@ def _role(template: Template | None) -> Role:
 
 def _group(element: Element) -> Group:
     name = element.required("name")
-    colour = element.choice("colour", COLOURS)
+    colour = element.choice("colour")
     return Group(name, colour, tuple(element.found(Constructor)), element.texts.get("label", {}))
 
 
@@ -211,7 +217,7 @@ def _distinct(root: Element) -> list[Group]:
         kept: list[Constructor] = []
         for constructor, place in around.found_at(Constructor):
             if constructor.name in seen:
-                place.report(rules.DUPLICATE, f"the constructor {shown(constructor.name)} is there already", "name")
+                place.report(xml_rules.DUPLICATE, f"the constructor {shown(constructor.name)} is there already", "name")
             else:
                 kept.append(constructor)
             seen.add(constructor.name)
@@ -220,21 +226,77 @@ def _distinct(root: Element) -> list[Group]:
 
 
 _LABEL = {"label": TEXTS["label"]}
-_SLOTS = {
-    "flow": Tag(_slot, ("name", "loop", "repeat", "least"), _LABEL),
-    "condition": Tag(_slot, ("name",), _LABEL),
-    "value": Tag(_slot, ("name", "min", "max", "default", "unit"), _LABEL),
-    "number": Tag(_slot, ("name", "min", "max", "default", "unit"), _LABEL),
-    "text": Tag(_slot, ("name", "default"), _LABEL),
-    "action": Tag(_slot, ("name",), _LABEL),
+_NAMED = {"name": needed(IDENTIFIER)}
+_NUMBERS = {
+    **_NAMED,
+    "min": optional(ROBOT_NUMBER),
+    "max": optional(ROBOT_NUMBER),
+    "default": optional(ROBOT_NUMBER),
+    "unit": optional(),
 }
+_FLOW = {
+    **_NAMED,
+    "loop": optional(YES_NO, "no", about="Whether the body is done again and again."),
+    "repeat": optional(
+        YES_NO, "no", about="Whether there may be any number of such bodies, as the branches of a parallel."
+    ),
+    "least": optional(whole(0, MOST_BRANCHES), "0", about="How many of them a new vertex comes with."),
+}
+_SLOTS = {
+    "flow": Tag(_slot, _FLOW, _LABEL, about="A chain of vertices."),
+    "condition": Tag(_slot, _NAMED, _LABEL, about="One test."),
+    "value": Tag(_slot, _NUMBERS, _LABEL, about="A number, or a vertex that gives one."),
+    "number": Tag(_slot, _NUMBERS, _LABEL, about="A number that is typed in."),
+    "text": Tag(_slot, {**_NAMED, "default": optional()}, _LABEL, about="Something that is typed in."),
+    "action": Tag(_slot, _NAMED, _LABEL, about="One call of a procedure."),
+}
+_CONSTRUCTOR_NAME = Kind(
+    longest=LONGEST_NAME,
+    pattern=r"[^.\s]+( [^.\s]+)*",
+    fits=_element_name,
+    words="a name that is not Start or Stop and has no dot",
+)
 CONSTRUCTOR = Tag(
     _constructor,
-    ("name", "icon", "colour"),
-    {**TEXTS, **_SLOTS, "code": Tag(_code, text=True), "adds": Tag(_adds, ("constructor", "slot"))},
+    {
+        "name": needed(_CONSTRUCTOR_NAME),
+        "icon": optional(ICON),
+        "colour": optional(COLOUR, about="When it is not the colour of the group."),
+    },
+    {
+        **TEXTS,
+        **_SLOTS,
+        "code": Tag(_code, text=True, about="LLL with a hole {name} for each slot."),
+        "adds": Tag(
+            _adds,
+            {"constructor": needed(), "slot": needed(IDENTIFIER)},
+            about="Instead of code: dropped on that constructor, it adds one more to that repeated slot.",
+        ),
+    },
+    least=1,
+    about="A building block: slots, and either code or adds.",
 )
 """One constructor; its group is the element around it."""
 
-_IN_FILE = replace(CONSTRUCTOR, children={**CONSTRUCTOR.children, "reads": Tag(_reads, text=True)})
-_GROUP = Tag(_group, ("name", "colour"), {**TEXTS, "constructor": _IN_FILE})
-_CONSTRUCTORS = Tag(None, ("version",), {"group": _GROUP}, open=lambda element: element.version(VERSION))
+_READS = Tag(
+    _reads,
+    text=True,
+    about="Other LLL with the same holes that is drawn as this constructor; it is never written.",
+)
+_GROUP = Tag(
+    _group,
+    {"name": needed(NAME), "colour": needed(COLOUR)},
+    {**TEXTS, "constructor": replace(CONSTRUCTOR, children={**CONSTRUCTOR.children, "reads": _READS})},
+    about="A heading of the palette. Groups of the same name in several files become one.",
+)
+CONSTRUCTORS = {
+    "constructors": Tag(
+        None,
+        {"version": version(VERSION)},
+        {"group": _GROUP},
+        open=lambda element: element.version(VERSION),
+        unique=("group/constructor",),
+        about="Constructors: what programs are built of, the same for all robots.",
+    )
+}
+"""The first element of a constructors file."""

@@ -15,13 +15,14 @@ from dataclasses import dataclass, replace
 
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import rules
+from kitrobot.primitives.attribute_kinds import NAMED_ROBOT
 from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import CONSTRUCTOR
 from kitrobot.primitives.robot import RobotObject, Texts, ValueType
-from kitrobot.primitives.robot_xml import ROBOT_NAME, VARIABLE
-from kitrobot.primitives.xml import Reader
-from kitrobot.primitives.xml_element import Element, Tag, shown
-from kitrobot.primitives.xml_writing import attributes, escape_text, text_element
+from kitrobot.primitives.robot_xml import VARIABLE
+from kitrobot.text import shown
+from kitrobot.xml import Element, Reader, Tag, attributes, escape_text, needed, text_element
+from kitrobot.xml import rules as xml_rules
 
 MOST_OWN = 500
 """Constructors, and variables, that one mission may bring along."""
@@ -53,7 +54,7 @@ def _own_constructor(element: Element) -> Constructor | None:
 
 def _own_variable(element: Element) -> OwnVariable | None:
     assert VARIABLE.close is not None
-    robot = element.matching("robot", ROBOT_NAME.fullmatch, "the name of a robot")
+    robot = element.matching("robot")
     made = VARIABLE.close(element)
     if element.faulty or not isinstance(made, RobotObject) or element.parent is None:
         return None
@@ -65,7 +66,7 @@ def _own_variable(element: Element) -> OwnVariable | None:
 def _is_one_too_many(element: Element, name: Hashable, what: str) -> bool:
     before = element.reader.own.setdefault(element.name, set())
     if name in before:
-        element.report(rules.DUPLICATE, f"{what} is there already", "name")
+        element.report(xml_rules.DUPLICATE, f"{what} is there already", "name")
     elif len(before) >= MOST_OWN:
         element.report(rules.TOO_MANY_OWN, f"expected at most {MOST_OWN} of <{element.name}> in a mission, found more")
     else:
@@ -75,8 +76,14 @@ def _is_one_too_many(element: Element, name: Hashable, what: str) -> bool:
 
 
 OWN: dict[str, Tag] = {
-    "constructor": replace(CONSTRUCTOR, close=_own_constructor, kept_whole=True),
-    "variable": replace(VARIABLE, close=_own_variable, attributes=("robot", *VARIABLE.attributes), kept_whole=True),
+    "constructor": replace(CONSTRUCTOR, close=_own_constructor, kept_whole=True, about="A part of this mission's own."),
+    "variable": replace(
+        VARIABLE,
+        close=_own_variable,
+        attributes={"robot": needed(NAMED_ROBOT), **VARIABLE.attributes},
+        kept_whole=True,
+        about="A variable that this mission adds to every robot of a kind.",
+    ),
 }
 """Goes among the children of an element with `keep`, where `found(Constructor)` and `found(OwnVariable)` give them."""
 

@@ -111,14 +111,16 @@ class Board:
 class RobotObject:
     """A part of the robot: `minimum`…`maximum` is the range of a sensor's or variable's value.
 
-    `settings` are those of the simulator's device; `board` is what the driver of a real robot is told. Variables and
-    the system have no driver. `place` is where an actuator or a sensor stands in the robot's file.
+    `model` is the device of the simulator that stands for it, the `device` itself unless `<simulate>` names another,
+    and `settings` are its settings. `board` is what the driver of a real robot is told. Variables and the system have
+    no model and no driver. `place` is where an actuator or a sensor stands in the robot's file.
     """
 
     name: str
     category: Category
     methods: tuple[Method, ...]
     device: str = ""
+    model: str = ""
     settings: Mapping[str, str] = field(default_factory=dict)
     board: Board = field(default_factory=Board)
     type: ValueType = ValueType.INTEGER

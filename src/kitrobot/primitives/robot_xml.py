@@ -10,16 +10,24 @@ Left to others: what a device does with its settings (sim, drivers).
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import is_name
 from kitrobot.primitives import rules
+from kitrobot.primitives.attribute_kinds import (
+    IDENTIFIER,
+    RANGE,
+    ROBOT_NAME,
+    ROBOT_NUMBER,
+    USUAL_MAXIMUM,
+    VALUE,
+    VALUE_TYPE,
+)
 from kitrobot.primitives.automatic import FAULT, boolean_methods, comparison, fault_object, integer_methods
 from kitrobot.primitives.board_xml import BOARD
-from kitrobot.primitives.constructors_xml import NAME_IN_WORDS, icon
+from kitrobot.primitives.constructors_xml import icon
 from kitrobot.primitives.robot import (
-    LARGEST_VALUE,
     Board,
     Category,
     Kind,
@@ -30,8 +38,9 @@ from kitrobot.primitives.robot import (
     Texts,
     ValueType,
 )
-from kitrobot.primitives.xml import TEXT, TEXTS, Reader
-from kitrobot.primitives.xml_element import Element, Tag, shown
+from kitrobot.text import shown
+from kitrobot.xml import ICON, TEXT, TEXTS, YES_NO, Element, Reader, Tag, needed, one, optional, version, whole
+from kitrobot.xml import rules as xml_rules
 
 VERSION = 1
 """The newest version of the format that is read."""
@@ -48,29 +57,21 @@ WAIT_UNIT_MS = 100
 LONGEST_WAIT_UNIT_MS = 10_000
 """The longest unit of WAIT."""
 
-USUAL_MAXIMUM = 100
-"""The top of a range that gives none: the paper's numbers go from 0 to 100."""
-
-ROBOT_NAME = re.compile(r"[^\W\d_][\w-]*")
-"""What a robot may be called."""
-
 _HOLE = re.compile(r"\{([^}]*)\}")
 _WORD = re.compile(r"[A-Z]?[^A-Z]+|[A-Z]+(?![^A-Z])")
-_DEVICE = ("name", "device", "icon")
-_SENSOR = (*_DEVICE, "min", "max", "type")
 
 
 def read_robot(data: bytes, name: str) -> tuple[Robot | None, list[Diagnostic]]:
     """Reads a robot's file; None when it has an error."""
     reader = Reader(data, name)
-    root = reader.read({"robot": _ROBOT})
+    root = reader.read(ROBOT)
     robots = root.found(Robot) if root is not None and not root.faulty else []
     return (robots[0] if robots else None), reader.diagnostics
 
 
 def _range(element: Element, least: int = 0, most: int = USUAL_MAXIMUM) -> tuple[int, int]:
-    minimum = element.integer("min", -LARGEST_VALUE, LARGEST_VALUE, least)
-    maximum = element.integer("max", -LARGEST_VALUE, LARGEST_VALUE, most)
+    minimum = element.integer("min", least)
+    maximum = element.integer("max", most)
     if minimum > maximum:
         where = "min" if "min" in element.attributes else "max"
         element.report(rules.RANGE, f"expected min at most max, found {minimum} and {maximum}", where)
@@ -79,14 +80,14 @@ def _range(element: Element, least: int = 0, most: int = USUAL_MAXIMUM) -> tuple
 
 
 def _inside(element: Element, name: str, minimum: int, maximum: int, usual: int) -> int:
-    value = element.integer(name, -LARGEST_VALUE, LARGEST_VALUE, usual)
+    value = element.integer(name, usual)
     if not minimum <= value <= maximum:
         element.report(rules.RANGE, f"expected a number from {minimum} to {maximum} in {name}, found {value}", name)
     return value
 
 
 def _truth(element: Element, name: str) -> int:
-    return int(element.choice(name, ("true", "false", "1", "0"), "false") in ("true", "1"))
+    return int(element.choice(name, "false") in ("true", "1"))
 
 
 def _text(element: Element, kind: str) -> Texts:
@@ -94,13 +95,13 @@ def _text(element: Element, kind: str) -> Texts:
 
 
 def _parameter(element: Element) -> Parameter:
-    name = element.matching("name", is_name, NAME_IN_WORDS)
+    name = element.matching("name")
     if name in ("in", "next", "return"):
-        element.report(rules.BAD_VALUE, f"a parameter cannot be named {name}, a port of every vertex", "name")
+        element.report(xml_rules.BAD_VALUE, f"a parameter cannot be named {name}, a port of every vertex", "name")
     made = Parameter(
         name, 0, 1, 0, unit=element.optional("unit"), label=_text(element, "label"), help=_text(element, "help")
     )
-    if element.choice("type", ("integer", "boolean"), "integer") == "boolean":
+    if element.choice("type") == "boolean":
         return replace(made, default=_truth(element, "default"), type=ValueType.BOOLEAN)
     operation = element.parent
     sensor = operation.parent if operation is not None and operation.name == "operation" else None
@@ -111,7 +112,7 @@ def _parameter(element: Element) -> Parameter:
 
 def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
     """What procedures and operations have in common."""
-    name = element.matching("name", is_name, NAME_IN_WORDS)
+    name = element.matching("name")
     parameters = element.distinct(Parameter, lambda parameter: parameter.name, "parameter")
     given = _text(element, "phrase")
     holes = {"object", *(parameter.name for parameter in parameters)}
@@ -135,7 +136,7 @@ def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
 
 
 def _procedure(element: Element) -> Method:
-    later = element.choice("completes", ("now", "later"), "now") == "later"
+    later = element.choice("completes") == "later"
     return replace(_method(element, Kind.PROCEDURE, {}), completes_later=later, stop=element.attributes.get("stop"))
 
 
@@ -151,7 +152,7 @@ def _operation(element: Element) -> Method:
     if "test" not in element.attributes:
         element.report(rules.METHOD, 'expected test="…" or value="yes" on <operation>, found neither')
         return _method(element, Kind.TEST, {})
-    test = element.choice("test", ("equal", "less", "greater"))
+    test = element.choice("test")
     if ("to" in element.attributes) == bool(count) or count > 1:
         parameters = f"{count} parameter{'' if count == 1 else 's'}"
         found = f"to and {parameters}" if "to" in element.attributes else parameters
@@ -174,20 +175,25 @@ def _sensor_range(sensor: Element) -> tuple[int, int]:
     return min(numbers), max(numbers)
 
 
-def _device(element: Element, category: Category, known: tuple[str, ...]) -> RobotObject:
+def _device(element: Element, category: Category) -> RobotObject:
     """What actuators and sensors have in common; attributes that are not ours are settings of the device."""
     methods = element.distinct(Method, lambda method: method.name, "method")
     device = element.optional("device")
     first, *more = [*element.found_at(Board), (Board(), element)]
     for _, around in more[:-1]:
-        around.report(rules.DUPLICATE, f"<{element.name}> holds a <board> already")
+        around.report(xml_rules.DUPLICATE, f"<{element.name}> holds a <board> already")
+    settings = {name: value for name, value in element.attributes.items() if name not in element.tag.attributes}
+    simulated = element.found_at(Simulated)
+    for _, around in simulated[1:]:
+        around.report(xml_rules.DUPLICATE, f"<{element.name}> holds a <simulate> already")
     return RobotObject(
         _object_name(element),
         category,
         tuple(methods),
         device=device,
+        model=simulated[0][0].model if simulated else device,
         board=replace(first[0], driver=first[0].driver or device),
-        settings={name: value for name, value in element.attributes.items() if name not in known},
+        settings={**settings, **simulated[0][0].settings} if simulated else settings,
         icon=icon(element),
         label=_text(element, "label"),
         help=_text(element, "help"),
@@ -195,15 +201,28 @@ def _device(element: Element, category: Category, known: tuple[str, ...]) -> Rob
     )
 
 
+@dataclass(frozen=True)
+class Simulated:
+    """Which device of the simulator stands for a part, and its settings."""
+
+    model: str
+    settings: Mapping[str, str]
+
+
+def _simulated(element: Element) -> Simulated:
+    settings = {name: value for name, value in element.attributes.items() if name != "as"}
+    return Simulated(element.required("as"), settings)
+
+
 def _object_name(element: Element) -> str:
-    name = element.matching("name", is_name, NAME_IN_WORDS)
+    name = element.matching("name")
     if name == FAULT:
-        element.report(rules.DUPLICATE, f"every robot has a {FAULT} already", "name", "choose another name")
+        element.report(xml_rules.DUPLICATE, f"every robot has a {FAULT} already", "name", "choose another name")
     return name
 
 
 def _actuator(element: Element) -> RobotObject:
-    made = _device(element, Category.ACTUATOR, _DEVICE)
+    made = _device(element, Category.ACTUATOR)
     plain = {method.name for method in made.methods if not method.parameters}
     for method, around in element.found_at(Method):
         if method.stop is not None and method.stop not in plain:
@@ -213,8 +232,8 @@ def _actuator(element: Element) -> RobotObject:
 
 
 def _sensor(element: Element) -> RobotObject:
-    made = _device(element, Category.SENSOR, _SENSOR)
-    if element.choice("type", ("integer", "boolean"), "integer") == "boolean":
+    made = _device(element, Category.SENSOR)
+    if element.choice("type") == "boolean":
         return replace(made, type=ValueType.BOOLEAN, minimum=0, maximum=1)
     minimum, maximum = _range(element)
     return replace(made, minimum=minimum, maximum=maximum)
@@ -231,7 +250,7 @@ def _variable(element: Element) -> RobotObject:
         label=_text(element, "label"),
         help=_text(element, "help"),
     )
-    if element.choice("type", ("integer", "boolean"), "integer") == "boolean":
+    if element.choice("type") == "boolean":
         initial = _truth(element, "initial")
         return replace(made, methods=boolean_methods(initial), type=ValueType.BOOLEAN, maximum=1, initial=initial)
     minimum, maximum = _range(element)
@@ -246,7 +265,7 @@ def _robot(element: Element) -> Robot:
     calls: dict[tuple[str, str], str] = {}
     for part, around in element.found_at(RobotObject):
         if (part.category, part.name) in names:
-            around.report(rules.DUPLICATE, f"the {part.category} {shown(part.name)} is there already", "name")
+            around.report(xml_rules.DUPLICATE, f"the {part.category} {shown(part.name)} is there already", "name")
             continue
         names.add((part.category, part.name))
         groups[part.category].append(part)
@@ -255,36 +274,110 @@ def _robot(element: Element) -> Robot:
             if other != part.category:
                 message = f"{part.name}.{method.name} is a method of the {other} {part.name} already"
                 around.report(
-                    rules.DUPLICATE, message, "name", "an actuator and a sensor may share a name, not a method"
+                    xml_rules.DUPLICATE, message, "name", "an actuator and a sensor may share a name, not a method"
                 )
     return Robot(
-        element.matching("name", ROBOT_NAME.fullmatch, "a name of letters, digits, _ and -"),
+        element.matching("name"),
         tuple(groups[Category.ACTUATOR]),
         tuple(groups[Category.SENSOR]),
         tuple(groups[Category.VARIABLE]),
         (fault_object(),),
-        tick_ms=element.integer("tick", 1, LONGEST_TICK_MS, TICK_MS),
-        wait_unit_ms=element.integer("wait-unit", 1, LONGEST_WAIT_UNIT_MS, WAIT_UNIT_MS),
+        tick_ms=element.integer("tick"),
+        wait_unit_ms=element.integer("wait-unit"),
         label=_text(element, "label"),
         help=_text(element, "help"),
     )
 
 
-_PARAMETER = Tag(_parameter, ("name", "min", "max", "default", "unit", "type"), TEXTS)
-_METHOD_PARTS = {**TEXTS, "phrase": TEXT, "parameter": _PARAMETER}
-_PROCEDURE = Tag(_procedure, ("name", "completes", "stop", "icon"), _METHOD_PARTS)
-_OPERATION = Tag(_operation, ("name", "test", "to", "value", "icon"), _METHOD_PARTS)
-VARIABLE = Tag(_variable, ("name", "type", "min", "max", "initial", "shared", "icon"), TEXTS)
+_NAMED = {"name": needed(IDENTIFIER)}
+_PICTURE = {"icon": optional(ICON)}
+_TYPE = {"type": optional(VALUE_TYPE, "integer")}
+_PARAMETER = Tag(
+    _parameter,
+    {
+        **_NAMED,
+        **_TYPE,
+        "min": optional(ROBOT_NUMBER),
+        "max": optional(ROBOT_NUMBER),
+        "default": optional(VALUE),
+        "unit": optional(),
+    },
+    TEXTS,
+)
+_METHOD_PARTS = {
+    **TEXTS,
+    "phrase": replace(TEXT, about="Words for a chip, with {object} and {PARAMETER} as holes."),
+    "parameter": _PARAMETER,
+}
+_COMPLETES = optional(
+    one("now", "later"), "now", about="now: the program goes on at once. later: when the device says done."
+)
+_STOP = optional(IDENTIFIER, about="The procedure of the same actuator, without parameters, that ends the effect.")
+_PROCEDURE = Tag(_procedure, {**_NAMED, "completes": _COMPLETES, "stop": _STOP, **_PICTURE}, _METHOD_PARTS)
+_OPERATION = Tag(
+    _operation,
+    {
+        **_NAMED,
+        "value": optional(YES_NO, "no"),
+        "test": optional(one("equal", "less", "greater")),
+        "to": optional(ROBOT_NUMBER),
+        **_PICTURE,
+    },
+    _METHOD_PARTS,
+    about="A value, or a test with either to or one parameter.",
+)
+VARIABLE = Tag(
+    _variable,
+    {
+        **_NAMED,
+        **_TYPE,
+        **RANGE,
+        "initial": optional(VALUE),
+        "shared": optional(YES_NO, "no", about="Whether the whole team sees it."),
+        **_PICTURE,
+    },
+    TEXTS,
+    about="Its methods come by themselves.",
+)
 """One variable of a robot."""
 
-_ROBOT = Tag(
-    _robot,
-    ("name", "version", "tick", "wait-unit"),
-    {
-        **TEXTS,
-        "actuator": Tag(_actuator, _DEVICE, {**TEXTS, "procedure": _PROCEDURE, "board": BOARD}, free_attributes=True),
-        "sensor": Tag(_sensor, _SENSOR, {**TEXTS, "operation": _OPERATION, "board": BOARD}, free_attributes=True),
-        "variable": VARIABLE,
-    },
-    open=lambda element: element.version(VERSION),
+_DEVICE = {**_NAMED, "device": optional(about="The simulator's model and the robot's driver."), **_PICTURE}
+_SIMULATE = Tag(
+    _simulated,
+    {"as": needed(about="A device of the simulator.")},
+    free_attributes=True,
+    about="At most one: what stands for the part in the simulator. Attributes beside as are settings of that device.",
 )
+_DEVICE_PARTS = {**TEXTS, "board": BOARD, "simulate": _SIMULATE}
+_ACTUATOR = Tag(
+    _actuator,
+    _DEVICE,
+    {**_DEVICE_PARTS, "procedure": _PROCEDURE},
+    free_attributes=True,
+    about="Acts upon the world. Attributes beside name, device and icon are settings of the device.",
+)
+_SENSOR = Tag(
+    _sensor,
+    {**_DEVICE, **_TYPE, **RANGE},
+    {**_DEVICE_PARTS, "operation": _OPERATION},
+    free_attributes=True,
+    about="Senses a number min to max, or with type boolean 0 or 1.",
+)
+ROBOT = {
+    "robot": Tag(
+        _robot,
+        {
+            "name": needed(ROBOT_NAME),
+            "version": version(VERSION),
+            "tick": optional(whole(1, LONGEST_TICK_MS), str(TICK_MS), about="Milliseconds between two reactions."),
+            "wait-unit": optional(
+                whole(1, LONGEST_WAIT_UNIT_MS), str(WAIT_UNIT_MS), about="Milliseconds in the unit of WAIT."
+            ),
+        },
+        {**TEXTS, "actuator": _ACTUATOR, "sensor": _SENSOR, "variable": VARIABLE},
+        open=lambda element: element.version(VERSION),
+        unique=("actuator", "sensor", "variable"),
+        about="A kind of robot: its actuators, sensors and variables. Order has meaning.",
+    )
+}
+"""The first element of a robot's file."""

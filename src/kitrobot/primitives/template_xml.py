@@ -11,7 +11,7 @@ from itertools import accumulate
 
 from kitrobot.lll import Condition, Hole, Instr, Seq, parse_template
 from kitrobot.primitives import rules
-from kitrobot.primitives.xml_element import Element
+from kitrobot.xml import Element
 
 LONGEST_CODE = 10_000
 """Characters of a template, at most."""

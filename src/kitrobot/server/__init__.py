@@ -1,6 +1,19 @@
 """The studio's server: a thin door to the workspace for the page in the browser."""
 
-from kitrobot.server.app import create_app
+from typing import TYPE_CHECKING, Any
+
 from kitrobot.server.start import serve
 
+if TYPE_CHECKING:
+    from kitrobot.server.app import create_app
+
 __all__ = ["create_app", "serve"]
+
+
+def __getattr__(name: str) -> Any:
+    # What is imported for it takes a second, and a second `kitrobot` on a folder does not need it.
+    if name == "create_app":
+        from kitrobot.server.app import create_app
+
+        return create_app
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -13,6 +13,7 @@ from pydantic.json_schema import models_json_schema
 from starlette.exceptions import HTTPException
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import ConflictError, FileError, MissionNameError, ReadOnlyError
 from kitrobot.server import pages
 from kitrobot.server.board_routes import board_routes
 from kitrobot.server.deadlines import Deadlines
@@ -42,7 +43,22 @@ from kitrobot.server.studio import Studio
 from kitrobot.server.texts import text_routes
 from kitrobot.server.trace_routes import trace_routes
 from kitrobot.server.tutorials import tutorial_routes
-from kitrobot.workspace import ConflictError, FileError, MissionNameError, ReadOnlyError
+
+ROUTERS = (
+    routes,
+    handshake_routes,
+    fragment_routes,
+    run_routes,
+    board_routes,
+    journal_routes,
+    text_routes,
+    own_part_routes,
+    parts_routes,
+    image_routes,
+    tutorial_routes,
+    trace_routes,
+)
+"""The requests, in the order that they are looked for."""
 
 STATIC = Path(__file__).parent / "static"
 """The built page; git does not keep it."""
@@ -69,18 +85,9 @@ def create_app(
     )
     app.state.studio = Studio(workspace, mission)
     app.state.handshake = Handshake(secret or secrets.token_hex(32), token)
-    app.include_router(routes)
-    app.include_router(handshake_routes)
-    app.include_router(fragment_routes)
-    app.include_router(run_routes)
-    app.include_router(board_routes)
-    app.include_router(journal_routes)
-    app.include_router(text_routes)
-    app.include_router(own_part_routes)
-    app.include_router(parts_routes)
-    app.include_router(image_routes)
-    app.include_router(tutorial_routes)
-    app.include_router(trace_routes)
+    for router in ROUTERS:
+        # As they are: included by FastAPI, each route would be built again for every application.
+        app.router.routes.extend(router.routes)
     app.add_exception_handler(KitRobotError, _failed)
     app.add_exception_handler(OSError, _disk_failed)
     app.add_exception_handler(RequestValidationError, _not_understood)

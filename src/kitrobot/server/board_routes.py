@@ -12,7 +12,7 @@ import ipaddress
 import logging
 import os
 import shutil
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from fastapi import APIRouter, Query, Request, WebSocket
 from fastapi.responses import FileResponse
@@ -21,7 +21,8 @@ from starlette.background import BackgroundTask
 from starlette.requests import HTTPConnection
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.board_room import AddressError, BoardRoom, Seat
+from kitrobot.server.robot_registry import AddressError, RobotRegistry, Subscriber
+from kitrobot.server.routing import studio_of
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     BOARD_REQUEST,
@@ -42,7 +43,9 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.server.studio import Studio
 from kitrobot.trace import ENDING
-from kitrobot.workspace import BoardProgram
+
+if TYPE_CHECKING:
+    from kitrobot.robots import BoardProgram
 
 board_routes = APIRouter()
 _log = logging.getLogger("kitrobot.server")
@@ -52,8 +55,7 @@ _log = logging.getLogger("kitrobot.server")
 async def boards(socket: WebSocket) -> None:
     """Serves one page until it goes away."""
     await socket.accept()
-    studio = socket.app.state.studio
-    assert isinstance(studio, Studio)
+    studio = studio_of(socket)
     if not (studio.boards_for_visitors or _is_here(socket)):
         message = BoardRefusedMessage(
             address="",
@@ -70,14 +72,13 @@ async def boards(socket: WebSocket) -> None:
 @board_routes.get("/api/board/trace", response_class=FileResponse)
 async def board_trace(request: Request, address: Annotated[str, Query(max_length=200)]) -> FileResponse:
     """What a robot did in its last run, or does in the one that is on, as a recording."""
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
+    studio = studio_of(request)
     if not (studio.boards_for_visitors or _is_here(request)):
         raise AddressError("the robots are plugged into another machine", "use them there")
-    tape = studio.boards.tape(address)
+    recorder = studio.boards.recorder(address)
     path = await asyncio.to_thread(studio.recordings.new_file, f"robot{ENDING}")
     try:
-        await asyncio.to_thread(tape.save, path)
+        await asyncio.to_thread(recorder.save, path)
     except BaseException:
         shutil.rmtree(path.parent, ignore_errors=True)
         raise
@@ -97,44 +98,44 @@ def _is_here(connection: HTTPConnection) -> bool:
 class BoardSession:
     """One page and the robots it holds."""
 
-    def __init__(self, socket: WebSocket, studio: Studio, room: BoardRoom) -> None:
+    def __init__(self, socket: WebSocket, studio: Studio, room: RobotRegistry) -> None:
         self._socket = socket
         self._studio = studio
         self._room = room
 
     async def serve(self) -> None:
         """Reads requests until the socket closes, then lets go of the page's robots."""
-        seat = self._room.enter(self._socket)
+        subscriber = self._room.enter(self._socket)
         try:
             while True:
                 message = await self._socket.receive()
                 if message["type"] == "websocket.disconnect":
                     return
-                await self._obey(seat, message.get("text") or message.get("bytes") or "")
+                await self._obey(subscriber, message.get("text") or message.get("bytes") or "")
         finally:
-            await self._room.leave(seat)
+            await self._room.leave(subscriber)
 
-    async def _obey(self, seat: Seat, text: str | bytes) -> None:
+    async def _obey(self, subscriber: Subscriber, text: str | bytes) -> None:
         try:
             request: BoardRequest = BOARD_REQUEST.validate_json(text)
         except ValidationError as error:
             first = error.errors(include_url=False, include_input=False)[0]
             where = ".".join(str(part) for part in first["loc"])
             message = f"the request was not understood: {first['msg']}{f' ({where})' if where else ''}"
-            self._refuse(seat, "", KitRobotError(message, "load the page again: it may be older than the studio"))
+            self._refuse(subscriber, "", KitRobotError(message, "load the page again: it may be older than the studio"))
             return
         address = "" if isinstance(request, BoardsLookRequest) else request.address
         try:
-            await self._do(seat, request)
+            await self._do(subscriber, request)
         except KitRobotError as error:
-            self._refuse(seat, address, error)
+            self._refuse(subscriber, address, error)
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a robot's request broke: %s: %s", type(error).__name__, error, exc_info=debugging)
-            self._refuse(seat, address, KitRobotError("something went wrong inside KitRobot", "please report it"))
+            self._refuse(subscriber, address, KitRobotError("something went wrong inside KitRobot", "please report it"))
 
-    def _refuse(self, seat: Seat, address: str, error: KitRobotError) -> None:
-        seat.tell(
+    def _refuse(self, subscriber: Subscriber, address: str, error: KitRobotError) -> None:
+        subscriber.tell(
             BoardRefusedMessage(
                 address=address,
                 message=spoken(error.message),
@@ -143,11 +144,11 @@ class BoardSession:
             )
         )
 
-    async def _do(self, seat: Seat, request: BoardRequest) -> None:
+    async def _do(self, subscriber: Subscriber, request: BoardRequest) -> None:
         room = self._room
         match request:
             case BoardsLookRequest():
-                room.look(seat, request.on)
+                room.look(subscriber, request.on)
             case BoardConnectRequest():
                 program: BoardProgram | None = None
                 try:
@@ -155,24 +156,26 @@ class BoardSession:
                 except KitRobotError:
                     # A program with a mistake is on no robot; the robot can be greeted all the same.
                     _log.debug("greeted without a program", exc_info=True)
-                (await room.hand(seat, request.address)).connect(program)
+                (await room.session(subscriber, request.address)).connect(program)
             case BoardSendRequest():
                 program = await asyncio.to_thread(self._program, request)
-                (await room.hand(seat, request.address)).send(program, request.then, request.replace, request.fresh)
+                (await room.session(subscriber, request.address)).send(
+                    program, request.then, request.replace, request.fresh
+                )
             case BoardStopRequest():
                 room.stop(request.address)
             case BoardCancelRequest():
-                room.taken(seat, request.address).cancel()
+                room.taken(subscriber, request.address).cancel()
             case BoardStartRequest():
-                room.taken(seat, request.address).start(request.held)
+                room.taken(subscriber, request.address).start(request.held)
             case BoardIdentifyRequest():
-                room.taken(seat, request.address).identify()
+                room.taken(subscriber, request.address).identify()
             case BoardForceRequest():
-                room.taken(seat, request.address).force(request.sensor, request.value)
+                room.taken(subscriber, request.address).force(request.sensor, request.value)
             case BoardSetRequest():
-                room.taken(seat, request.address).set_variable(request.variable, request.value)
+                room.taken(subscriber, request.address).set_variable(request.variable, request.value)
             case BoardForgetRequest():
-                await room.forget(room.taken(seat, request.address))
+                await room.forget(room.taken(subscriber, request.address))
 
     def _program(self, request: BoardConnectRequest | BoardSendRequest) -> BoardProgram:
         from kitrobot.workspace import board_program

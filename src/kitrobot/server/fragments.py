@@ -6,40 +6,25 @@ program: it is read as the guard of an empty event; that graph without its chain
 
 from __future__ import annotations
 
-from typing import Annotated
-
-from fastapi import APIRouter, Depends, Request
-
 from kitrobot.compiler import lll_to_graph
 from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.graph import IN, START, STOP, Program
 from kitrobot.lll import Seq, parse
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, Robot
-from kitrobot.server.json_bodies import JsonRoute
-from kitrobot.server.shapes import FailureShape, mission_shape, problem_shapes
+from kitrobot.server.routing import ThisStudio, api_router
+from kitrobot.server.shapes import mission_shape, problem_shapes
 from kitrobot.server.shapes.fragment import FragmentRequestShape, FragmentShape
 from kitrobot.server.shapes.own import own_constructor, own_variable
-from kitrobot.server.studio import Studio
 
 FILE = "clipboard.lll"
 """The name by which problems speak of the text."""
 
-routes = APIRouter(
-    prefix="/api",
-    route_class=JsonRoute,
-    responses={"4XX": {"model": FailureShape, "description": "Why it could not be done."}},
-)
-
-
-def _studio(request: Request) -> Studio:
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
-    return studio
+routes = api_router()
 
 
 @routes.post("/fragment")
-def fragment(studio: Annotated[Studio, Depends(_studio)], wanted: FragmentRequestShape) -> FragmentShape:
+def fragment(studio: ThisStudio, wanted: FragmentRequestShape) -> FragmentShape:
     """Reads a pasted text for a robot; a text that is no LLL gives its problems and no graph."""
     own = Mission(
         constructors=[own_constructor(one) for one in wanted.constructors],
@@ -78,7 +63,7 @@ def _without_chain(program: Program) -> Program:
     gone = chained | {vertex.id for vertex in program.vertices if vertex.element in (START, STOP)}
     return Program(
         program.name,
-        program.robot,
+        program.target,
         [vertex for vertex in program.vertices if vertex.id not in gone],
         [arc for arc in program.arcs if arc.source not in gone and arc.target not in gone],
     )

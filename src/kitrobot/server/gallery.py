@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import MissionEntry
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import MissionEntryShape, PictureShape, mission_shape, world_shape
-from kitrobot.workspace import MissionEntry, OpenMission
+from kitrobot.workspace import OpenMission
 
 if TYPE_CHECKING:
     from kitrobot.server.studio import Studio

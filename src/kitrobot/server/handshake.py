@@ -9,30 +9,25 @@ the studio listens on, so it can neither be used again nor be fetched from a stu
 
 from __future__ import annotations
 
-import hashlib
 import hmac
 import secrets
 import threading
 from typing import Annotated
 
-from fastapi import APIRouter, Request, Response
+from fastapi import Request, Response
 from pydantic import BaseModel, StringConstraints
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.json_bodies import JsonRoute
+from kitrobot.server.proofs import proof_of
+from kitrobot.server.routing import api_router
 from kitrobot.server.security import page_cookie
-from kitrobot.server.shapes import FailureShape
 
 MOST_ASKED = 64
 """Numbers of ours that wait for a proof; the oldest goes when there are more."""
 
 Number = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{32,128}$")]
 
-handshake_routes = APIRouter(
-    prefix="/api/again",
-    route_class=JsonRoute,
-    responses={"4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}},
-)
+handshake_routes = api_router("/api/again")
 
 
 class StrangerError(KitRobotError):
@@ -96,12 +91,6 @@ class Handshake:
         if hmac.compare_digest(proof_of(self.secret, "page", address, asked, answered), proof) and fresh:
             return self._token
         raise StrangerError("this page is not one of this folder", "open the address that `kitrobot` printed")
-
-
-def proof_of(secret: str, who: str, address: str, asked: str, answered: str) -> str:
-    """What only somebody who knows the secret can say; `who` is "studio" or "page", `address` a name and a port."""
-    words = "\n".join((who, address, asked, answered))
-    return hmac.new(secret.encode(), words.encode(), hashlib.sha256).hexdigest()
 
 
 def _handshake(request: Request) -> Handshake:

@@ -3,35 +3,25 @@
 from __future__ import annotations
 
 from base64 import b64encode
-from typing import Annotated
 
-from fastapi import APIRouter, Depends, Request
-
+from kitrobot.diagnostics import ProblemsError
 from kitrobot.image import disassemble
-from kitrobot.server.json_bodies import JsonRoute
+from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.image import ImageAskShape, ImageShape
-from kitrobot.server.studio import Studio
-from kitrobot.workspace import ProblemsError
 
-image_routes = APIRouter(prefix="/api", route_class=JsonRoute)
-
-
-def _studio(request: Request) -> Studio:
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
-    return studio
+image_routes = api_router()
 
 
 @image_routes.post("/image")
-def image(studio: Annotated[Studio, Depends(_studio)], wanted: ImageAskShape) -> ImageShape:
+def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
     """Compiles one program of a mission: its image and the listing of it."""
     opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     program = opened.program(wanted.program)
     compiled = opened.compiled.get(program.name)
     if compiled is None:
         raise ProblemsError(
-            f"the robot `{program.robot}` of `{program.name}` is not at hand, so there is no image of it",
+            f"the robot `{program.target}` of `{program.name}` is not at hand, so there is no image of it",
             "put the robot's file beside the mission",
             opened.diagnostics,
         )

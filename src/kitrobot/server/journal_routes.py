@@ -8,62 +8,44 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from typing import Annotated
 
-from fastapi import APIRouter, Depends, Request, WebSocket, WebSocketDisconnect
+from fastapi import WebSocket, WebSocketDisconnect
 
-from kitrobot.server.json_bodies import JsonRoute
+from kitrobot.files import Journal, MissionNameError
+from kitrobot.server.routing import ThisStudio, api_router, studio_of
 from kitrobot.server.shapes import (
-    ClaimedShape,
     ClaimShape,
     DifferenceAskShape,
     DifferenceShape,
-    FailureShape,
     ForgetShape,
     HelloMessage,
     JournalAppendShape,
     JournalShape,
     JournalSizeShape,
-    LeftShape,
     NewsMessage,
     mission_from_shape,
 )
+from kitrobot.server.shapes.values import ClaimedValue, LeftValue
 from kitrobot.server.studio import Studio
 from kitrobot.translation import said
-from kitrobot.workspace import Difference, Journal, MissionNameError, differences
+from kitrobot.versions import Difference, differences
 
 LOOK_S = 0.5
 """How often a tab's files are looked at."""
 
-journal_routes = APIRouter(
-    prefix="/api",
-    route_class=JsonRoute,
-    responses={"4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}},
-)
-
-
-def _studio(request: Request) -> Studio:
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
-    return studio
-
-
-StudioOf = Annotated[Studio, Depends(_studio)]
+journal_routes = api_router()
 
 
 @journal_routes.post("/journal/claim")
-def claim(studio: StudioOf, wanted: ClaimShape) -> ClaimedShape:
+def claim(studio: ThisStudio, wanted: ClaimShape) -> ClaimedValue:
     """The journal for the mission that the page has opened, with what was left in it."""
     if wanted.path:
         studio.folder.path_of(wanted.path)
-    found = studio.journals.claim(wanted.tab, wanted.path, wanted.journal)
-    return ClaimedShape(
-        journal=found.journal, path=found.path, name=found.name, records=list(found.records), damaged=found.damaged
-    )
+    return studio.journals.claim(wanted.tab, wanted.path, wanted.journal)
 
 
 @journal_routes.put("/journal")
-def replace(studio: StudioOf, wanted: JournalShape) -> JournalSizeShape:
+def replace(studio: ThisStudio, wanted: JournalShape) -> JournalSizeShape:
     """Puts a whole journal in the place of the page's."""
     if wanted.path:
         studio.folder.path_of(wanted.path)
@@ -72,29 +54,26 @@ def replace(studio: StudioOf, wanted: JournalShape) -> JournalSizeShape:
 
 
 @journal_routes.post("/journal")
-def append(studio: StudioOf, wanted: JournalAppendShape) -> JournalSizeShape:
+def append(studio: ThisStudio, wanted: JournalAppendShape) -> JournalSizeShape:
     """Writes records behind the others."""
     return JournalSizeShape(bytes=studio.journals.append(wanted.tab, wanted.first, wanted.records, wanted.unsaved))
 
 
 @journal_routes.get("/journal/left")
-def left(studio: StudioOf) -> list[LeftShape]:
+def left(studio: ThisStudio) -> list[LeftValue]:
     """Unsaved work that nobody has open, the newest first."""
-    return [
-        LeftShape(journal=one.journal, path=one.path, name=one.name, modified=one.modified)
-        for one in studio.journals.left()
-    ]
+    return studio.journals.left()
 
 
 @journal_routes.post("/journal/forget")
-def forget(studio: StudioOf, wanted: ForgetShape) -> list[LeftShape]:
+def forget(studio: ThisStudio, wanted: ForgetShape) -> list[LeftValue]:
     """Throws unsaved work away that nobody has open; gives what is left."""
     studio.journals.forget(wanted.journal)
     return left(studio)
 
 
 @journal_routes.post("/mission/difference")
-def difference(studio: StudioOf, wanted: DifferenceAskShape) -> DifferenceShape:
+def difference(studio: ThisStudio, wanted: DifferenceAskShape) -> DifferenceShape:
     """What is different in a mission from its file, in words."""
     data, revision = studio.folder.read(wanted.path)
     theirs = studio.read(data, wanted.path, wanted.path).mission
@@ -111,8 +90,7 @@ def _in_words(difference: Difference) -> str:
 @journal_routes.websocket("/watch")
 async def watch(socket: WebSocket) -> None:
     """Serves one page until it closes."""
-    studio = socket.app.state.studio
-    assert isinstance(studio, Studio)
+    studio = studio_of(socket)
     await socket.accept()
     tab = studio.journals.join()
     closed = asyncio.ensure_future(_until_closed(socket))

@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
-from fastapi import APIRouter, Depends, Request
-
 from kitrobot.compiler import Look, PartError, SelectionError, draw_template, make_part, offer_part, read_part
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import Program
 from kitrobot.lll import print_template
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, write_constructors
-from kitrobot.server.json_bodies import JsonRoute
+from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import FailureShape, TextShape, mission_from_shape, mission_shape, problem_shapes
-from kitrobot.server.shapes.catalogue import constructor_shape
+from kitrobot.server.shapes.catalogue import ConstructorShape
 from kitrobot.server.shapes.mission import ProgramShape
 from kitrobot.server.shapes.own import OwnPartError, own_constructor, raw_constructor
 from kitrobot.server.shapes.part import (
     LONGEST_PART,
     OfferAnswerShape,
     OfferedShape,
+    OfferShape,
     PartAnswerShape,
     PartFileShape,
     PartReadShape,
@@ -30,31 +27,17 @@ from kitrobot.server.shapes.part import (
     PartWishShape,
     SelectedShape,
     chosen_from_shape,
-    offer_shape,
 )
 from kitrobot.server.studio import Studio
 from kitrobot.workspace import NoProgramError
 
 MOST_PROBLEMS = 100
 
-own_part_routes = APIRouter(
-    prefix="/api",
-    route_class=JsonRoute,
-    responses={"4XX": {"model": FailureShape, "description": "Why it could not be done."}},
-)
-
-
-def _studio(request: Request) -> Studio:
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
-    return studio
-
-
-StudioOf = Annotated[Studio, Depends(_studio)]
+own_part_routes = api_router()
 
 
 @own_part_routes.post("/part/offer")
-def part_offer(studio: StudioOf, wanted: SelectedShape) -> OfferAnswerShape:
+def part_offer(studio: ThisStudio, wanted: SelectedShape) -> OfferAnswerShape:
     """What a selection offers to be left open when it becomes a part."""
     program, catalogue = _of(studio, wanted)
     try:
@@ -64,14 +47,14 @@ def part_offer(studio: StudioOf, wanted: SelectedShape) -> OfferAnswerShape:
     shape = OfferedShape(
         role=offered.role.value,
         vertices=list(offered.selection.chain),
-        offers=[offer_shape(one) for one in offered.offers],
+        offers=[OfferShape.model_validate(one) for one in offered.offers],
         problems=problem_shapes(offered.diagnostics[:MOST_PROBLEMS]),
     )
     return OfferAnswerShape(offered=shape, refused=None)
 
 
 @own_part_routes.post("/part")
-def part(studio: StudioOf, wanted: PartWishShape) -> PartAnswerShape:
+def part(studio: ThisStudio, wanted: PartWishShape) -> PartAnswerShape:
     """Makes the part of a selection, and puts a vertex of it in the selection's place."""
     program, catalogue = _of(studio, wanted)
     look = Look(wanted.name, wanted.icon, wanted.colour, wanted.label, wanted.help)
@@ -82,7 +65,7 @@ def part(studio: StudioOf, wanted: PartWishShape) -> PartAnswerShape:
     template = made.constructor.template
     assert template is not None, "a part that is made has a template"
     shape = PartShape(
-        constructor=constructor_shape(made.constructor),
+        constructor=ConstructorShape.model_validate(made.constructor),
         lll=print_template(template),
         program=_program_shape(made.program),
         vertex=made.vertex,
@@ -91,7 +74,7 @@ def part(studio: StudioOf, wanted: PartWishShape) -> PartAnswerShape:
 
 
 @own_part_routes.post("/part/read")
-def part_read(studio: StudioOf, wanted: PartTextShape) -> PartReadShape:
+def part_read(studio: ThisStudio, wanted: PartTextShape) -> PartReadShape:
     """Reads a part as it was edited: what became of it, or its mistakes."""
     if len(wanted.constructor.code) > LONGEST_PART:
         raise OwnPartError(
@@ -109,7 +92,7 @@ def part_read(studio: StudioOf, wanted: PartTextShape) -> PartReadShape:
     read = read_part(raw_constructor(wanted.constructor), robot)
     drawing = None if read.constructor is None else draw_template(read.constructor, robot, catalogue)
     return PartReadShape(
-        constructor=None if read.constructor is None else constructor_shape(read.constructor),
+        constructor=None if read.constructor is None else ConstructorShape.model_validate(read.constructor),
         lll=read.lll,
         drawing=None if drawing is None else _program_shape(drawing),
         problems=problem_shapes(read.diagnostics[:MOST_PROBLEMS]),

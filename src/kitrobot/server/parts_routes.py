@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, cast
 
-from fastapi import APIRouter, Depends, Query, Request
+from fastapi import Depends, Query, Request
 
 from kitrobot.primitives import ValueType
-from kitrobot.server.json_bodies import JsonRoute
-from kitrobot.server.shapes import ConflictShape, FailureShape, TextShape, problem_shapes, world_shape
-from kitrobot.server.shapes.own import OwnVariableShape, own_variable, own_variable_shape
+from kitrobot.server.routing import ThisStudio, api_router
+from kitrobot.server.shapes import ConflictShape, TextShape, problem_shapes, world_shape
+from kitrobot.server.shapes.own import OwnVariableShape, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.server.shapes.parts import (
     PartsFileShape,
@@ -19,7 +19,6 @@ from kitrobot.server.shapes.parts import (
     WorldEntryShape,
     WorldFileShape,
 )
-from kitrobot.server.studio import Studio
 from kitrobot.workspace import (
     FoundWorld,
     WantedVariable,
@@ -32,39 +31,25 @@ from kitrobot.world import write_world
 
 LONGEST_NAME = 1000
 
-parts_routes = APIRouter(
-    prefix="/api",
-    route_class=JsonRoute,
-    responses={
-        "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."},
-        409: {"model": ConflictShape, "description": "There is another file of that name."},
-    },
-)
-
-
-def _studio(request: Request) -> Studio:
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
-    return studio
+parts_routes = api_router(more={409: {"model": ConflictShape, "description": "There is another file of that name."}})
 
 
 async def _body(request: Request) -> bytes:
     return await request.body()
 
 
-StudioOf = Annotated[Studio, Depends(_studio)]
 Name = Annotated[str, Query(max_length=LONGEST_NAME)]
 
 
 @parts_routes.get("/catalogue")
-def catalogue(studio: StudioOf, path: Name) -> PartsShape:
+def catalogue(studio: ThisStudio, path: Name) -> PartsShape:
     """The robots and constructors of the files around a mission, as they are now."""
     stamp = studio.stamp(path)
-    return PartsShape(stamp=stamp, catalogue=studio.catalogue(path)[1])
+    return PartsShape(stamp=stamp, catalogue=studio.catalogue_shape(path))
 
 
 @parts_routes.get("/world")
-def world(studio: StudioOf, path: Name, href: Name) -> WorldFileShape:
+def world(studio: ThisStudio, path: Name, href: Name) -> WorldFileShape:
     """A world of a mission, as its file is now."""
     file = studio.world_file(href, path)
     found = read_world_file(file)[0] if file is not None else None
@@ -72,7 +57,7 @@ def world(studio: StudioOf, path: Name, href: Name) -> WorldFileShape:
 
 
 @parts_routes.get("/world/plan")
-def world_plan(studio: StudioOf, path: Name, href: Name) -> PlanShape:
+def world_plan(studio: ThisStudio, path: Name, href: Name) -> PlanShape:
     """What a world of a mission is made of, to be changed in the mission."""
     file = studio.world_file(href, path)
     if file is None:
@@ -89,14 +74,14 @@ def world_text(wanted: OwnWorldShape) -> TextShape:
 
 
 @parts_routes.get("/worlds")
-def worlds(studio: StudioOf, path: Name) -> list[WorldEntryShape]:
+def worlds(studio: ThisStudio, path: Name) -> list[WorldEntryShape]:
     """The worlds that a mission can take place in."""
     return [_world(found) for found in worlds_at_hand(studio.folder.folders_of(path)[::-1])]
 
 
 @parts_routes.post("/parts")
 def parts(
-    studio: StudioOf, data: Annotated[bytes, Depends(_body)], path: Name, file: Name, over: Name = ""
+    studio: ThisStudio, data: Annotated[bytes, Depends(_body)], path: Name, file: Name, over: Name = ""
 ) -> PartsFileShape:
     """Puts a file with a robot, constructors or a world beside a mission."""
     added = add_parts(studio.folder, path, file, data, over)
@@ -105,12 +90,12 @@ def parts(
 
 
 @parts_routes.post("/variable")
-def variable(studio: StudioOf, wanted: VariableAskShape) -> OwnVariableShape:
+def variable(studio: ThisStudio, wanted: VariableAskShape) -> OwnVariableShape:
     """A variable with everything that the page needs of it, or why it cannot be."""
     own = [own_variable(one) for one in wanted.variables]
     asked = WantedVariable(wanted.name, ValueType(wanted.type), wanted.min, wanted.max, wanted.initial, wanted.shared)
-    made = make_variable(studio.catalogue(wanted.path)[0], own, wanted.robot, asked, wanted.was)
-    return own_variable_shape(made)
+    made = make_variable(studio.catalogue(wanted.path), own, wanted.robot, asked, wanted.was)
+    return OwnVariableShape.model_validate(made)
 
 
 def _world(found: FoundWorld) -> WorldEntryShape:

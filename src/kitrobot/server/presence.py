@@ -33,10 +33,9 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import FileLock, state_folder
 from kitrobot.server import pages
-from kitrobot.server.handshake import proof_of
-from kitrobot.workspace.file_lock import FileLock
-from kitrobot.workspace.journals import state_folder
+from kitrobot.server.proofs import proof_of
 
 _LARGEST_BYTES = 10_000
 _STARTS_WITHIN_S = 10.0

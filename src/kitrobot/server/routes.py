@@ -5,13 +5,13 @@ from __future__ import annotations
 from importlib.metadata import version
 from typing import Annotated
 
-from fastapi import APIRouter, Depends, Query, Request, Response
+from fastapi import Depends, Query, Request, Response
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.lll import collection_paused
+from kitrobot.diagnostics import KitRobotError, ProblemsError
+from kitrobot.files import carried_mission, is_picture, revision_of
 from kitrobot.mission import read_mission, save, write_mission
-from kitrobot.server.answers import report_answer
-from kitrobot.server.json_bodies import JsonRoute
+from kitrobot.server.fast_json import report_answer
+from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import (
     CheckShape,
     ConflictShape,
@@ -32,7 +32,8 @@ from kitrobot.server.shapes import (
 from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
-from kitrobot.workspace import OpenMission, ProblemsError, carried_mission, is_picture, new_mission, revision_of
+from kitrobot.text import collection_paused
+from kitrobot.workspace import OpenMission, new_mission
 
 _FAILURES: dict[int | str, dict[str, object]] = {
     "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
@@ -48,13 +49,7 @@ class UnsavableError(KitRobotError):
     """What would be written is no mission."""
 
 
-routes = APIRouter(prefix="/api", route_class=JsonRoute, responses=_FAILURES)
-
-
-def _studio(request: Request) -> Studio:
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
-    return studio
+routes = api_router()
 
 
 async def _body(request: Request) -> bytes:
@@ -62,12 +57,11 @@ async def _body(request: Request) -> bytes:
     return await request.body()
 
 
-StudioOf = Annotated[Studio, Depends(_studio)]
 Name = Annotated[str, Query(max_length=LONGEST_NAME)]
 
 
 @routes.get("/session")
-def session(request: Request, studio: StudioOf) -> SessionShape:
+def session(request: Request, studio: ThisStudio) -> SessionShape:
     """What the page starts with."""
     return SessionShape(
         version=version("kitrobot"),
@@ -78,13 +72,13 @@ def session(request: Request, studio: StudioOf) -> SessionShape:
 
 
 @routes.get("/missions")
-def missions(studio: StudioOf) -> list[MissionEntryShape]:
+def missions(studio: ThisStudio) -> list[MissionEntryShape]:
     """The missions of the folder, and the examples."""
     return studio.gallery.entries(studio)
 
 
 @routes.get("/mission")
-def mission(studio: StudioOf, path: Name) -> MissionFileShape:
+def mission(studio: ThisStudio, path: Name) -> MissionFileShape:
     """A mission opened. One that a picture carries has no file of its own yet: its `path` is ""."""
     data, revision = studio.folder.read(path)
     if is_picture(path):
@@ -95,14 +89,14 @@ def mission(studio: StudioOf, path: Name) -> MissionFileShape:
 
 
 @routes.get("/mission/new")
-def mission_new(studio: StudioOf) -> MissionFileShape:
+def mission_new(studio: ThisStudio) -> MissionFileShape:
     """A mission that nobody wrote yet: one program, start and stop, one robot."""
     return mission_file(studio, studio.open(new_mission(), ""), "", "")
 
 
 @routes.post("/mission/read")
 def mission_read(
-    studio: StudioOf, data: Annotated[bytes, Depends(_body)], name: Name = "mission.krt"
+    studio: ThisStudio, data: Annotated[bytes, Depends(_body)], name: Name = "mission.krt"
 ) -> MissionFileShape:
     """A mission from the bytes of a file that is not in the folder: a `.krt`, or a picture that holds one."""
     data, name = carried_mission(data, name)
@@ -123,7 +117,7 @@ def _read(studio: Studio, data: bytes, name: str, path: str) -> OpenMission:
 
 
 @routes.put("/mission", responses=_CONFLICT)
-def mission_save(studio: StudioOf, wanted: SaveShape) -> SavedShape:
+def mission_save(studio: ThisStudio, wanted: SaveShape) -> SavedShape:
     """Saves a mission, unless its file is not what the page last saw."""
     made = mission_from_shape(wanted.mission)
     data = write_mission(made)
@@ -143,7 +137,7 @@ def mission_text(wanted: MissionTextShape) -> TextShape:
 
 
 @routes.post("/check", response_model=ReportShape)
-def check(studio: StudioOf, wanted: CheckShape) -> Response:
+def check(studio: ThisStudio, wanted: CheckShape) -> Response:
     """Looks a mission through: LLL and three-address code of each program, and every problem."""
     with collection_paused():
         opened = studio.open(sent_mission(wanted.mission, studio.programs.named), wanted.path)
@@ -159,7 +153,7 @@ def mission_file(studio: Studio, opened: OpenMission, path: str, revision: str) 
     problems = [item for item in opened.diagnostics if not (item.thing and opened.mission.own_world)]
     # Before the files are read: what changes meanwhile is then news.
     parts = studio.stamp(path)
-    _, catalogue = studio.catalogue(path)
+    catalogue = studio.catalogue_shape(path)
     return MissionFileShape(
         path=path,
         name=opened.name,

@@ -6,7 +6,7 @@ one binary frame with the poses and one JSON message with the rest. Requests are
 or set a flag and wake the task, so they take hold at its next round. A request that is not understood is answered
 with a sentence, one that comes too late (a pause after the end) is passed over.
 
-Other pages may watch a run (audience). A socket steers a run of its own or watches another's: who watches steers
+Other pages may watch a run (broadcast). A socket steers a run of its own or watches another's: who watches steers
 nothing, not even STOP, and when the page that steers is gone its run ends for all of them.
 """
 
@@ -18,21 +18,21 @@ import logging
 import os
 import time
 from collections.abc import Callable
-from dataclasses import asdict
 from typing import Any
 
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, ValidationError
 
-from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.audience import MOST_WATCHERS, Audience, Seat, Telling
-from kitrobot.server.pacing import SLOWEST, UNPACED, Pace
-from kitrobot.server.playing import Player
+from kitrobot.diagnostics import KitRobotError, ProblemsError
+from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber, Telling
+from kitrobot.server.live_run import LiveRun
+from kitrobot.server.realtime_clock import SLOWEST, UNPACED, Pace
+from kitrobot.server.replay import Replay
+from kitrobot.server.routing import studio_of
 from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     REQUEST,
     ErrorMessage,
-    HitShape,
     LookRequest,
     PauseRequest,
     ProblemsMessage,
@@ -50,8 +50,8 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.server.steering import Job, goes_back, job_of
 from kitrobot.server.studio import Studio
-from kitrobot.server.watching import Watch
-from kitrobot.workspace import ProblemsError
+from kitrobot.server.watched_run import WatchedRun
+from kitrobot.workspace import RunOptions
 
 LARGEST_MESSAGE_BYTES = 16 * 1024 * 1024
 MOST_RUNS = 8
@@ -67,7 +67,7 @@ _numbers = itertools.count(1)
 async def run(socket: WebSocket) -> None:
     """Serves one socket until it closes."""
     await socket.accept()
-    await Session(socket, socket.app.state.studio).serve()
+    await Session(socket, studio_of(socket)).serve()
 
 
 class Session:
@@ -80,10 +80,10 @@ class Session:
         self._task: asyncio.Task[None] | None = None
         self._wake = asyncio.Event()
         self._pace: Pace | None = None
-        self._watch: Watch | Player | None = None
-        self._audience: Audience | None = None
+        self._watch: WatchedRun | None = None
+        self._broadcast: Broadcast | None = None
         self._name = ""
-        self._seat: Seat | None = None
+        self._subscriber: Subscriber | None = None
         """The place from which this socket watches another's run."""
         self._looks: tuple[str, ...] = ()
         self._early: list[Steering] = []
@@ -119,9 +119,9 @@ class Session:
     def _let_go(self) -> None:
         """The run of this socket is looked at no more, and cannot be saved any more."""
         self._studio.watches.pop(self._name, None)
-        self._studio.audiences.pop(self._name, None)
-        if self._audience is not None:
-            self._audience.end("the page that steered this run is gone, and the run with it", "start one of your own")
+        self._studio.broadcasts.pop(self._name, None)
+        if self._broadcast is not None:
+            self._broadcast.end("the page that steered this run is gone, and the run with it", "start one of your own")
 
     def _close_watch(self) -> None:
         if self._watch is not None:
@@ -140,9 +140,9 @@ class Session:
             await self._start(request)
         elif isinstance(request, WatchRequest):
             await self._sit_down(request)
-        elif self._seat is not None:
+        elif self._subscriber is not None:
             if isinstance(request, LookRequest):
-                self._seat.look(request.agents)
+                self._subscriber.look(request.agents)
             else:
                 await self._fail("the page that started this run steers it", "to steer one, start a run of your own")
         elif self._task is not None and not self._task.done():
@@ -167,7 +167,7 @@ class Session:
             self._count(False)
             raise
         self._pace, self._watch, self._early, self._steps, self._jobs = None, None, [], 0, []
-        self._stopping, self._said, self._state_now, self._audience, self._looks = False, ("", -1), None, None, ()
+        self._stopping, self._said, self._state_now, self._broadcast, self._looks = False, ("", -1), None, None, ()
         self._wake.clear()
         self._task = asyncio.create_task(self._whole_run(request))
         self._task.add_done_callback(self._give_back)
@@ -182,19 +182,19 @@ class Session:
         except KitRobotError as error:
             await self._fail(error.message, error.help, ended=True)
             return
-        audience = self._studio.audiences.get(request.run)
-        if audience is None or not audience.on:
+        broadcast = self._studio.broadcasts.get(request.run)
+        if broadcast is None or not broadcast.on:
             await self._fail("this run is over", "start one of your own", ended=True)
-        elif len(audience) >= MOST_WATCHERS:
+        elif len(broadcast) >= MOST_WATCHERS:
             await self._fail(f"{MOST_WATCHERS} pages watch this run already", "try again later", ended=True)
         else:
-            self._seat = Seat(audience, self._socket, another=not audience.is_of(mission))
+            self._subscriber = Subscriber(broadcast, self._socket, another=not broadcast.is_of(mission))
 
     async def _stand_up(self) -> None:
         """This socket watches nothing any more."""
-        seat, self._seat = self._seat, None
-        if seat is not None:
-            await seat.leave()
+        subscriber, self._subscriber = self._subscriber, None
+        if subscriber is not None:
+            await subscriber.leave()
 
     def _steer(self, request: Steering) -> None:
         if isinstance(request, StopRequest):
@@ -205,7 +205,7 @@ class Session:
             self._bid(request, self._watch, self._pace)
         self._wake.set()
 
-    def _bid(self, request: Steering, watch: Watch | Player, pace: Pace) -> None:
+    def _bid(self, request: Steering, watch: WatchedRun, pace: Pace) -> None:
         if isinstance(request, PauseRequest | ResumeRequest):
             pace.set_paused(isinstance(request, PauseRequest), watch.tick)
         elif isinstance(request, SpeedRequest):
@@ -223,7 +223,7 @@ class Session:
 
     def _looked_at(self) -> tuple[str, ...]:
         """All agents that somebody looks at, here or watching."""
-        return (*self._looks, *(self._audience.looks if self._audience is not None else ()))
+        return (*self._looks, *(self._broadcast.looks if self._broadcast is not None else ()))
 
     def _is_stopping(self) -> bool:
         return self._stopping
@@ -237,8 +237,8 @@ class Session:
                 await self._state(watch, "stopped")
             else:
                 path = request.path if isinstance(request, StartRequest) else ""
-                self._audience = Audience(path, watch.mission, self._wake.set)
-                await self._drive(watch, Pace(watch.tick_s, self._clock, _speed(request.speed)), self._audience)
+                self._broadcast = Broadcast(path, watch.mission, self._wake.set)
+                await self._drive(watch, Pace(watch.tick_s, self._clock, _speed(request.speed)), self._broadcast)
         except KitRobotError as error:
             await self._break_off(error.message, error.help)
         except (RuntimeError, OSError, WebSocketDisconnect):
@@ -251,8 +251,8 @@ class Session:
 
     async def _break_off(self, message: str, help: str) -> None:
         """Says to everybody why the run is over."""
-        if self._audience is not None:
-            self._audience.end(message, help)
+        if self._broadcast is not None:
+            self._broadcast.end(message, help)
         await self._fail(message, help, ended=True)
 
     def _take_place(self) -> bool:
@@ -274,21 +274,21 @@ class Session:
         self._studio.runs += counts - self._counts
         self._counts = counts
 
-    def _prepare(self, request: StartRequest | ReplayRequest) -> Watch | Player | ProblemsMessage:
+    def _prepare(self, request: StartRequest | ReplayRequest) -> WatchedRun | ProblemsMessage:
         if isinstance(request, ReplayRequest):
             trace = self._studio.recordings.open(request.recording)
-            return Player(trace, self._studio.recorded(trace, request.recording))
+            return Replay(trace, self._studio.recorded(trace, request.recording))
         opened = self._studio.open(mission_from_shape(request.mission), request.path)
         try:
-            return Watch(opened, opened.simulation(request.seed, fail_rate=request.fail_rate))
+            return LiveRun(opened.prepare(RunOptions(request.seed, fail_rate=request.fail_rate)))
         except ProblemsError as error:
             return ProblemsMessage(problems=problem_shapes(error.diagnostics))
 
-    async def _drive(self, watch: Watch | Player, pace: Pace, audience: Audience) -> None:
+    async def _drive(self, watch: WatchedRun, pace: Pace, broadcast: Broadcast) -> None:
         """Goes round until the run is stopped. At its end it stands still, and can be taken back from there."""
         self._watch, self._pace, self._name = watch, pace, f"run-{next(_numbers)}"
         self._studio.watches[self._name] = watch
-        self._studio.audiences[self._name] = audience
+        self._studio.broadcasts[self._name] = broadcast
         for request in self._early:
             self._steer(request)
         await self._tell(watch.started(self._name))
@@ -300,13 +300,13 @@ class Session:
                 watch.stop()
                 await self._news(watch)
                 await self._state(watch, "stopped")
-                audience.on = False
+                broadcast.on = False
                 return
             if await self._do_jobs(watch):
                 pace.set_paused(pace.paused, watch.tick)
                 await self._news(watch)
-            self._attend(watch, audience)
-            audience.on = not watch.outcome
+            self._attend(watch, broadcast)
+            broadcast.on = not watch.outcome
             if watch.outcome:
                 await self._state(watch, watch.outcome)
                 pace.set_paused(True, watch.tick)
@@ -329,16 +329,16 @@ class Session:
                     await self._state(watch, "paused")
             await self._rest(pace, watch, began)
 
-    def _attend(self, watch: Watch | Player, audience: Audience) -> None:
+    def _attend(self, watch: WatchedRun, broadcast: Broadcast) -> None:
         """Looks after those who watch; everything is told to everybody else at this moment."""
-        if audience.looks_anew():
+        if broadcast.looks_anew():
             watch.look_at(self._looked_at())
         now = self._state_now
         if now is not None:
             now = now.model_copy(update={"tick": watch.tick, "seconds": watch.seconds})
-        audience.welcome(self._name, watch, now)
+        broadcast.welcome(self._name, watch, now)
 
-    async def _do_jobs(self, watch: Watch | Player) -> bool:
+    async def _do_jobs(self, watch: WatchedRun) -> bool:
         """Does what was asked for meanwhile; says whether there was anything."""
         jobs, self._jobs = self._jobs, []
         for job in jobs:
@@ -350,7 +350,7 @@ class Session:
                 await self._fail(error.message, error.help)
         return bool(jobs)
 
-    async def _rest(self, pace: Pace, watch: Watch | Player, began: float) -> None:
+    async def _rest(self, pace: Pace, watch: WatchedRun, began: float) -> None:
         """Until the next tick is due, but not before the next frame may be sent; a request ends it at once."""
         until_due = pace.wait_s(watch.tick)
         if self._steps or self._jobs or self._stopping or watch.outcome:
@@ -364,14 +364,14 @@ class Session:
         except TimeoutError:
             return
 
-    async def _news(self, watch: Watch | Player) -> None:
+    async def _news(self, watch: WatchedRun) -> None:
         telling = Telling(*watch.tell())
-        if self._audience is not None:
-            self._audience.tell(telling)
+        if self._broadcast is not None:
+            self._broadcast.tell(telling)
         await self._socket.send_bytes(telling.frame)
         await self._socket.send_text(telling.text())
 
-    async def _state(self, watch: Watch | Player, status: Any) -> None:
+    async def _state(self, watch: WatchedRun, status: Any) -> None:
         """Says what became of the run, when that is new."""
         said = (status, watch.tick if status != "running" else -1)
         if said == self._said:
@@ -382,11 +382,11 @@ class Session:
             tick=watch.tick,
             seconds=watch.seconds,
             sentence=spoken(watch.sentence),
-            hits=[HitShape(**asdict(hit)) for hit in watch.hits] if status == "paused" else [],
+            hits=watch.hits if status == "paused" else [],
             problems=problem_shapes(watch.advice),
         )
-        if self._audience is not None:
-            self._audience.state(self._state_now)
+        if self._broadcast is not None:
+            self._broadcast.state(self._state_now)
         await self._tell(self._state_now)
 
     async def _tell(self, message: BaseModel) -> None:

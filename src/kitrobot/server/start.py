@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import ipaddress
 import os
 import secrets
@@ -10,26 +9,17 @@ import socket
 import sys
 import threading
 import webbrowser
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import urlencode
 
-import uvicorn
-from fastapi import FastAPI
-
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.app import create_app
-from kitrobot.server.connections import LARGEST_HEAD_BYTES, MOST_CONNECTIONS, BoundedConnection
+from kitrobot.files import MissionFolder, first_example
 from kitrobot.server.presence import Presence, Running
-from kitrobot.server.runs import LARGEST_MESSAGE_BYTES
-from kitrobot.workspace import MissionFolder, first_example
 
 USUAL_PORT = 8765
 """Always the same where it is free: what the page remembers belongs to its address."""
 MORE_PORTS = 10
-END_WITHIN_S = 2
-"""How long open connections may take to close after Ctrl-C."""
 
 
 class ServerError(KitRobotError):
@@ -90,13 +80,14 @@ def _join(presence: Presence, running: Running, place: Place, browser: bool) -> 
 
 def _serve(place: Place, presence: Presence, bound: str, port: int | None, browser: bool) -> None:
     listening = _listen(bound, port, presence.port)
+    # Only now: where the studio is not served, nobody waits for the web server to load.
+    from kitrobot.server.app import create_app
+    from kitrobot.server.serving import run_server
+
     number = listening.getsockname()[1]
     running = Running(f"http://{_name(bound)}:{number}/", secrets.token_urlsafe(24))
     address = f"{running.address}?token={running.token}"
     app = create_app(place.workspace, place.mission, running.token, secret=presence.secret)
-    config = server_config(app)
-
-    _calm_collector()
 
     def ready() -> None:
         presence.listens(running, number)
@@ -108,9 +99,7 @@ def _serve(place: Place, presence: Presence, bound: str, port: int | None, brows
             threading.Thread(target=_show, args=(presence, address), daemon=True).start()
 
     try:
-        _Server(config, ready).run(sockets=[listening])
-    except KeyboardInterrupt:
-        pass
+        run_server(app, listening, ready)
     finally:
         listening.close()
 
@@ -120,49 +109,6 @@ def _show(presence: Presence, address: str) -> None:
     page = presence.page_to(address)
     if page is not None:
         webbrowser.open(page.as_uri())
-
-
-def server_config(app: FastAPI) -> uvicorn.Config:
-    """How the studio is served. Nothing is compressed on a WebSocket: to the same machine that only costs time."""
-    return uvicorn.Config(
-        app,
-        log_level="warning",
-        access_log=False,
-        server_header=False,
-        # Nobody stands between: a header that says who asks is somebody's invention.
-        proxy_headers=False,
-        http=BoundedConnection,
-        h11_max_incomplete_event_size=LARGEST_HEAD_BYTES,
-        limit_concurrency=MOST_CONNECTIONS,
-        ws="websockets-sansio",
-        ws_max_size=LARGEST_MESSAGE_BYTES,
-        ws_per_message_deflate=False,
-        timeout_graceful_shutdown=END_WITHIN_S,
-    )
-
-
-def _calm_collector() -> None:
-    """Has Python's garbage collector look at everything less often, and never at what is there now.
-
-    Hardly anything here is garbage that counting references does not find, and a look at a large mission's programs
-    takes longer than the answer that it delays.
-    """
-    gc.collect()
-    gc.freeze()
-    gc.set_threshold(100_000, 50, 100)
-
-
-class _Server(uvicorn.Server):
-    """A server that says when it listens."""
-
-    def __init__(self, config: uvicorn.Config, ready: Callable[[], None]) -> None:
-        super().__init__(config)
-        self._ready = ready
-
-    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        await super().startup(sockets)
-        if self.started:
-            self._ready()
 
 
 def _place(target: Path | None) -> Place:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from kitrobot.server.playing import Player
 from kitrobot.server.shapes import (
     BreakpointsRequest,
     ForceRequest,
@@ -15,12 +14,12 @@ from kitrobot.server.shapes import (
     StepRequest,
     breakpoint_from_shape,
 )
-from kitrobot.server.watching import Watch
+from kitrobot.server.watched_run import WatchedRun
 
 Job = Callable[[], object]
 
 
-def job_of(request: Steering, watch: Watch | Player, stop: Callable[[], bool]) -> Job | None:
+def job_of(request: Steering, watch: WatchedRun, stop: Callable[[], bool]) -> Job | None:
     """The job of a request; None for one that changes only the pace, or who is looked at. `stop` breaks a job off."""
     match request:
         case StepRequest(by="tick", back=False):

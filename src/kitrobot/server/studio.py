@@ -11,31 +11,29 @@ import contextlib
 import hashlib
 import threading
 from collections.abc import Iterable
+from functools import cached_property
 from pathlib import Path
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import RECORDING, Journals, MissionFolder
 from kitrobot.mission import Mission
 from kitrobot.primitives import SHIPPED, Catalogue, config_folder, load_catalogue
-from kitrobot.server.audience import Audience
-from kitrobot.server.board_links import RealLinks
-from kitrobot.server.board_room import BoardRoom
+from kitrobot.server.broadcast import Broadcast
 from kitrobot.server.gallery import Gallery
-from kitrobot.server.playing import Player
 from kitrobot.server.recordings import Recordings
+from kitrobot.server.robot_gateway import SerialGateway
+from kitrobot.server.robot_registry import RobotRegistry
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
-from kitrobot.server.watching import Watch
+from kitrobot.server.watched_run import WatchedRun
 from kitrobot.workspace import (
-    Journals,
     KeptPrograms,
-    MissionFolder,
     OpenMission,
     OpenTrace,
+    SearchPath,
     Tutorials,
     read_mission_data,
     with_mission,
-    world_file,
 )
-from kitrobot.workspace.folder import RECORDING
 from kitrobot.world import EMPTY
 
 Stamp = tuple[tuple[str, int, int, int], ...]
@@ -43,6 +41,18 @@ MOST_KEPT = 16
 """Folders whose catalogue is kept."""
 MOST_WORLDS = 1000
 """Missions of which it is known which world they are in."""
+
+
+class _Kept:
+    """What was read for the missions of some folders, in the state of `stamp`."""
+
+    def __init__(self, stamp: Stamp, catalogue: Catalogue) -> None:
+        self.stamp = stamp
+        self.catalogue = catalogue
+
+    @cached_property
+    def shape(self) -> CatalogueShape:
+        return catalogue_shape(self.catalogue)
 
 
 class Studio:
@@ -53,11 +63,11 @@ class Studio:
         self.journals = Journals(self.folder)
         self.first = self.folder.name_of(mission) if mission is not None else None
         self.runs = 0
-        self.watches: dict[str, Watch | Player] = {}
+        self.watches: dict[str, WatchedRun] = {}
         """The runs and recordings that are on, by their names."""
-        self.audiences: dict[str, Audience] = {}
+        self.broadcasts: dict[str, Broadcast] = {}
         """Who watches them, by the same names."""
-        self.boards = BoardRoom(RealLinks())
+        self.boards = RobotRegistry(SerialGateway())
         """The real robots."""
         self.boards_for_visitors = False
         """Whether pages on other machines may use the ports of this one."""
@@ -68,33 +78,41 @@ class Studio:
         self.tutorials = Tutorials(self.folder)
         self.programs = KeptPrograms()
         self._lock = threading.Lock()
-        self._kept: dict[tuple[Path, ...], tuple[Stamp, Catalogue, CatalogueShape]] = {}
+        self._kept: dict[tuple[Path, ...], _Kept] = {}
         self._worlds: dict[str, Path] = {}
 
     def runs_of(self, path: str) -> list[str]:
         """The runs that are on of the mission of that path; none where it is of no file."""
         return [
-            name for name, audience in list(self.audiences.items()) if path and audience.on and audience.path == path
+            name
+            for name, broadcast in list(self.broadcasts.items())
+            if path and broadcast.on and broadcast.path == path
         ]
 
     def _recordings_are_in(self, folder: Path) -> None:
         self.folder.recordings = folder
 
-    def catalogue(self, path: str) -> tuple[Catalogue, CatalogueShape]:
-        """The robots and constructors for a mission, and the same as it travels."""
+    def catalogue(self, path: str) -> Catalogue:
+        """The robots and constructors for a mission."""
+        return self._parts(path).catalogue
+
+    def catalogue_shape(self, path: str) -> CatalogueShape:
+        """As `catalogue`, as it travels."""
+        return self._parts(path).shape
+
+    def _parts(self, path: str) -> _Kept:
         folders = self.folder.folders_of(path)
         stamp = _stamp((SHIPPED, config_folder(), *folders))
         with self._lock:
             kept = self._kept.get(folders)
-        if kept is not None and kept[0] == stamp:
-            return kept[1], kept[2]
-        catalogue = load_catalogue(folders)
-        shape = catalogue_shape(catalogue)
+        if kept is not None and kept.stamp == stamp:
+            return kept
+        kept = _Kept(stamp, load_catalogue(folders))
         with self._lock:
             if len(self._kept) >= MOST_KEPT:
                 self._kept.clear()
-            self._kept[folders] = (stamp, catalogue, shape)
-        return catalogue, shape
+            self._kept[folders] = kept
+        return kept
 
     def stamp(self, path: str) -> str:
         """A name for the state of the XML files that a mission depends on: another one when one of them changed."""
@@ -105,28 +123,27 @@ class Studio:
 
     def world_file(self, href: str, path: str) -> Path | None:
         """The file of a mission's world; from now on it belongs to what the mission depends on."""
-        folders = self.folder.folders_of(path)
-        found = world_file(href, folders[::-1], [*folders, self.folder.root_of(path)])
+        search = self._search_path(path)
+        found = search.world_file(href)
         with self._lock:
             if len(self._worlds) >= MOST_WORLDS:
                 self._worlds.clear()
-            self._worlds[path] = found or folders[-1] / (href or EMPTY)
+            self._worlds[path] = found or [search.folder, *search.before][-1] / (href or EMPTY)
         return found
 
     def open(self, mission: Mission, path: str) -> OpenMission:
         """A mission that the page sent, among the files of the folder it was opened from."""
-        folder, *own = self.folder.folders_of(path)
-        catalogue, _ = self.catalogue(path)
-        within = self.folder.root_of(path)
         self.world_file(mission.world_href, path)
-        name = path or "mission.krt"
-        return with_mission(
-            mission, folder, name=name, catalogue=catalogue, within=within, before=own, kept=self.programs
-        )
+        search = self._search_path(path, self.catalogue(path))
+        return with_mission(mission, path or "mission.krt", search, self.programs)
+
+    def _search_path(self, path: str, known: Catalogue | None = None) -> SearchPath:
+        folder, *own = self.folder.folders_of(path)
+        return SearchPath(folder, tuple(own), self.folder.root_of(path), known)
 
     def parts_of(self, mission: Mission, path: str) -> Catalogue:
         """The robots and constructors for a mission that the page sent: of the files, and those it brings along."""
-        catalogue, _ = self.catalogue(path)
+        catalogue = self.catalogue(path)
         return self.programs.catalogue(catalogue, mission.constructors, mission.variables)
 
     def recorded(self, trace: OpenTrace, recording: str) -> OpenMission | None:
@@ -138,9 +155,7 @@ class Studio:
 
     def read(self, data: bytes, name: str, path: str) -> OpenMission:
         """A mission's file, opened among the files of the folder that it is in."""
-        folder, *own = self.folder.folders_of(path)
-        catalogue, _ = self.catalogue(path)
-        return read_mission_data(data, name, folder, catalogue=catalogue, within=self.folder.root_of(path), before=own)
+        return read_mission_data(data, name, self._search_path(path, self.catalogue(path)))
 
 
 def _stamp(folders: Iterable[Path], also: Path | None = None) -> Stamp:

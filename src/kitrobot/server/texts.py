@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
-from fastapi import APIRouter, Depends, Request, Response
+from fastapi import Response
 
 from kitrobot.compiler import follow_text
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.lll import collection_paused
-from kitrobot.server.answers import followed_answer
-from kitrobot.server.json_bodies import JsonRoute
+from kitrobot.server.fast_json import followed_answer
+from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.shapes.text import FollowedShape, TextEditShape
-from kitrobot.server.studio import Studio
+from kitrobot.text import collection_paused
 from kitrobot.workspace import NoProgramError
 
 LONGEST_TEXT = 1_000_000
@@ -25,17 +22,11 @@ class TextError(KitRobotError):
     """A text that cannot become a graph, whatever is in it."""
 
 
-text_routes = APIRouter(prefix="/api", route_class=JsonRoute)
-
-
-def _studio(request: Request) -> Studio:
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
-    return studio
+text_routes = api_router()
 
 
 @text_routes.post("/text", response_model=FollowedShape)
-def text_follow(studio: Annotated[Studio, Depends(_studio)], wanted: TextEditShape) -> Response:
+def text_follow(studio: ThisStudio, wanted: TextEditShape) -> Response:
     """Draws a program anew from its text, so that every instruction that is still there keeps its vertex; and looks
     the mission through with it.
     """

@@ -7,40 +7,27 @@ from asyncio import to_thread
 from pathlib import Path, PurePosixPath
 from typing import Annotated
 
-from fastapi import APIRouter, BackgroundTasks, Depends, Query, Request
+from fastapi import BackgroundTasks, Query, Request
 from fastapi.responses import FileResponse
 
-from kitrobot.server.json_bodies import JsonRoute
-from kitrobot.server.playing import Player
+from kitrobot.files import RECORDING, FileError, read_bytes, revision_of
 from kitrobot.server.recordings import RecordingError
 from kitrobot.server.routes import LONGEST_NAME, mission_file
+from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.sentences import spoken
-from kitrobot.server.shapes import FailureShape, RecordingEntryShape, RecordingShape
+from kitrobot.server.shapes import RecordingEntryShape, RecordingShape
 from kitrobot.server.studio import Studio
 from kitrobot.trace import ENDING
-from kitrobot.workspace import FileError, is_trace, revision_of
-from kitrobot.workspace.files import read_bytes
-from kitrobot.workspace.folder import RECORDING
+from kitrobot.workspace import is_trace
 
-trace_routes = APIRouter(
-    prefix="/api",
-    route_class=JsonRoute,
-    responses={"4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}},
-)
+trace_routes = api_router()
 
 
-def _studio(request: Request) -> Studio:
-    studio = request.app.state.studio
-    assert isinstance(studio, Studio)
-    return studio
-
-
-StudioOf = Annotated[Studio, Depends(_studio)]
 Name = Annotated[str, Query(max_length=LONGEST_NAME)]
 
 
 @trace_routes.get("/traces")
-def traces(studio: StudioOf) -> list[RecordingEntryShape]:
+def traces(studio: ThisStudio) -> list[RecordingEntryShape]:
     """The recordings of the folder."""
     return [
         RecordingEntryShape(path=one.path, name=one.name, modified=one.modified, problem=spoken(one.problem))
@@ -49,7 +36,7 @@ def traces(studio: StudioOf) -> list[RecordingEntryShape]:
 
 
 @trace_routes.get("/trace")
-def trace(studio: StudioOf, path: Name) -> RecordingShape:
+def trace(studio: ThisStudio, path: Name) -> RecordingShape:
     """A recording of the folder, opened."""
     file = studio.folder.path_of(path, ENDING)
     if not file.is_file():
@@ -58,7 +45,7 @@ def trace(studio: StudioOf, path: Name) -> RecordingShape:
 
 
 @trace_routes.post("/trace")
-async def trace_read(studio: StudioOf, request: Request, name: Name = f"recording{ENDING}") -> RecordingShape:
+async def trace_read(studio: ThisStudio, request: Request, name: Name = f"recording{ENDING}") -> RecordingShape:
     """A recording that is not in the folder, from its bytes; they go to the disk as they come."""
     shown = PurePosixPath(name.replace("\\", "/")).name[-100:]
     path = await to_thread(studio.recordings.new_file, shown if is_trace(shown) else f"recording{ENDING}")
@@ -73,18 +60,15 @@ async def trace_read(studio: StudioOf, request: Request, name: Name = f"recordin
 
 
 @trace_routes.get("/run/trace", response_class=FileResponse)
-def run_trace(studio: StudioOf, run: Name, after: BackgroundTasks) -> FileResponse:
+def run_trace(studio: ThisStudio, run: Name, after: BackgroundTasks) -> FileResponse:
     """The whole past of a run that is on, or stands at its end, as a recording."""
     watch = studio.watches.get(run)
     if watch is None:
         raise RecordingError("there is no such run any more", "a run can be saved until another one begins")
     path = studio.recordings.new_file(f"run{ENDING}")
     after.add_task(shutil.rmtree, path.parent, ignore_errors=True)
-    if isinstance(watch, Player):
-        shutil.copyfile(watch.path, path)
-    else:
-        with studio.saving:
-            watch.record_to(path)
+    with studio.saving:
+        watch.record_to(path)
     return FileResponse(path, media_type="application/octet-stream", background=after)
 
 

@@ -1,12 +1,15 @@
 """The simulator: a mission in its world, fixed step, seeded, the same run every time."""
 
-from kitrobot.sim.hurry import expect_run
+from kitrobot.sim.agent_views import ALARM, ARM, FAILED, LAMP, MOVING, AgentView
+from kitrobot.sim.devices import Hand, Look
+from kitrobot.sim.event_text import Event
+from kitrobot.sim.jit_policy import expect_run
 from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED, check_limits
 from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
-from kitrobot.sim.sayings import Event
-from kitrobot.sim.settings import device_problems, length_of, simulated_devices
-from kitrobot.sim.simulation import ALARM, ARM, FAILED, LAMP, MOVING, AgentView, Outcome, Simulation
-from kitrobot.sim.staging import MAX_AGENTS, SimulationError, free_start, look_over
+from kitrobot.sim.settings import Appearance, appearance_of, device_problems, length_of, simulated_devices
+from kitrobot.sim.setup import MAX_AGENTS, SimulationError, free_start, look_over
+from kitrobot.sim.simulation import Outcome, Simulation
+from kitrobot.sim.source import SimulationSource
 
 __all__ = [
     "ALARM",
@@ -19,11 +22,16 @@ __all__ = [
     "MAX_SEED",
     "MOVING",
     "AgentView",
+    "Appearance",
     "Event",
+    "Hand",
+    "Look",
     "Outcome",
     "Recorder",
     "Simulation",
     "SimulationError",
+    "SimulationSource",
+    "appearance_of",
     "check_limits",
     "device_problems",
     "expect_run",

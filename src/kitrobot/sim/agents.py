@@ -2,37 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from kitrobot.image import Command, Machine
 from kitrobot.primitives import Robot
+from kitrobot.sim.actuation import busy
 from kitrobot.sim.columns import (
     A_FRESH,
     A_KIND,
-    A_Q,
-    A_R,
     A_STORE,
+    ACTUATOR_INDEX,
     CAUSE,
     DOWN,
+    DT,
     ENDED,
     FAILED,
+    HEIGHT,
     LEFT,
     MUTED,
     SINCE,
-    TARGET,
     TICK,
     WELL,
-    WIRES,
+    WIDTH,
     X,
     Y,
 )
-from kitrobot.sim.commanding import busy
 from kitrobot.sim.devices import actuators
-from kitrobot.sim.devices.arm import ARM_DEVICE
-from kitrobot.sim.devices.drive import DRIVE
-from kitrobot.sim.devices.turn import TURN_DEVICE
-from kitrobot.sim.devices.wheel import WHEEL_DEVICE
+from kitrobot.sim.dispatch import KINDS
 from kitrobot.sim.failures import CAUSES
 from kitrobot.sim.state import State, numbers
-from kitrobot.sim.stepping import HEIGHT, WIDTH
 from kitrobot.trace import Threads
 
 
@@ -53,18 +51,18 @@ class Agent:
         self.number = 1
         known = actuators()
         self._showing = [
-            (part.name, known[part.device].shown, at)
+            (part.name, known[part.model].shown, at)
             for at, part in enumerate(robot.actuators)
-            if part.device in known and known[part.device].shown
+            if part.model in known and known[part.model].shown
         ]
         self._state: State | None = None
 
     def show(self, state: State) -> None:
         """From now on the state is this."""
         self._state = state
-        machine, i = self.machine, self.index
-        machine.cells, machine.threads = state.cells[i], state.threads[i]
-        machine.pars, machine.out, machine.seen = state.pars[i], state.out[i], state.seen[i]
+        machine, tables, i = self.machine, state.machines, self.index
+        machine.cells, machine.threads = tables.cells[i], tables.threads[i]
+        machine.pars, machine.out, machine.seen = tables.pars[i], tables.out[i], tables.seen[i]
 
     @property
     def state(self) -> State:
@@ -75,11 +73,12 @@ class Agent:
     @property
     def ended(self) -> bool:
         """Whether its program has ended."""
-        return bool(self.state.whole[ENDED][self.index])
+        return bool(self.state.robots.ints[ENDED][self.index])
 
-    def _actuators(self) -> range:
-        first = self.state.whole[WIRES][self.index]
-        return range(first, first + len(self.robot.actuators))
+    def _actuators(self) -> Sequence[int]:
+        """The numbers of its actuators, as its XML lists them."""
+        first = self.state.robots.ints[ACTUATOR_INDEX][self.index]
+        return self.state.actuators.actuator_index[first : first + len(self.robot.actuators)]
 
     @property
     def commands(self) -> list[Command]:
@@ -88,32 +87,28 @@ class Agent:
         step = state.clock[TICK]
         fresh = [
             name.name
-            for name, at in zip(self.robot.actuators, self._actuators(), strict=True)
-            if state.actuator[A_FRESH][state.wires[at]] == step
+            for name, k in zip(self.robot.actuators, self._actuators(), strict=True)
+            if state.actuators.ints[A_FRESH][k] == step
         ]
         if not fresh:
             return []
         return [command for command in self.machine.commands() if command.actuator in fresh]
 
-    def faces(self) -> list[tuple[str, list[int]]]:
+    def outputs(self) -> list[tuple[str, list[int]]]:
         """What each of its actuators that shows something shows, by the actuator's name (see devices.base)."""
-        state = self.state
-        found = []
-        for name, shown, at in self._showing:
-            found.append((name, numbers(state.faces[state.wires[state.whole[WIRES][self.index] + at]][:shown])))
-        return found
+        outputs, own = self.state.actuators.outputs, self._actuators()
+        return [(name, numbers(outputs[own[at]][:shown])) for name, shown, at in self._showing]
 
     @property
     def busy(self) -> bool:
         """Whether a device of it is doing something."""
         state = self.state
-        tables = (state.actuator, state.actuator_real, state.real, state.whole)
-        return any(busy(state.wires[at], *tables) for at in self._actuators())
+        return any(busy(k, state) for k in self._actuators())
 
     @property
     def down(self) -> int:
         """Whether its program misses its ticks: WELL, STALLED or FAILED (see columns)."""
-        return int(self.state.whole[DOWN][self.index])
+        return int(self.state.robots.ints[DOWN][self.index])
 
     @property
     def doing(self) -> str:
@@ -127,9 +122,9 @@ class Agent:
         """In words: what befell it, when, and how that came about; "" for one that is well."""
         state, i = self.state, self.index
         if self.down == WELL:
-            return f"{self.name} has no radio" if state.whole[MUTED][i] else ""
-        seconds = state.whole[SINCE][i] * state.fixed_real[0]
-        cause = CAUSES[state.whole[CAUSE][i]]
+            return f"{self.name} has no radio" if state.robots.ints[MUTED][i] else ""
+        seconds = state.robots.ints[SINCE][i] * state.fixed_floats[DT]
+        cause = CAUSES[state.robots.ints[CAUSE][i]]
         if self.down == FAILED:
             return f"{self.name} failed after {seconds:.1f} s ({cause})"
         return f"{self.name} stalled after {seconds:.1f} s ({cause})"
@@ -138,32 +133,24 @@ class Agent:
     def is_outside(self) -> bool:
         """Whether it has left the world and is beyond its edge still."""
         state, i = self.state, self.index
-        x, y = state.real[X][i], state.real[Y][i]
-        width, height = state.fixed_real[WIDTH], state.fixed_real[HEIGHT]
-        return bool(state.whole[LEFT][i]) and not (0.0 <= x <= width and 0.0 <= y <= height)
+        x, y = state.robots.floats[X][i], state.robots.floats[Y][i]
+        width, height = state.fixed_floats[WIDTH], state.fixed_floats[HEIGHT]
+        return bool(state.robots.ints[LEFT][i]) and not (0.0 <= x <= width and 0.0 <= y <= height)
 
     @property
     def is_driving(self) -> bool:
         """Whether its motors were told to turn last; its program may have ended."""
         state = self.state
-        for at in self._actuators():
-            k = state.wires[at]
-            kind = state.actuator[A_KIND][k]
-            told = state.actuator_real[A_R if kind == WHEEL_DEVICE else A_Q][k]
-            if kind == DRIVE:
-                told = state.real[TARGET][self.index]
-            if kind in (DRIVE, WHEEL_DEVICE, TURN_DEVICE) and told:
-                return True
-        return False
+        return any(KINDS[state.actuators.ints[A_KIND][k]].is_told(k, state) for k in self._actuators())
 
     @property
     def full_house(self) -> int:
         """The number of the storehouse in which its arm waits for room; -1 when it waits for none."""
         state = self.state
-        for at in self._actuators():
-            k = state.wires[at]
-            if state.actuator[A_KIND][k] == ARM_DEVICE and state.actuator_real[A_R][k] and self.down != FAILED:
-                return int(state.actuator[A_STORE][k])
+        ints = state.actuators.ints
+        for k in self._actuators():
+            if KINDS[ints[A_KIND][k]].is_waiting_for_room(k, state) and self.down != FAILED:
+                return int(ints[A_STORE][k])
         return -1
 
     @property

@@ -19,13 +19,13 @@ class Bodies:
         self._state = state
 
     def __len__(self) -> int:
-        return len(self._state.whole[columns.ROAD])
+        return len(self._state.robots.ints[columns.ROAD])
 
     def __getattr__(self, quantity: str) -> Any:
         if quantity in _REAL:
-            return self._state.real[_REAL[quantity]]
+            return self._state.robots.floats[_REAL[quantity]]
         if quantity in _WHOLE:
-            return self._state.whole[_WHOLE[quantity]]
+            return self._state.robots.ints[_WHOLE[quantity]]
         raise AttributeError(quantity)
 
 
@@ -54,5 +54,5 @@ class Stage:
     def show(self, state: State) -> None:
         """From now on the state is this."""
         self.bodies = Bodies(state)
-        self.stock = state.stock
-        self.delivered = state.whole[columns.DELIVERED]
+        self.stock = state.docks.stock
+        self.delivered = state.robots.ints[columns.DELIVERED]

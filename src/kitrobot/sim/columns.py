@@ -1,8 +1,8 @@
 """What is known of each robot, sensor and actuator of a run: the names of the columns of its tables.
 
-A table is rows of numbers, one row a quantity, one entry a robot (or device): `real[X][robot]`. In a run that is
+A table is rows of numbers, one row a quantity, one entry a robot (or device): `floats[X][robot]`. In a run that is
 stepped by CPython the rows are lists, in one that is stepped by Numba they are the rows of an array; the loops read
-the same. Lengths are in mm, speeds in mm/s, angles in rad, times in s or, where they are whole, in steps.
+the same. Lengths are in mm, speeds in mm/s, angles in rad, times in s or, as integers, in steps.
 
 Robots stand in the order of the team. Sensors, and actuators, are sorted by their device, so that those of one device
 stand side by side (see `devices`); what P, Q, R and S mean is up to the device.
@@ -13,7 +13,7 @@ from __future__ import annotations
 FREE = -1
 """The road of a robot that moves freely."""
 
-# ---- robots, numbers with a fraction: state.real
+# ---- robots, numbers with a fraction: state.robots.floats
 
 (
     X,
@@ -36,7 +36,7 @@ FREE = -1
 ) = range(17)
 REALS = 17
 
-# ---- robots, whole numbers: state.whole
+# ---- robots, integers: state.robots.ints
 
 (
     SOLID,  # 1: it has wheels, and others can touch it
@@ -49,13 +49,11 @@ REALS = 17
     TOUCHING,
     BED,  # 1: it can carry a box
     LOAD,
-    LAMP,
-    ARM,  # 1: its arm is out
-    ALARM,  # 1: its collision sensor notices something
+    SIGNS,  # what devices show on the body of their robot, as bits: SIGN_LAMP, SIGN_ALARM, SIGN_ARM
     DELIVERED,  # boxes it brought
     PERIOD,  # its tick in steps
     PROGRAM,
-    WIRES,  # its first actuator in `wires`
+    ACTUATOR_INDEX,  # its first actuator in `actuator_index`
     ENDED,
     ASLEEP,  # 1: the last tick changed nothing, so the next will not, until an input changes
     DOWN,  # whether its program misses its ticks: WELL, STALLED or FAILED
@@ -63,12 +61,15 @@ REALS = 17
     SINCE,  # the step in which DOWN became what it is
     CAUSE,  # what brought that about
     LEFT,  # 1: it was beyond the edge of the world once
-) = range(24)
-WHOLES = 24
+) = range(22)
+WHOLES = 22
+
+SIGN_LAMP, SIGN_ALARM, SIGN_ARM = 1, 4, 8
+"""Lamp on, collision sensor pressed, arm out; the bits between and above are other flags of an agent (simulation)."""
 
 WELL, STALLED, FAILED = range(3)
 
-# ---- sensors: state.sensor and state.sensor_real
+# ---- sensors: state.sensors.ints and state.sensors.floats
 
 (
     S_ROBOT,
@@ -93,12 +94,14 @@ WELL, STALLED, FAILED = range(3)
     S_STORE,
     S_CUT,  # the section it was in
     S_RESTLESS,  # 1: what it reads may change although nothing does
-) = range(22)
-SENSOR_WHOLES = 22
+    S_FIRST,  # where its numbers begin and end in `numbers`
+    S_END,
+) = range(24)
+SENSOR_WHOLES = 24
 S_NOISE, S_DROPOUT, S_P, S_Q, S_R = range(5)
 SENSOR_REALS = 5
 
-# ---- actuators: state.actuator and state.actuator_real
+# ---- actuators: state.actuators.ints and state.actuators.floats
 
 (
     A_ROBOT,
@@ -123,6 +126,16 @@ SENSOR_REALS = 5
 ACTUATOR_WHOLES = 18
 A_NOISE, A_DROPOUT, A_P, A_Q, A_R, A_S = range(6)
 ACTUATOR_REALS = 6
+
+# ---- roads, integers: state.roads.ints
+
+CLOSED, FIRST, LAST, CUT_FIRST, CUT_LAST = range(5)
+"""Whether it is closed; its points, the last one inclusive; its sections, the last one exclusive."""
+
+# ---- what does not change in a run: state.fixed_real and state.fixed
+
+DT, WIDEST, FAILS, WIDTH, HEIGHT = range(5)
+TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY = range(4)
 
 # ---- the run as a whole: state.clock
 

@@ -1,9 +1,10 @@
 """The compiled step: `stepping.advance` through Numba, compiled once for a machine and kept in the user's cache folder.
 
-Compiling takes the better part of a minute, so nobody waits for it: `ask` begins it in a process of its own with low
+Compiling takes a minute, so nobody waits for it: `ask` begins it in a process of its own with low
 priority, or, when it was done before, loads what is kept in a thread beside; `compiled` gives the step once it is
 there. Numba works on the very functions that CPython runs: they are told to it here, and nothing is decorated. The
-folder's name is a digest of their sources and of what compiles them, so nothing stale is ever taken.
+folder's name is a digest of their sources, of the constants they use and of what compiles them, so nothing stale is
+ever taken.
 
 Everything works without Numba, slower; the environment's KITROBOT_COMPILE=no says to do without it.
 """
@@ -12,7 +13,6 @@ from __future__ import annotations
 
 import atexit
 import hashlib
-import importlib
 import importlib.util
 import inspect
 import os
@@ -21,62 +21,18 @@ import shutil
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import suppress
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from types import ModuleType
 from typing import Any
-
-from kitrobot_onboard import interpreter
 
 Advance = Callable[[Any, int], int]
 
-_MODULES = (
-    "angles",
-    "chance",
-    "columns",
-    "commanding",
-    "contacts",
-    "devices.arm",
-    "devices.button",
-    "devices.cargo",
-    "devices.collision",
-    "devices.colour",
-    "devices.display",
-    "devices.door",
-    "devices.drive",
-    "devices.lamp",
-    "devices.music",
-    "devices.pin_out",
-    "devices.presence",
-    "devices.random",
-    "devices.range",
-    "devices.sign",
-    "devices.store",
-    "devices.switch",
-    "devices.turn",
-    "devices.wheel",
-    "docks",
-    "grids",
-    "harming",
-    "motion",
-    "physics",
-    "reacting",
-    "rows",
-    "sampling",
-    "sharing",
-    "sight",
-    "standstill",
-    "state",
-    "stepping",
-)
-_NOT_LOOPS = frozenset(("fixed", "numbers", "as_arrays", "row_lengths", "advance", "same", "copy_row", "_rows"))
-"""Functions of those modules that are not for Numba, or told to it in another way."""
-
-_OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False}
+_OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False, "forceinline": True}
 """One core, other threads go on beside. No division by zero can happen. Nothing is allocated, so the references to the
-arrays need not be counted, which alone would take two thirds of the time of a ray."""
+arrays need not be counted, which alone would take two thirds of the time of a ray. Calls are inlined: a call copies the
+places of all arrays of the state that it is given, which would double the time of a step of few robots."""
 
 READY = "ready"
 """The file in the cache folder that says that all of it is there."""
@@ -117,27 +73,44 @@ def wait() -> Advance | None:
     return _made
 
 
-def _modules() -> Iterator[ModuleType]:
-    for name in _MODULES:
-        yield importlib.import_module(f"kitrobot.sim.{name}")
-
-
 def loops() -> dict[str, Callable[..., Any]]:
-    """Every function that the step is made of, by the name of its module and its own; not the step itself."""
-    return {
-        f"{module.__name__}.{name}": value
-        for module in _modules()
-        for name, value in vars(module).items()
-        if inspect.isfunction(value) and value.__module__ == module.__name__ and name not in _NOT_LOOPS
-    }
+    """Every function that the step is made of, by the name of its module and its own; not the step itself.
+
+    They are found in the step, in what it calls, and so on.
+    """
+    from kitrobot.sim.stepping import advance
+
+    found: dict[str, Callable[..., Any]] = {}
+    waiting = [advance]
+    while waiting:
+        for value in _globals_of(waiting.pop()).values():
+            name = f"{value.__module__}.{value.__name__}" if inspect.isfunction(value) else ""
+            if name and name not in found and value is not advance:
+                found[name] = value
+                waiting.append(value)
+    return found
+
+
+def _globals_of(function: Any) -> dict[str, Any]:
+    """What a function uses of its module, by name."""
+    return {name: function.__globals__[name] for name in function.__code__.co_names if name in function.__globals__}
 
 
 def cache_folder() -> Path:
     """Where this step is kept, compiled for this machine: in KITROBOT_CACHE or the user's cache folder."""
+    from kitrobot.sim import arrays, dispatch, state, stepping
+    from kitrobot.sim.devices import base
+
     digest = hashlib.sha256()
-    for module in (*_modules(), interpreter, sys.modules[__name__]):
-        source = Path(str(module.__file__))
+    functions = [stepping.advance, *loops().values()]
+    modules = {__name__, arrays.__name__, base.__name__, state.__name__, *(one.__module__ for one in functions)}
+    for source in sorted(Path(str(sys.modules[name].__file__)) for name in modules):
         digest.update(str(source).encode() + source.read_bytes())
+    digest.update(dispatch.SOURCE.encode())
+    for function in functions:
+        used = sorted(_globals_of(function).items())
+        numbers = [(name, value) for name, value in used if isinstance(value, int | float | tuple)]
+        digest.update(f"{function.__name__} {numbers}".encode())
     for package in ("numba", "llvmlite", "numpy"):
         try:
             digest.update(f"{package} {version(package)}".encode())
@@ -221,8 +194,9 @@ def _told(folder: Path) -> Advance:
     options: Any = _OPTIONS
     extending.overload(rows.same, jit_options=options)(same_arrays)
     extending.overload(rows.copy_row, jit_options=options)(copy_arrays)
-    for loop in (*loops().values(), interpreter.tick):
-        extending.register_jitable(**_OPTIONS)(loop)
+    for loop in loops().values():
+        if loop.__module__ != rows.__name__:
+            extending.register_jitable(**_OPTIONS)(loop)
     config: Any = numba.config
     kept = config.CACHE_DIR
     config.CACHE_DIR = str(folder)

@@ -10,14 +10,33 @@ from __future__ import annotations
 
 import math
 
+from kitrobot.sim.columns import (
+    AT,
+    CLOSED,
+    GAP_AHEAD,
+    GAP_BEHIND,
+    LEADER,
+    LENGTH,
+    LOW_X,
+    LOW_Y,
+    RADIUS,
+    ROAD,
+    SPEED,
+    X,
+    Y,
+)
 from kitrobot.sim.grids import cell_at
+from kitrobot.sim.state import Contacts, Grid, Roads, Robots, Walls
 
 TOUCH_MM = 0.5
 """Nearer than this is touching."""
 
 
-def sort_along(order: list[int], road: list[int], at: list[float]) -> None:
-    """Sorts robots by road and place; they hardly overtake, so insertion is quick."""
+def sort_along(robots: Robots) -> None:
+    """Sorts the guided robots by road and place; they hardly overtake, so insertion is quick."""
+    order = robots.guided
+    road = robots.ints[ROAD]
+    at = robots.floats[AT]
     for n in range(1, len(order)):
         i = order[n]
         k = n - 1
@@ -27,18 +46,19 @@ def sort_along(order: list[int], road: list[int], at: list[float]) -> None:
         order[k + 1] = i
 
 
-def measure_gaps(
-    order: list[int],
-    road: list[int],
-    at: list[float],
-    length: list[float],
-    road_length: list[float],
-    closed: list[int],
-    ahead: list[float],
-    behind: list[float],
-    leader: list[int],
-) -> None:
-    """For each robot in `order` (sorted): the free way ahead and behind, and who is ahead (-1: nobody)."""
+def measure_gaps(robots: Robots, roads: Roads) -> None:
+    """For each guided robot (they are sorted): the free way ahead and behind, and who is ahead (-1: nobody)."""
+    order = robots.guided
+    ints = robots.ints
+    road = ints[ROAD]
+    leader = ints[LEADER]
+    floats = robots.floats
+    at = floats[AT]
+    length = floats[LENGTH]
+    ahead = floats[GAP_AHEAD]
+    behind = floats[GAP_BEHIND]
+    road_length = roads.length
+    closed = roads.ints[CLOSED]
     n = len(order)
     start = 0
     while start < n:
@@ -69,19 +89,19 @@ def measure_gaps(
         start = end
 
 
-def part_on_roads(
-    order: list[int],
-    road: list[int],
-    at: list[float],
-    speed: list[float],
-    road_length: list[float],
-    closed: list[int],
-    ahead: list[float],
-    leader: list[int],
-    pairs: list[int],
-    count: int,
-) -> int:
+def part_on_roads(robots: Robots, roads: Roads, pairs: list[int]) -> int:
     """Robots that ran into one another on a road stand bumper to bumper; the one that came too near gives way."""
+    order = robots.guided
+    ints = robots.ints
+    road = ints[ROAD]
+    leader = ints[LEADER]
+    floats = robots.floats
+    at = floats[AT]
+    speed = floats[SPEED]
+    ahead = floats[GAP_AHEAD]
+    road_length = roads.length
+    closed = roads.ints[CLOSED]
+    count = 0
     for k in range(len(order)):
         i = order[k]
         j = leader[i]
@@ -115,32 +135,28 @@ def part_on_roads(
     return count
 
 
-def part_from_walls(
-    who: list[int],
-    x: list[float],
-    y: list[float],
-    radius: list[float],
-    walls: list[list[float]],
-    frame: list[float],
-    shape: list[int],
-    starts: list[int],
-    items: list[int],
-    pairs: list[int],
-    count: int,
-) -> int:
+def part_from_walls(robots: Robots, walls: Walls, pairs: list[int], count: int) -> int:
     """Free robots slide along walls and never through them; the wheels of one that goes straight at a wall slip.
 
     The grid's cells hold every wall that a robot with its middle in them can touch.
     """
+    starts = walls.grid.starts
+    items = walls.grid.items
     if len(items) == 0:
         return count
-    x1 = walls[0]
-    y1 = walls[1]
-    x2 = walls[2]
-    y2 = walls[3]
+    who = robots.free_solid
+    floats = robots.floats
+    x = floats[X]
+    y = floats[Y]
+    radius = floats[RADIUS]
+    ends = walls.floats
+    x1 = ends[0]
+    y1 = ends[1]
+    x2 = ends[2]
+    y2 = ends[3]
     for n in range(len(who)):
         i = who[n]
-        c = cell_at(x[i], y[i], frame, shape)
+        c = cell_at(x[i], y[i], walls.grid)
         if c < 0:
             continue
         for k in range(starts[c], starts[c + 1]):
@@ -174,25 +190,23 @@ def part_from_walls(
     return count
 
 
-def part_discs(
-    road: list[int],
-    x: list[float],
-    y: list[float],
-    radius: list[float],
-    low_x: list[int],
-    low_y: list[int],
-    shape: list[int],
-    starts: list[int],
-    items: list[int],
-    pairs: list[int],
-    count: int,
-) -> int:
+def part_discs(robots: Robots, grid: Grid, pairs: list[int], count: int) -> int:
     """Robots that are not on one road keep their discs apart; guided ones stay. The grid was filled a moment ago.
 
     Two that meet in several cells are looked at in the first of them.
     """
-    columns = shape[0]
-    for c in range(columns * shape[1]):
+    ints = robots.ints
+    road = ints[ROAD]
+    low_x = ints[LOW_X]
+    low_y = ints[LOW_Y]
+    floats = robots.floats
+    x = floats[X]
+    y = floats[Y]
+    radius = floats[RADIUS]
+    starts = grid.starts
+    items = grid.items
+    columns = grid.shape[0]
+    for c in range(columns * grid.shape[1]):
         end = starts[c + 1]
         for k in range(starts[c], end):
             i = items[k]
@@ -231,13 +245,15 @@ def part_discs(
     return count
 
 
-def news_first(
-    pairs: list[int], count: int, before: list[int], count_before: int, buckets: list[int], chain: list[int]
-) -> int:
+def news_first(contacts: Contacts, count: int, count_before: int) -> int:
     """Brings the pairs that were not there before to the front, in their order; gives how many they are.
 
     `buckets` (a power of two, all -1, and so again afterwards) and `chain` are room for looking up.
     """
+    pairs = contacts.pairs
+    before = contacts.before
+    buckets = contacts.buckets
+    chain = contacts.chain
     mask = len(buckets) - 1
     for k in range(count_before):
         b = (31 * before[2 * k] + before[2 * k + 1]) & mask

@@ -2,7 +2,7 @@
 
 *done*: all goals of the mission hold, whoever failed on the way; without goals, every program has ended. *failed*:
 every program has ended and a goal does not hold; or nobody is left to go on. *time*: the time given ran out. *stuck*:
-nothing can ever change again; said only when it is certain (standstill).
+nothing can ever change again; said only when it is certain (deadlock_detection).
 
 Goals are judged when the run comes to an end of its own: every program has ended, nobody is left to go on, nothing can
 change any more, the time is over, or every program has ended but those of robots that failed, stalled or lost their

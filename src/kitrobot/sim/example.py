@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from kitrobot.sim.arrays import as_arrays
 from kitrobot.sim.shared import SharedTables
-from kitrobot.sim.state import State, as_arrays
+from kitrobot.sim.state import State
 from kitrobot.sim.tables import Tables
 from kitrobot.world import World
 

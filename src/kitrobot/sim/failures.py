@@ -1,4 +1,4 @@
-"""Failures as missions and people speak of them, for the loops in `harming`: names, seconds, chances a minute."""
+"""Failures as missions and people speak of them, for the loops in `faults`: names, seconds, chances a minute."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from dataclasses import dataclass, field
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import columns as c
 from kitrobot.sim.chance import keys
-from kitrobot.sim.harming import BY_HAND, FAIL, MUTE, PLAN_ROWS, REVIVE, STALL, harm
+from kitrobot.sim.faults import BY_HAND, FAIL, MUTE, PLAN_ROWS, REVIVE, STALL, harm
 from kitrobot.sim.state import State
 
 KINDS = tuple(FailureKind)
-"""The kinds in the order of their numbers in `harming`."""
+"""The kinds in the order of their numbers in `faults`."""
 
 CAUSES = ("by hand", "on schedule", "by chance")
-"""How it comes about, in the order of their numbers in `harming`."""
+"""How it comes about, in the order of their numbers in `faults`."""
 
 MINUTE_MS = 60_000
 TURN_MS = 1000
@@ -25,11 +25,11 @@ TURN_MS = 1000
 
 
 @dataclass
-class Fates:
+class FaultPlan:
     """What is to befall the robots of a run.
 
     Attributes:
-        plan: the schedule, as rows of numbers (see harming).
+        plan: the schedule, as rows of numbers (see faults).
         keys: of each robot, the two keys of its chance.
         every: steps between two turns of a robot to fail by chance.
         probability: of failing in one turn, 0…1.
@@ -51,7 +51,9 @@ class Fates:
         return at_once * (1 + variables) + (robots if self.probability else 0)
 
 
-def fates(failures: Sequence[Failure], names: Sequence[str], step_ms: int, fail_rate: float, seed: int) -> Fates:
+def fault_plan(
+    failures: Sequence[Failure], names: Sequence[str], step_ms: int, fail_rate: float, seed: int
+) -> FaultPlan:
     """What a mission's schedule and a failure rate come to in a run.
 
     Args:
@@ -70,7 +72,7 @@ def fates(failures: Sequence[Failure], names: Sequence[str], step_ms: int, fail_
         ),
         key=lambda row: row[0],
     )
-    made = Fates([list(row) for row in zip(*rows, strict=True)] if rows else [[] for _ in range(PLAN_ROWS)])
+    made = FaultPlan([list(row) for row in zip(*rows, strict=True)] if rows else [[] for _ in range(PLAN_ROWS)])
     if fail_rate > 0:
         made.every = max(1, round(TURN_MS / step_ms))
         made.probability = 1.0 - (1.0 - fail_rate) ** (made.every * step_ms / MINUTE_MS)
@@ -91,7 +93,7 @@ def said_of(kind: int, cause: int) -> str:
 
 def room_to_tell(state: State, most: int) -> bool:
     """Whether so many events more can be written down, and after them all of one step."""
-    return c.EVENT * (state.clock[c.EVENTS] + most + state.fixed[2]) <= len(state.events)
+    return c.EVENT * (state.clock[c.EVENTS] + most + state.fixed[c.MOST_EVENTS]) <= len(state.events)
 
 
 def keep_untold(state: State) -> None:
@@ -106,20 +108,4 @@ def keep_untold(state: State) -> None:
 
 def harm_by_hand(state: State, robot: int, kind: FailureKind) -> None:
     """Does it to a robot between two steps; there must be room to tell it."""
-    harm(
-        robot,
-        KINDS.index(kind),
-        BY_HAND,
-        state.real,
-        state.whole,
-        state.cells,
-        state.shared,
-        state.apart,
-        state.mine_first,
-        state.mine,
-        state.mine_cell,
-        state.copy_robot,
-        state.copy_cell,
-        state.events,
-        state.clock,
-    )
+    harm(robot, KINDS.index(kind), BY_HAND, state)

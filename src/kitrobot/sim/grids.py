@@ -10,7 +10,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+
+from kitrobot.sim.columns import LOW_X, LOW_Y, RADIUS, X, Y
+from kitrobot.sim.state import Grid, Rays, Robots
 
 FEW = 40
 FEW_FIXED = 12
@@ -18,15 +20,6 @@ FEW_FIXED = 12
 
 SLACK_MM = 0.3
 """How much further than its disc a robot reaches: those that touch always share a cell."""
-
-
-class Grid(NamedTuple):
-    """A grid whose things stay where they are."""
-
-    frame: list[float]
-    shape: list[int]
-    starts: list[int]
-    items: list[int]
 
 
 def fixed(stretches: Sequence[Sequence[float]], margin: float) -> Grid:
@@ -65,8 +58,10 @@ def fixed(stretches: Sequence[Sequence[float]], margin: float) -> Grid:
     return Grid([left, low, size], [cells_x, cells_y], starts, [k for found in lists for k in found])
 
 
-def cell_at(x: float, y: float, frame: list[float], shape: list[int]) -> int:
+def cell_at(x: float, y: float, grid: Grid) -> int:
     """The cell of a point, or -1 outside the grid."""
+    frame = grid.frame
+    shape = grid.shape
     column = math.floor((x - frame[0]) / frame[2])
     row = math.floor((y - frame[1]) / frame[2])
     if column < 0 or row < 0 or column >= shape[0] or row >= shape[1]:
@@ -74,24 +69,23 @@ def cell_at(x: float, y: float, frame: list[float], shape: list[int]) -> int:
     return row * shape[0] + column
 
 
-def fill(
-    who: list[int],
-    x: list[float],
-    y: list[float],
-    radius: list[float],
-    widest: float,
-    low_x: list[int],
-    low_y: list[int],
-    frame: list[float],
-    shape: list[int],
-    starts: list[int],
-    items: list[int],
-) -> None:
-    """Puts discs into a grid, each into every cell it reaches into: four at most, since a cell is as wide as a disc.
+def fill(robots: Robots, widest: float, grid: Grid) -> None:
+    """Puts the discs of the robots with wheels into a grid, each into every cell it reaches into: four at most, since a
+    cell is as wide as the widest disc.
 
-    `starts` has room for 2 cells a disc and 8 more, `items` for 4 entries a disc. `low_x[i]` and `low_y[i]` become the
-    first column and row that disc i reaches into.
+    `starts` has room for 2 cells a disc and 8 more, `items` for 4 entries a disc. LOW_X and LOW_Y of a robot become the
+    first column and row that its disc reaches into.
     """
+    who = robots.solid
+    floats = robots.floats
+    x = floats[X]
+    y = floats[Y]
+    radius = floats[RADIUS]
+    ints = robots.ints
+    low_x = ints[LOW_X]
+    low_y = ints[LOW_Y]
+    starts = grid.starts
+    items = grid.items
     count = len(who)
     columns = 1
     rows = 1
@@ -123,11 +117,11 @@ def fill(
             size *= 1.5
             columns = int(width / size) + 1
             rows = int(height / size) + 1
-    frame[0] = left
-    frame[1] = low
-    frame[2] = size
-    shape[0] = columns
-    shape[1] = rows
+    grid.frame[0] = left
+    grid.frame[1] = low
+    grid.frame[2] = size
+    grid.shape[0] = columns
+    grid.shape[1] = rows
     if columns * rows == 1:
         for k in range(count):
             low_x[who[k]] = 0
@@ -162,27 +156,19 @@ def fill(
                 items[starts[c]] = i
 
 
-def cells_on_ray(
-    x: float,
-    y: float,
-    ux: float,
-    uy: float,
-    reach: float,
-    frame: list[float],
-    shape: list[int],
-    cells: list[int],
-    exits: list[float],
-) -> int:
+def cells_on_ray(x: float, y: float, ux: float, uy: float, reach: float, grid: Grid, rays: Rays) -> int:
     """The cells that a ray goes through, in order, and how far along the ray it leaves each; gives how many."""
-    columns = shape[0]
-    rows = shape[1]
+    cells = rays.cells
+    exits = rays.exits
+    columns = grid.shape[0]
+    rows = grid.shape[1]
     if columns * rows == 1:
         cells[0] = 0
         exits[0] = reach
         return 1
-    size = frame[2]
-    ax = x - frame[0]
-    ay = y - frame[1]
+    size = grid.frame[2]
+    ax = x - grid.frame[0]
+    ay = y - grid.frame[1]
     near = 0.0
     far = reach
     if abs(ux) < 1e-12:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.staging import SimulationError
+from kitrobot.sim.setup import SimulationError
 
 MAX_SEED = 2**53
 """Larger whole numbers do not reach the page as they are."""

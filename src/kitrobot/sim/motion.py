@@ -2,7 +2,7 @@
 
 Speed goes to its target at the acceleration (or braking) of the robot, and the way is the exact integral of that, so
 the stopping distance is v²/2a whatever the step. A robot that moves freely follows the exact arc of constant speed
-and turn. Each loop goes over the robots in `who`.
+and turn.
 """
 
 from __future__ import annotations
@@ -10,18 +10,39 @@ from __future__ import annotations
 import math
 
 from kitrobot.sim.angles import direction
+from kitrobot.sim.columns import (
+    ACCELERATION,
+    AT,
+    BRAKING,
+    CLOSED,
+    DIRECTED,
+    FIRST,
+    HEADING,
+    LAST,
+    RADIUS,
+    ROAD,
+    SPEED,
+    STRETCH,
+    TARGET,
+    TURN,
+    UX,
+    UY,
+    WAY,
+    X,
+    Y,
+)
+from kitrobot.sim.state import Roads, Robots
 
 
-def roll(
-    dt: float,
-    who: list[int],
-    speed: list[float],
-    target: list[float],
-    acceleration: list[float],
-    braking: list[float],
-    way: list[float],
-) -> int:
-    """Brings each speed nearer to its target; `way[i]` is how far robot i rolls. Gives how many roll at all."""
+def roll(dt: float, robots: Robots) -> int:
+    """Brings the speed of each robot nearer to its target; WAY is how far it rolls. Gives how many roll at all."""
+    who = robots.solid
+    floats = robots.floats
+    speed = floats[SPEED]
+    target = floats[TARGET]
+    acceleration = floats[ACCELERATION]
+    braking = floats[BRAKING]
+    way = floats[WAY]
     rolling = 0
     for k in range(len(who)):
         i = who[k]
@@ -47,16 +68,16 @@ def roll(
     return rolling
 
 
-def follow(
-    who: list[int],
-    way: list[float],
-    speed: list[float],
-    road: list[int],
-    at: list[float],
-    length: list[float],
-    closed: list[int],
-) -> None:
+def follow(robots: Robots, roads: Roads) -> None:
     """Moves the guided robots along their roads; at the end of an open road they stand."""
+    who = robots.guided
+    floats = robots.floats
+    way = floats[WAY]
+    speed = floats[SPEED]
+    at = floats[AT]
+    road = robots.ints[ROAD]
+    length = roads.length
+    closed = roads.ints[CLOSED]
     for k in range(len(who)):
         i = who[k]
         if way[i] == 0.0:
@@ -77,47 +98,58 @@ def follow(
         at[i] = s
 
 
-def place(
-    who: list[int],
-    road: list[int],
-    at: list[float],
-    stretch: list[int],
-    directed: list[int],
-    x: list[float],
-    y: list[float],
-    heading: list[float],
-    ux: list[float],
-    uy: list[float],
-    points: list[list[float]],
-    first: list[int],
-    last: list[int],
-) -> None:
-    """The pose of each guided robot from its place along its road; `stretch` remembers where to look first."""
+def place(robots: Robots, roads: Roads) -> None:
+    """The pose of each guided robot from its place along its road; STRETCH remembers where to look first."""
+    who = robots.guided
+    ints = robots.ints
+    road = ints[ROAD]
+    stretch = ints[STRETCH]
+    directed = ints[DIRECTED]
+    floats = robots.floats
+    at = floats[AT]
+    x = floats[X]
+    y = floats[Y]
+    heading = floats[HEADING]
+    ux = floats[UX]
+    uy = floats[UY]
+    firsts = roads.ints[FIRST]
+    lasts = roads.ints[LAST]
+    points = roads.points
+    xs = points[0]
+    ys = points[1]
     along = points[2]
+    begins = points[3]
+    ends = points[4]
     for n in range(len(who)):
         i = who[n]
         r = road[i]
         s = at[i]
         k = stretch[i]
-        if k < first[r] or k >= last[r]:
-            k = first[r]
-        while s < along[k] and k > first[r]:
+        first = firsts[r]
+        last = lasts[r]
+        if k < first or k >= last:
+            k = first
+        while s < along[k] and k > first:
             k -= 1
-        while s >= along[k + 1] and k < last[r] - 1:
+        while s >= along[k + 1] and k < last - 1:
             k += 1
         stretch[i] = k
         part = (s - along[k]) / (along[k + 1] - along[k])
-        x[i] = points[0][k] + part * (points[0][k + 1] - points[0][k])
-        y[i] = points[1][k] + part * (points[1][k + 1] - points[1][k])
-        h = points[3][k] + part * (points[4][k] - points[3][k])
+        x[i] = xs[k] + part * (xs[k + 1] - xs[k])
+        y[i] = ys[k] + part * (ys[k + 1] - ys[k])
+        h = begins[k] + part * (ends[k] - begins[k])
         if h != heading[i]:
             heading[i] = h
             if directed[i]:
                 ux[i], uy[i] = direction(h)
 
 
-def pieces(who: list[int], way: list[float], radius: list[float]) -> int:
-    """In how many pieces the robots go their ways, so that none goes further than its radius at once."""
+def pieces(robots: Robots) -> int:
+    """In how many pieces the free robots go their ways, so that none goes further than its radius at once."""
+    who = robots.free_solid
+    floats = robots.floats
+    way = floats[WAY]
+    radius = floats[RADIUS]
     most = 1.0
     for k in range(len(who)):
         i = who[k]
@@ -126,18 +158,17 @@ def pieces(who: list[int], way: list[float], radius: list[float]) -> int:
     return math.ceil(most)
 
 
-def wander(
-    part: float,
-    who: list[int],
-    way: list[float],
-    turn: list[float],
-    x: list[float],
-    y: list[float],
-    heading: list[float],
-    ux: list[float],
-    uy: list[float],
-) -> None:
-    """Moves the free robots along this part of the arc of their way and turn; (ux, uy) is where they look."""
+def wander(part: float, robots: Robots) -> None:
+    """Moves the free robots along this part of the arc of their way and turn; (UX, UY) is where they look."""
+    who = robots.free
+    floats = robots.floats
+    way = floats[WAY]
+    turn = floats[TURN]
+    x = floats[X]
+    y = floats[Y]
+    heading = floats[HEADING]
+    ux = floats[UX]
+    uy = floats[UY]
     for k in range(len(who)):
         i = who[k]
         d = way[i] * part

@@ -7,33 +7,20 @@ which nothing rolls or turns costs next to nothing.
 from __future__ import annotations
 
 from kitrobot.sim.columns import (
-    ACCELERATION,
-    AT,
-    BRAKING,
     COLLISION,
     COLLISIONS,
     CONTACTS,
-    DIRECTED,
-    GAP_AHEAD,
-    GAP_BEHIND,
-    HEADING,
-    LEADER,
+    DT,
+    HEIGHT,
     LEAVING,
-    LENGTH,
-    LOW_X,
-    LOW_Y,
+    LEFT,
     MOVED,
-    RADIUS,
-    ROAD,
     ROLLING,
-    SPEED,
-    STRETCH,
-    TARGET,
+    TOGETHER,
     TOUCHING,
     TURN,
-    UX,
-    UY,
-    WAY,
+    WIDEST,
+    WIDTH,
     X,
     Y,
     tell,
@@ -41,82 +28,25 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.contacts import measure_gaps, news_first, part_discs, part_from_walls, part_on_roads, sort_along
 from kitrobot.sim.grids import fill
 from kitrobot.sim.motion import follow, pieces, place, roll, wander
-
-# The rows of `roads` (whole numbers): whether it is closed, its points (the last one inclusive), its sections.
-CLOSED, FIRST, LAST, CUT_FIRST, CUT_LAST = range(5)
+from kitrobot.sim.state import Roads, Robots, State
 
 
-def arrange(
-    real: list[list[float]],
-    whole: list[list[int]],
-    guided: list[int],
-    roads: list[list[int]],
-    road_length: list[float],
-    points: list[list[float]],
-) -> None:
+def arrange(robots: Robots, roads: Roads) -> None:
     """Puts the robots on roads into their order and onto their places, as before the first step."""
-    sort_along(guided, whole[ROAD], real[AT])
-    measure_gaps(
-        guided,
-        whole[ROAD],
-        real[AT],
-        real[LENGTH],
-        road_length,
-        roads[CLOSED],
-        real[GAP_AHEAD],
-        real[GAP_BEHIND],
-        whole[LEADER],
-    )
-    place(
-        guided,
-        whole[ROAD],
-        real[AT],
-        whole[STRETCH],
-        whole[DIRECTED],
-        real[X],
-        real[Y],
-        real[HEADING],
-        real[UX],
-        real[UY],
-        points,
-        roads[FIRST],
-        roads[LAST],
-    )
+    sort_along(robots)
+    measure_gaps(robots, roads)
+    place(robots, roads)
 
 
-def move_robots(
-    dt: float,
-    widest: float,
-    together: int,
-    real: list[list[float]],
-    whole: list[list[int]],
-    solid: list[int],
-    guided: list[int],
-    free: list[int],
-    free_solid: list[int],
-    roads: list[list[int]],
-    road_length: list[float],
-    points: list[list[float]],
-    walls: list[list[float]],
-    wall_frame: list[float],
-    wall_shape: list[int],
-    wall_starts: list[int],
-    wall_items: list[int],
-    frame: list[float],
-    shape: list[int],
-    starts: list[int],
-    items: list[int],
-    pairs: list[int],
-    before: list[int],
-    buckets: list[int],
-    chain: list[int],
-    events: list[int],
-    clock: list[int],
-) -> None:
-    """Moves everything by one step. `together`: 1 when discs can meet at all."""
-    way = real[WAY]
-    rolling = roll(dt, solid, real[SPEED], real[TARGET], real[ACCELERATION], real[BRAKING], way)
-    turn = real[TURN]
+def move_robots(state: State) -> None:
+    """Moves everything by one step."""
+    robots = state.robots
+    roads = state.roads
+    pairs = state.contacts.pairs
+    clock = state.clock
+    rolling = roll(state.fixed_floats[DT], robots)
+    free = robots.free
+    turn = robots.floats[TURN]
     for k in range(len(free)):
         if turn[free[k]] != 0.0:
             rolling += 1
@@ -125,92 +55,40 @@ def move_robots(
         return
     clock[MOVED] = 1
     count = 0
-    road = whole[ROAD]
-    if len(guided) > 0:
-        follow(guided, way, real[SPEED], road, real[AT], road_length, roads[CLOSED])
-        if len(guided) > 1:
-            sort_along(guided, road, real[AT])
-            measure_gaps(
-                guided,
-                road,
-                real[AT],
-                real[LENGTH],
-                road_length,
-                roads[CLOSED],
-                real[GAP_AHEAD],
-                real[GAP_BEHIND],
-                whole[LEADER],
-            )
-            count = part_on_roads(
-                guided,
-                road,
-                real[AT],
-                real[SPEED],
-                road_length,
-                roads[CLOSED],
-                real[GAP_AHEAD],
-                whole[LEADER],
-                pairs,
-                0,
-            )
+    if len(robots.guided) > 0:
+        follow(robots, roads)
+        if len(robots.guided) > 1:
+            sort_along(robots)
+            measure_gaps(robots, roads)
+            count = part_on_roads(robots, roads, pairs)
         if count > 0:
-            arrange(real, whole, guided, roads, road_length, points)
+            arrange(robots, roads)
         else:
-            place(
-                guided,
-                road,
-                real[AT],
-                whole[STRETCH],
-                whole[DIRECTED],
-                real[X],
-                real[Y],
-                real[HEADING],
-                real[UX],
-                real[UY],
-                points,
-                roads[FIRST],
-                roads[LAST],
-            )
+            place(robots, roads)
     if len(free) > 0:
         # A wall is thin: who is very fast looks for it on the way too. The last piece tells who touches one.
         on_roads = count
-        parts = pieces(free_solid, way, real[RADIUS])
+        parts = pieces(robots)
         for _ in range(parts):
-            wander(1.0 / parts, free, way, turn, real[X], real[Y], real[HEADING], real[UX], real[UY])
-            count = part_from_walls(
-                free_solid,
-                real[X],
-                real[Y],
-                real[RADIUS],
-                walls,
-                wall_frame,
-                wall_shape,
-                wall_starts,
-                wall_items,
-                pairs,
-                on_roads,
-            )
-    if together:
-        low_x = whole[LOW_X]
-        low_y = whole[LOW_Y]
-        fill(solid, real[X], real[Y], real[RADIUS], widest, low_x, low_y, frame, shape, starts, items)
-        count = part_discs(road, real[X], real[Y], real[RADIUS], low_x, low_y, shape, starts, items, pairs, count)
+            wander(1.0 / parts, robots)
+            count = part_from_walls(robots, state.walls, pairs, on_roads)
+    if state.fixed[TOGETHER]:
+        fill(robots, state.fixed_floats[WIDEST], state.grid)
+        count = part_discs(robots, state.grid, pairs, count)
     if count > 0 or clock[CONTACTS] > 0:
-        tell_contacts(whole[TOUCHING], pairs, count, before, buckets, chain, events, clock)
+        tell_contacts(count, state)
+    if len(robots.free_solid) > 0:
+        tell_leaving(state)
 
 
-def tell_contacts(
-    touching: list[int],
-    pairs: list[int],
-    count: int,
-    before: list[int],
-    buckets: list[int],
-    chain: list[int],
-    events: list[int],
-    clock: list[int],
-) -> None:
+def tell_contacts(count: int, state: State) -> None:
     """Says which pairs have begun to touch, and remembers all that do."""
-    news = news_first(pairs, count, before, clock[CONTACTS], buckets, chain)
+    clock = state.clock
+    events = state.events
+    pairs = state.contacts.pairs
+    before = state.contacts.before
+    touching = state.robots.ints[TOUCHING]
+    news = news_first(state.contacts, count, clock[CONTACTS])
     clock[COLLISIONS] += news
     for k in range(news):
         tell(events, clock, COLLISION, pairs[2 * k], pairs[2 * k + 1], 0)
@@ -224,19 +102,17 @@ def tell_contacts(
     clock[CONTACTS] = count
 
 
-def tell_leaving(
-    who: list[int],
-    x: list[float],
-    y: list[float],
-    width: float,
-    height: float,
-    left: list[int],
-    events: list[int],
-    clock: list[int],
-) -> None:
+def tell_leaving(state: State) -> None:
     """Says of each robot, once, that its middle is beyond the edge of the world, which is no wall."""
+    who = state.robots.free_solid
+    floats = state.robots.floats
+    x = floats[X]
+    y = floats[Y]
+    left = state.robots.ints[LEFT]
+    width = state.fixed_floats[WIDTH]
+    height = state.fixed_floats[HEIGHT]
     for k in range(len(who)):
         i = who[k]
         if left[i] == 0 and (x[i] < 0.0 or y[i] < 0.0 or x[i] > width or y[i] > height):
             left[i] = 1
-            tell(events, clock, LEAVING, i, 0, 0)
+            tell(state.events, state.clock, LEAVING, i, 0, 0)

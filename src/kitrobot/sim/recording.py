@@ -13,8 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.mission import write_mission
+from kitrobot.sim.agent_views import all_flags
 from kitrobot.sim.columns import DELIVERED, HEADING, LOAD, X, Y
-from kitrobot.sim.sayings import Event
+from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import numbers
 from kitrobot.sim.timeline import Timeline
@@ -63,7 +64,7 @@ class Recorder:
             columns += [Column(agent.name, f"done {name}") for name in layout.done]
             columns += [Column(agent.name, f"variable {name}") for name in layout.variables]
             columns += [
-                Column(agent.name, f"shown {name} {n}") for name, face in agent.faces() for n in range(len(face))
+                Column(agent.name, f"shown {name} {n}") for name, output in agent.outputs() for n in range(len(output))
             ]
             self._widths.append(len(columns) - before)
         columns += [Column(TEAM, f"stock {house.name}") for house in simulation.world.storehouses]
@@ -88,16 +89,17 @@ class Recorder:
             simulation.fail_rate,
         )
 
-    def record(self, happened: Iterable[Event] | None = None, whole: Collection[int] | None = None) -> TickRecord:
+    def record(self, happened: Iterable[Event] | None = None, in_full: Collection[int] | None = None) -> TickRecord:
         """What is true now, and what happened in the last step.
 
         Args:
             happened: what is told instead of the simulation's own events.
-            whole: the agents that are recorded whole; of others, where there are very many, only the pose. None: all.
+            in_full: the agents of which everything is recorded; of others, where there are very many, only the pose.
+                None: all.
         """
         simulation, state = self._simulation, self._simulation.state
-        xs, ys, headings = (numbers(state.real[column]) for column in (X, Y, HEADING))
-        loads, flags = numbers(state.whole[LOAD]), simulation.all_flags()
+        xs, ys, headings = (numbers(state.robots.floats[column]) for column in (X, Y, HEADING))
+        loads, flags = numbers(state.robots.ints[LOAD]), all_flags(state)
         recorded: list[int] = []
         commands: list[TraceCommand] = []
         for agent in simulation.members:
@@ -107,22 +109,22 @@ class Recorder:
             recorded.append(round(normalised(headings[i]) * 1000))
             recorded.append(loads[i])
             recorded.append(flags[i])
-            if whole is not None and i not in whole:
+            if in_full is not None and i not in in_full:
                 recorded += [0] * (self._widths[i] - len(POSE))
                 continue
             recorded.append(DOING.index(agent.doing))
             recorded.append(simulation.forced_bits(i))
             recorded += numbers(agent.machine.cells[: agent.machine.layout.cells])
-            for _, face in agent.faces():
-                recorded += face
+            for _, output in agent.outputs():
+                recorded += output
             commands += [
                 TraceCommand(i, command.actuator, command.procedure, tuple(command.arguments))
                 for command in agent.commands
             ]
-        recorded += numbers(state.stock)
-        recorded += [int(state.whole[DELIVERED][index]) for index in self._carriers]
+        recorded += numbers(state.docks.stock)
+        recorded += [int(state.robots.ints[DELIVERED][index]) for index in self._carriers]
         recorded.append(simulation.collisions)
-        active = [agent.active if whole is None or agent.index in whole else () for agent in simulation.members]
+        active = [agent.active if in_full is None or agent.index in in_full else () for agent in simulation.members]
         events = [
             TraceEvent(event.tick, event.kind, event.index, event.text, event.cause)
             for event in (simulation.events if happened is None else happened)

@@ -3,19 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from typing import NamedTuple
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.primitives import Category, Robot, RobotObject, did_you_mean, one_of, shown
+from kitrobot.primitives import Category, Robot, RobotObject
 from kitrobot.sim import rules
 from kitrobot.sim.devices import Actuator, Device, Sensor, Setting, Values, actuators, sensors
+from kitrobot.sim.devices.base import Hand, Look
+from kitrobot.text import did_you_mean, one_of, shown
+from kitrobot.world import World
 
-_OTHER_DEVICE = "give it one of these, or let the robot run on a board only"
+_OTHER_DEVICE = 'say what stands for it, as in <simulate as="slider"/>, or let the robot run on a board only'
 
 
-def simulated_devices(category: Category) -> Collection[str]:
-    """The names of the simulator's devices for actuators, or for sensors."""
-    return (actuators() if category is Category.ACTUATOR else sensors()).keys()
+SIMULATED = (Category.ACTUATOR, Category.SENSOR)
+"""The categories of parts that have a device."""
+
+
+def simulated_devices(category: Category) -> Mapping[str, type[Device]]:
+    """The simulator's devices for actuators, or for sensors, by name."""
+    return actuators() if category is Category.ACTUATOR else sensors()
 
 
 def device_problems(robot: Robot, apart_from: Collection[tuple[Category, str]] = ()) -> list[Diagnostic]:
@@ -27,25 +35,25 @@ def device_problems(robot: Robot, apart_from: Collection[tuple[Category, str]] =
         device, found = find_device(robot, part)
         problems += found
         if device is not None:
-            problems += read_settings(robot, part, device)[1]
+            problems += read_settings(part, device, f"{robot.name}.{part.name}")[1]
     return problems + read_conflicts(robot)
 
 
 def find_device(robot: Robot, part: RobotObject) -> tuple[type[Device] | None, list[Diagnostic]]:
     """The bank for an actuator or sensor, and why there is none."""
-    known: dict[str, type[Device]] = dict(actuators() if part.category is Category.ACTUATOR else sensors())
-    device = known.get(part.device)
+    known = simulated_devices(part.category)
+    device = known.get(part.model)
     where = f"{robot.name}.{part.name}"
     if device is None:
-        message = f"{where}: expected a device of the simulator ({one_of(sorted(known))}), found {shown(part.device)}"
-        help = did_you_mean(part.device, known) or _OTHER_DEVICE
+        message = f"{where}: expected a device of the simulator ({one_of(sorted(known))}), found {shown(part.model)}"
+        help = did_you_mean(part.model, known) or _OTHER_DEVICE
         return None, [rules.DEVICE(message, part.place, help=help)]
     problems = []
-    if issubclass(device, Actuator):
+    if issubclass(device, Actuator) and device.procedures:
         for method in part.methods:
             if method.name not in device.procedures:
                 message = (
-                    f"{where}: the device {part.device} does {one_of(sorted(device.procedures))}, not {method.name}"
+                    f"{where}: the device {part.model} does {one_of(sorted(device.procedures))}, not {method.name}"
                 )
                 help = did_you_mean(method.name, device.procedures)
                 problems.append(rules.DEVICE(message, method.place or part.place, help=help))
@@ -53,16 +61,17 @@ def find_device(robot: Robot, part: RobotObject) -> tuple[type[Device] | None, l
     return device, problems
 
 
-def read_settings(robot: Robot, part: RobotObject, device: type[Device]) -> tuple[Values, list[Diagnostic]]:
-    """The settings of one device, with what the XML leaves out filled in, and what is wrong with them."""
-    where = f"{robot.name}.{part.name}"
+def read_settings(part: RobotObject, device: type[Device], where: str) -> tuple[Values, list[Diagnostic]]:
+    """The settings of one device, with what the XML leaves out filled in, and what is wrong with them; `where` is the
+    part's name in messages.
+    """
     problems: list[Diagnostic] = []
     known = {setting.name: setting for setting in device.settings}
     values: dict[str, float | str] = {setting.name: setting.default for setting in device.settings}
     for name, text in part.settings.items():
         setting = known.get(name)
         if setting is None:
-            message = f"{where}: the device {part.device} has no setting {shown(name)}"
+            message = f"{where}: the device {part.model} has no setting {shown(name)}"
             problems.append(rules.DEVICE(message, part.place, help=did_you_mean(name, known)))
             continue
         value = _value(setting, text)
@@ -71,17 +80,55 @@ def read_settings(robot: Robot, part: RobotObject, device: type[Device]) -> tupl
             problems.append(rules.DEVICE(message, part.place, help=f"{name}: {setting.help}"))
         else:
             values[name] = value
+    for setting in device.settings:
+        if setting.required and setting.name not in part.settings:
+            message = f"{where}: expected the setting {setting.name} of the device {part.model}, found none"
+            problems.append(rules.DEVICE(message, part.place, help=f"{setting.name}: {setting.help}"))
     return Values(values), problems
+
+
+def place_problems(
+    robot: Robot, part: RobotObject, device: type[Device], values: Values, world: World
+) -> list[Diagnostic]:
+    """The settings of a device that name a place which the world does not have."""
+    problems: list[Diagnostic] = []
+    for setting in device.settings:
+        if setting.names_place and values.word(setting.name) not in world.places:
+            name = values.word(setting.name)
+            message = f"{robot.name}.{part.name}: the world {world.name} has no storehouse, dock or start {shown(name)}"
+            help = did_you_mean(name, world.places) or f"it has {one_of(sorted(world.places)[:20])}"
+            problems.append(rules.DEVICE(message, part.place, help=help if world.places else "add one to the world"))
+    return problems
 
 
 def length_of(robot: Robot) -> float:
     """How long a robot is, in mm, which is the diameter of one that moves freely; 0 for one without wheels."""
     longest = 0.0
     for part in robot.actuators:
-        device = actuators().get(part.device)
+        device = actuators().get(part.model)
         if device is not None and any(setting.name == "length" for setting in device.settings):
-            longest = max(longest, read_settings(robot, part, device)[0].number("length"))
+            longest = max(longest, read_settings(part, device, f"{robot.name}.{part.name}")[0].number("length"))
     return longest
+
+
+class Appearance(NamedTuple):
+    """How the arena shows a part: the look of an actuator; the hand of a sensor, and what it reads at rest."""
+
+    look: Look = ""
+    hand: Hand = ""
+    resting: int = 0
+
+
+def appearance_of(part: RobotObject) -> Appearance:
+    """How the page shows a part in the arena; of a part that cannot be simulated, nothing."""
+    device = simulated_devices(part.category).get(part.model) if part.category in SIMULATED else None
+    if device is None:
+        return Appearance()
+    values, _ = read_settings(part, device, part.name)
+    if issubclass(device, Actuator):
+        return Appearance(look=device.look(values))
+    assert issubclass(device, Sensor)
+    return Appearance(hand=device.hand(values), resting=device.resting(values))
 
 
 def read_conflicts(robot: Robot) -> list[Diagnostic]:
@@ -90,21 +137,20 @@ def read_conflicts(robot: Robot) -> list[Diagnostic]:
     taken: dict[tuple[str, str], str] = {}
     for part in robot.actuators:
         where = f"{robot.name}.{part.name}"
-        device = actuators().get(part.device)
+        device = actuators().get(part.model)
         if device is None:
             continue
-        other = next((one for one in robot.actuators if one.device in device.excludes), None)
+        other = next((one for one in robot.actuators if one.model in device.excludes), None)
         if other is not None:
             message = (
-                f"{where}: a robot with the device {part.device} cannot have {other.name}, "
-                f"the device {other.device}, too"
+                f"{where}: a robot with the device {part.model} cannot have {other.name}, the device {other.model}, too"
             )
             help = f"take {part.name} or {other.name} out of the robot's XML"
             problems.append(rules.DEVICE(message, part.place, help=help))
         if device.differs_in:
             default = next(str(one.default) for one in device.settings if one.name == device.differs_in)
             value = part.settings.get(device.differs_in, default)
-            first = taken.setdefault((part.device, value), part.name)
+            first = taken.setdefault((part.model, value), part.name)
             if first != part.name:
                 message = f"{where}: expected another {device.differs_in} than that of {first}, found {shown(value)}"
                 problems.append(
@@ -116,6 +162,8 @@ def read_conflicts(robot: Robot) -> list[Diagnostic]:
 def _value(setting: Setting, text: str) -> float | str | None:
     if setting.words:
         return text if text in setting.words else None
+    if setting.reads is not None:
+        return text if setting.reads(text) else None
     try:
         number = float(text)
     except ValueError:
@@ -126,5 +174,7 @@ def _value(setting: Setting, text: str) -> float | str | None:
 def _expected(setting: Setting) -> str:
     if setting.words:
         return one_of(setting.words)
+    if setting.reads is not None:
+        return setting.unit
     unit = f" {setting.unit}" if setting.unit else ""
     return f"a number from {setting.least:g} to {setting.most:g}{unit}"

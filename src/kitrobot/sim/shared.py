@@ -17,6 +17,7 @@ from kitrobot.sim.sharing import (
     SHARED_WRITER,
     WRITING,
 )
+from kitrobot.sim.state import Shared
 
 
 class SharedTables:
@@ -25,9 +26,9 @@ class SharedTables:
     def __init__(self, agents: Sequence[Agent]) -> None:
         self.variables: list[RobotObject] = []
         self.problems: list[Diagnostic] = []
-        self.mine_first: list[int] = [0]
-        self.mine: list[int] = []
-        self.mine_cell: list[int] = []
+        mine_first: list[int] = [0]
+        mine: list[int] = []
+        mine_cell: list[int] = []
         copies: list[list[tuple[int, int]]] = []
         numbers: dict[str, int] = {}
         first: dict[str, str] = {}
@@ -48,21 +49,27 @@ class SharedTables:
                     message = f"{variable.name} is shared, and {other} and {name} define it differently"
                     self.problems.append(rules.SHARED(message, help="give it the same type, range and first value"))
                 cell = agent.machine.layout.variables[variable.name]
-                self.mine.append(number)
-                self.mine_cell.append(cell)
+                mine.append(number)
+                mine_cell.append(cell)
                 copies[number].append((agent.index, cell))
-            self.mine_first.append(len(self.mine))
-        self.copy_robot = [robot for found in copies for robot, _ in found]
-        self.copy_cell = [cell for found in copies for _, cell in found]
-        self.rows: list[list[int]] = [[0] * len(self.variables) for _ in range(SHARED_ROWS)]
-        self.apart: list[list[int]] = [[0] * len(self.mine) for _ in range(APART_ROWS)]
+            mine_first.append(len(mine))
+        rows = [[0] * len(self.variables) for _ in range(SHARED_ROWS)]
         at = 0
         for number, found in enumerate(copies):
-            self.rows[SHARED_VALUE][number] = self.variables[number].initial
-            self.rows[SHARED_WRITER][number] = self.rows[WRITING][number] = -1
-            self.rows[COPIES_FIRST][number] = at
+            rows[SHARED_VALUE][number] = self.variables[number].initial
+            rows[SHARED_WRITER][number] = rows[WRITING][number] = -1
+            rows[COPIES_FIRST][number] = at
             at += len(found)
-            self.rows[COPIES_LAST][number] = at
+            rows[COPIES_LAST][number] = at
+        self.tables = Shared(
+            ints=rows,
+            apart=[[0] * len(mine) for _ in range(APART_ROWS)],
+            mine_first=mine_first,
+            mine=mine,
+            mine_cell=mine_cell,
+            copy_robot=[robot for found in copies for robot, _ in found],
+            copy_cell=[cell for found in copies for _, cell in found],
+        )
 
 
 def _meaning(variable: RobotObject) -> tuple[object, ...]:

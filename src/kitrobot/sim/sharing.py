@@ -8,7 +8,7 @@ value that is there already is no write.
 Who has no radio (muted, or failed) is apart: it neither hears nor is heard, and stamps what it writes by itself. When
 it is back, the latest write wins as ever: either all others take its value, or it takes theirs.
 
-The rows of `shared`: the value that holds, its clock and its writer, where its copies begin in `copy_robot` and
+The rows of `shared.ints`: the value that holds, its clock and its writer, where its copies begin in `copy_robot` and
 `copy_cell`, where they end, and room for the writer of this step. Robot i has the variables `mine[k]` in its cells
 `mine_cell[k]` for k from `mine_first[i]` to `mine_first[i + 1]` - 1; the rows of `apart` say what it knows of each, as
 long as it is apart: value, clock and writer.
@@ -17,6 +17,7 @@ long as it is apart: value, clock and writer.
 from __future__ import annotations
 
 from kitrobot.sim.columns import ASLEEP, DOWN, FAILED, MUTED, PERIOD, WRITTEN, tell
+from kitrobot.sim.state import IntRows, Robots, Shared, State
 
 SHARED_VALUE, SHARED_CLOCK, SHARED_WRITER, COPIES_FIRST, COPIES_LAST, WRITING = range(6)
 SHARED_ROWS = 6
@@ -24,27 +25,21 @@ APART_VALUE, APART_CLOCK, APART_WRITER = range(3)
 APART_ROWS = 3
 
 
-def exchange(
-    step: int,
-    whole: list[list[int]],
-    cells: list[list[int]],
-    shared: list[list[int]],
-    apart: list[list[int]],
-    mine_first: list[int],
-    mine: list[int],
-    mine_cell: list[int],
-    copy_robot: list[int],
-    copy_cell: list[int],
-    events: list[int],
-    clock: list[int],
-) -> None:
+def exchange(step: int, state: State) -> None:
     """Spreads what was written in this step."""
-    values = shared[SHARED_VALUE]
-    writing = shared[WRITING]
-    asleep = whole[ASLEEP]
-    period = whole[PERIOD]
-    down = whole[DOWN]
-    muted = whole[MUTED]
+    ints = state.robots.ints
+    cells = state.machines.cells
+    shared = state.shared
+    mine_first = shared.mine_first
+    mine = shared.mine
+    mine_cell = shared.mine_cell
+    table = shared.ints
+    values = table[SHARED_VALUE]
+    writing = table[WRITING]
+    asleep = ints[ASLEEP]
+    period = ints[PERIOD]
+    down = ints[DOWN]
+    muted = ints[MUTED]
     written = 0
     for i in range(len(asleep)):
         first = mine_first[i]
@@ -53,7 +48,7 @@ def exchange(
         if first == last or asleep[i] or step % period[i]:
             continue
         if muted[i] or down[i] == FAILED:
-            note(i, cells, apart, mine_first, mine_cell)
+            note(i, cells, shared)
             continue
         row = cells[i]
         for k in range(first, last):
@@ -70,33 +65,33 @@ def exchange(
         for k in range(mine_first[i], mine_first[i + 1]):
             if mine[k] == v:
                 values[v] = cells[i][mine_cell[k]]
-        shared[SHARED_CLOCK][v] += 1
-        shared[SHARED_WRITER][v] = i
-        spread(v, whole, cells, shared, copy_robot, copy_cell)
-        tell(events, clock, WRITTEN, i, v, values[v])
+        table[SHARED_CLOCK][v] += 1
+        table[SHARED_WRITER][v] = i
+        spread(v, state.robots, cells, shared)
+        tell(state.events, state.clock, WRITTEN, i, v, values[v])
 
 
-def spread(
-    v: int,
-    whole: list[list[int]],
-    cells: list[list[int]],
-    shared: list[list[int]],
-    copy_robot: list[int],
-    copy_cell: list[int],
-) -> None:
+def spread(v: int, robots: Robots, cells: IntRows, shared: Shared) -> None:
     """Gives the value of variable v to all who hear."""
-    value = shared[SHARED_VALUE][v]
-    down = whole[DOWN]
-    muted = whole[MUTED]
-    for k in range(shared[COPIES_FIRST][v], shared[COPIES_LAST][v]):
+    ints = robots.ints
+    copy_robot = shared.copy_robot
+    copy_cell = shared.copy_cell
+    table = shared.ints
+    value = table[SHARED_VALUE][v]
+    down = ints[DOWN]
+    muted = ints[MUTED]
+    for k in range(table[COPIES_FIRST][v], table[COPIES_LAST][v]):
         j = copy_robot[k]
         if muted[j] == 0 and down[j] != FAILED and cells[j][copy_cell[k]] != value:
             cells[j][copy_cell[k]] = value
-            whole[ASLEEP][j] = 0
+            ints[ASLEEP][j] = 0
 
 
-def note(i: int, cells: list[list[int]], apart: list[list[int]], mine_first: list[int], mine_cell: list[int]) -> None:
+def note(i: int, cells: IntRows, shared: Shared) -> None:
     """Stamps what robot i wrote while it is apart."""
+    apart = shared.apart
+    mine_first = shared.mine_first
+    mine_cell = shared.mine_cell
     for k in range(mine_first[i], mine_first[i + 1]):
         if cells[i][mine_cell[k]] != apart[APART_VALUE][k]:
             apart[APART_VALUE][k] = cells[i][mine_cell[k]]
@@ -104,41 +99,34 @@ def note(i: int, cells: list[list[int]], apart: list[list[int]], mine_first: lis
             apart[APART_WRITER][k] = i
 
 
-def leave(i: int, shared: list[list[int]], apart: list[list[int]], mine_first: list[int], mine: list[int]) -> None:
+def leave(i: int, shared: Shared) -> None:
     """Robot i loses its radio: it knows what held until now."""
-    for k in range(mine_first[i], mine_first[i + 1]):
-        apart[APART_VALUE][k] = shared[SHARED_VALUE][mine[k]]
-        apart[APART_CLOCK][k] = shared[SHARED_CLOCK][mine[k]]
-        apart[APART_WRITER][k] = shared[SHARED_WRITER][mine[k]]
+    apart = shared.apart
+    for k in range(shared.mine_first[i], shared.mine_first[i + 1]):
+        v = shared.mine[k]
+        apart[APART_VALUE][k] = shared.ints[SHARED_VALUE][v]
+        apart[APART_CLOCK][k] = shared.ints[SHARED_CLOCK][v]
+        apart[APART_WRITER][k] = shared.ints[SHARED_WRITER][v]
 
 
-def rejoin(
-    i: int,
-    whole: list[list[int]],
-    cells: list[list[int]],
-    shared: list[list[int]],
-    apart: list[list[int]],
-    mine_first: list[int],
-    mine: list[int],
-    mine_cell: list[int],
-    copy_robot: list[int],
-    copy_cell: list[int],
-    events: list[int],
-    clock: list[int],
-) -> None:
+def rejoin(i: int, state: State) -> None:
     """Robot i has its radio again: of each variable the latest write wins."""
-    note(i, cells, apart, mine_first, mine_cell)
-    for k in range(mine_first[i], mine_first[i + 1]):
-        v = mine[k]
+    cells = state.machines.cells
+    shared = state.shared
+    apart = shared.apart
+    mine_cell = shared.mine_cell
+    note(i, cells, shared)
+    for k in range(shared.mine_first[i], shared.mine_first[i + 1]):
+        v = shared.mine[k]
         stamp = apart[APART_CLOCK][k]
-        newest = shared[SHARED_CLOCK][v]
-        if stamp > newest or (stamp == newest and apart[APART_WRITER][k] > shared[SHARED_WRITER][v]):
-            shared[SHARED_CLOCK][v] = stamp
-            shared[SHARED_WRITER][v] = apart[APART_WRITER][k]
-            if apart[APART_VALUE][k] != shared[SHARED_VALUE][v]:
-                shared[SHARED_VALUE][v] = apart[APART_VALUE][k]
-                spread(v, whole, cells, shared, copy_robot, copy_cell)
-                tell(events, clock, WRITTEN, i, v, apart[APART_VALUE][k])
-        elif cells[i][mine_cell[k]] != shared[SHARED_VALUE][v]:
-            cells[i][mine_cell[k]] = shared[SHARED_VALUE][v]
-            whole[ASLEEP][i] = 0
+        newest = shared.ints[SHARED_CLOCK][v]
+        if stamp > newest or (stamp == newest and apart[APART_WRITER][k] > shared.ints[SHARED_WRITER][v]):
+            shared.ints[SHARED_CLOCK][v] = stamp
+            shared.ints[SHARED_WRITER][v] = apart[APART_WRITER][k]
+            if apart[APART_VALUE][k] != shared.ints[SHARED_VALUE][v]:
+                shared.ints[SHARED_VALUE][v] = apart[APART_VALUE][k]
+                spread(v, state.robots, cells, shared)
+                tell(state.events, state.clock, WRITTEN, i, v, apart[APART_VALUE][k])
+        elif cells[i][mine_cell[k]] != shared.ints[SHARED_VALUE][v]:
+            cells[i][mine_cell[k]] = shared.ints[SHARED_VALUE][v]
+            state.robots.ints[ASLEEP][i] = 0

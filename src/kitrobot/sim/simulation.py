@@ -6,8 +6,8 @@ the run's seed and the names of agent and device, and nothing reads a clock.
 
 The state of a run is its tables (state); a `Simulation` puts the mission in, gives names to what comes out, and finds
 the sentence for the end. `tick` counts finished steps. Once `outcome` is set (see endings), `step` does nothing more.
-Whether CPython or Numba runs the steps changes nothing but how fast it goes (hurry). Left to others: the clock on the
-wall, the trace (recording), who watches.
+CPython and Numba give the same steps, only the speed differs (jit_policy). Left to others: the clock on the wall, the
+trace (recording), who watches.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ import hashlib
 import math
 import zlib
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import Literal
 
 from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.lll import collection_paused
 from kitrobot.mission import FailureKind, Mission, write_mission
 from kitrobot.primitives import Catalogue
 from kitrobot.sim import columns
+from kitrobot.sim.agent_views import AgentView, poses_of, view_of
 from kitrobot.sim.agents import Agent
+from kitrobot.sim.arrays import as_arrays
 from kitrobot.sim.bodies import Stage
 from kitrobot.sim.columns import (
     ASLEEP,
@@ -46,64 +46,23 @@ from kitrobot.sim.columns import (
     STUCK,
     TICK,
 )
+from kitrobot.sim.deadlock_detection import stirred
 from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_time
+from kitrobot.sim.event_text import Event, EventText, sensor_names
 from kitrobot.sim.failures import harm_by_hand, keep_untold, room_to_tell
-from kitrobot.sim.hurry import Hurry
+from kitrobot.sim.jit_policy import JitPolicy
 from kitrobot.sim.limits import check_limits
-from kitrobot.sim.sayings import Event, Sayings, sensor_names
-from kitrobot.sim.staging import SimulationError, Staging, shared_by
-from kitrobot.sim.standstill import stirred
-from kitrobot.sim.state import Packing, State, as_arrays, numbers
+from kitrobot.sim.packing import Packing
+from kitrobot.sim.setup import Setup, SimulationError, shared_by
+from kitrobot.sim.state import State
 from kitrobot.sim.stepping import advance, is_reached
-from kitrobot.trace import Threads
-from kitrobot.world import World, normalised, write_world
+from kitrobot.text import collection_paused
+from kitrobot.world import World, write_world
 
 Outcome = Literal["done", "failed", "stuck", "time"]
 
-LAMP = 1
-FAILED = 2
-ALARM = 4
-ARM = 8
-MOVING = 16
-STALLED = 32
-MUTED = 64
-"""The bits of an agent's flags: lamp on, failed, collision sensor pressed, arm out, moving, stalled, without radio."""
-
-
-_LIGHTS = (columns.LAMP, columns.ALARM, columns.ARM)
-_STATES = (columns.DOWN, columns.MUTED)
-_MOTION = (columns.SPEED, columns.TURN)
-
 SNAPSHOT_VERSION = 4
 SNAPSHOT_MARK = b"KRSNAP\n" + bytes([SNAPSHOT_VERSION])
-
-
-@dataclass(frozen=True, slots=True)
-class AgentView:
-    """An agent as it is now. `kind` is carrier, loader, unloader, store-manager or robot; `number` counts within a
-    kind.
-
-    `state` is "failed" or "stalled" when that befell it; else "running" while a device of it works or moves, "waiting"
-    while only its program goes on, "idle" after its program has ended. `active` is (slot, instruction) of each live
-    thread. `shown` is what its displays and the like show, by the actuator (docs/trace.md says which numbers).
-    """
-
-    name: str
-    program: str
-    robot: str
-    kind: str
-    number: int
-    x_mm: float
-    y_mm: float
-    heading_rad: float
-    load: int
-    flags: int
-    state: str
-    active: Threads
-    values: Mapping[str, int]
-    inputs: Mapping[str, int]
-    shown: Mapping[str, list[int]]
-    fault: int
 
 
 class Simulation:
@@ -135,35 +94,35 @@ class Simulation:
     ) -> None:
         check_limits(seconds, seed, fail_rate)
         with collection_paused():
-            staging = Staging(mission, world, images, catalogue, seed, fail_rate)
+            setup = Setup(mission, world, images, catalogue, seed, fail_rate)
         self.mission = mission
         self.world = world
         self.seed = seed
         self.seconds_limit = seconds
         self.fail_rate = fail_rate
-        self.tick_ms = staging.step_ms
+        self.tick_ms = setup.step_ms
         self.outcome: Outcome | None = None
         self.sentence = ""
         self.events: list[Event] = []
         """What happened in the steps of the last `step` or `advance`."""
-        self.members: list[Agent] = staging.agents
+        self.members: list[Agent] = setup.agents
         shared = shared_by(self.members)
-        self.state = staging.tables.state(shared)
+        self.state = setup.tables.state(shared)
         self.stage = Stage(world, self.state)
         self._packing = Packing(self.state)
         self._images = {agent.program: images[agent.program].image for agent in self.members}
         self.debug = {agent.program: images[agent.program].debug for agent in self.members}
         """Where the instructions of each program came from."""
         self._variables = shared.variables
-        self._sayings = Sayings(world, self.members, shared.variables, self.state)
-        self._goals = Goals(self.state.goals, self.stage)
+        self._event_text = EventText(world, self.members, shared.variables, self.state)
+        self._goals = Goals(self.state.docks.goals, self.stage)
         self._sensors = sensor_names(self.state, self.members)
         self._sensors_of = [[self._sensors[one.index, s] for s in one.machine.layout.sensors] for one in self.members]
         self._show(self.state)
         self._last_tick: int | None = None
         if seconds is not None:
             self._last_tick = max(1, math.ceil(seconds * 1000 / self.tick_ms - 1e-9))
-        self._hurry = Hurry(len(self.members))
+        self._jit = JitPolicy(len(self.members))
         self.stays_plain = False
         """Set before the first step: CPython runs every step, however many; to compare, and to measure."""
 
@@ -198,11 +157,11 @@ class Simulation:
         keep_untold(self.state)
         done = 0
         while done < steps:
-            compiled = None if self.stays_plain else self._hurry.compiled()
+            compiled = None if self.stays_plain else self._jit.compiled()
             if compiled is None:
-                part = min(steps - done, self._hurry.most)
+                part = min(steps - done, self._jit.most)
                 ran = advance(self.state, part)
-                self._hurry.worked(ran)
+                self._jit.worked(ran)
             else:
                 if isinstance(self.state.clock, list):
                     self._show(as_arrays(self.state))
@@ -211,19 +170,19 @@ class Simulation:
             done += ran
             if ran < part:
                 break
-        self.events = self._sayings.events(self.state)
+        self.events = self._event_text.events(self.state)
         self._look_for_an_end()
         return done
 
-    def hurry(self) -> bool:
+    def compile_step(self) -> bool:
         """Waits until the step is compiled, and takes it from now on; False where it cannot be. Changes no run."""
-        return self._hurry.wait()
+        return self._jit.wait()
 
     def _look_for_an_end(self) -> None:
         clock, goals, members = self.state.clock, self._goals, self.members
         if clock[RUNNING] == 0 or (clock[LIVING] == 0 and clock[REVIVALS] == 0):
             self._end("failed", say_failed(goals, members))
-        elif is_reached(clock, self.state.goals, self.state.stock):
+        elif is_reached(self.state):
             self._end("done", say_done(goals, self.seconds, members))
         elif self._last_tick is not None and clock[TICK] >= self._last_tick:
             assert self.seconds_limit is not None
@@ -259,8 +218,8 @@ class Simulation:
         k = next((self._sensors.get((a.index, sensor)) for a in self.members if a.name == agent), None)
         if k is None:
             raise KitRobotError(f"no agent {agent} with a sensor {sensor} takes part in this run")
-        table, clock = self.state.sensor, self.state.clock
-        by_chance = self.state.sensor_real[S_NOISE][k] > 0 or self.state.sensor_real[S_DROPOUT][k] > 0
+        table, clock = self.state.sensors.ints, self.state.clock
+        by_chance = self.state.sensors.floats[S_NOISE][k] > 0 or self.state.sensors.floats[S_DROPOUT][k] > 0
         was_forced, is_forced = bool(table[S_FORCED][k]), value is not None
         if table[S_RESTLESS][k] and was_forced != is_forced:
             clock[CHANCE] += -1 if is_forced else 1
@@ -273,12 +232,12 @@ class Simulation:
     def forced(self, agent: str) -> list[str]:
         """The sensors of an agent in whose place a value stands."""
         member = next(one for one in self.members if one.name == agent)
-        forced = self.state.sensor[S_FORCED]
+        forced = self.state.sensors.ints[S_FORCED]
         return [name for name in member.machine.layout.sensors if forced[self._sensors[member.index, name]]]
 
     def forced_bits(self, index: int) -> int:
         """The same of the agent at that place in the team: a bit for each sensor of its robot, the first lowest."""
-        forced = self.state.sensor[S_FORCED]
+        forced = self.state.sensors.ints[S_FORCED]
         return sum(1 << bit for bit, k in enumerate(self._sensors_of[index]) if forced[k])
 
     def set_variable(self, agent: str, variable: str, value: int) -> None:
@@ -291,11 +250,11 @@ class Simulation:
         if member is None:
             raise KitRobotError(f"no agent {agent} with a variable {variable} takes part in this run")
         member.machine.set_variable(variable, value)
-        self.state.whole[ASLEEP][member.index] = 0
+        self.state.robots.ints[ASLEEP][member.index] = 0
         stirred(self.state.clock)
 
     def harm(self, agent: str, kind: FailureKind | str) -> bool:
-        """Lets an agent fail, stall or lose its radio, or makes it well again (see harming); told with the next step.
+        """Lets an agent fail, stall or lose its radio, or makes it well again (see faults); told with the next step.
 
         Who fails stops its motors at once. A run that ended because nobody could go on does when somebody is revived.
         Gives whether that changed anything.
@@ -321,13 +280,13 @@ class Simulation:
     @property
     def untold(self) -> list[Event]:
         """What was done by hand since the last step; the next one tells it."""
-        return [event for event in self._sayings.events(self.state) if event.tick == self.tick]
+        return [event for event in self._event_text.events(self.state) if event.tick == self.tick]
 
     def stop_motors(self) -> None:
         """Everything stands still at once: the emergency stop, after which a run is not gone on with."""
-        real = self.state.real
+        floats = self.state.robots.floats
         for column in (columns.SPEED, columns.TARGET, columns.TOLD, columns.TURN, columns.WAY):
-            real[column][:] = [0.0] * len(self.members)
+            floats[column][:] = [0.0] * len(self.members)
         clock = self.state.clock
         clock[columns.ROLLING] = 0
 
@@ -371,7 +330,7 @@ class Simulation:
         except ValueError as error:
             raise SimulationError("this is not a whole snapshot of a run", "take one with `snapshot()`") from error
         self.outcome, self.sentence = None, ""
-        self.events = [event for event in self._sayings.events(self.state) if event.tick < self.tick]
+        self.events = [event for event in self._event_text.events(self.state) if event.tick < self.tick]
         self._look_for_an_end()
 
     # -- looking
@@ -406,69 +365,13 @@ class Simulation:
         """Boxes each carrier brought, by its name."""
         return {agent.name: int(self.stage.delivered[agent.index]) for agent in self.members if agent.kind == "carrier"}
 
-    def flags(self, index: int) -> int:
-        """Lamp, alarm, arm, motion, and what befell an agent, as bits."""
-        real, whole = self.state.real, self.state.whole
-        return (
-            (LAMP if whole[columns.LAMP][index] else 0)
-            | (ALARM if whole[columns.ALARM][index] else 0)
-            | (ARM if whole[columns.ARM][index] else 0)
-            | (FAILED if whole[columns.DOWN][index] == columns.FAILED else 0)
-            | (STALLED if whole[columns.DOWN][index] == columns.STALLED else 0)
-            | (MUTED if whole[columns.MUTED][index] else 0)
-            | (MOVING if real[columns.SPEED][index] or real[columns.TURN][index] else 0)
-        )
-
-    def all_flags(self) -> list[int]:
-        """`flags` of every agent, quicker than one after another."""
-        real, whole = self.state.real, self.state.whole
-        bits = [
-            LAMP * lamp + ALARM * alarm + ARM * arm
-            for lamp, alarm, arm in zip(*self._rows(whole, _LIGHTS), strict=True)
-        ]
-        downs = [0, STALLED, FAILED]
-        return [
-            bit + downs[down] + MUTED * muted + (MOVING if speed or turn else 0)
-            for bit, down, muted, speed, turn in zip(
-                bits, *self._rows(whole, _STATES), *self._rows(real, _MOTION), strict=True
-            )
-        ]
-
-    @staticmethod
-    def _rows(table: Any, columns: tuple[int, ...]) -> list[list[Any]]:
-        return [numbers(table[column]) for column in columns]
-
     def poses(self) -> list[tuple[float, float, float, int, int]]:
         """(x mm, y mm, heading rad, load, flags) of each agent, in team order."""
-        real, whole = self.state.real, self.state.whole
-        rows = [numbers(row) for row in (real[columns.X], real[columns.Y], real[columns.HEADING], whole[columns.LOAD])]
-        return [
-            (x, y, normalised(heading), load, flags)
-            for x, y, heading, load, flags in zip(*rows, self.all_flags(), strict=True)
-        ]
+        return poses_of(self.state)
 
     def view(self, index: int) -> AgentView:
         """An agent as it is now, by its place in the team."""
-        agent, real = self.members[index], self.state.real
-        machine = agent.machine
-        return AgentView(
-            agent.name,
-            agent.program,
-            agent.robot.name,
-            agent.kind,
-            agent.number,
-            float(real[columns.X][index]),
-            float(real[columns.Y][index]),
-            normalised(real[columns.HEADING][index]),
-            int(self.state.whole[columns.LOAD][index]),
-            self.flags(index),
-            agent.doing,
-            agent.active,
-            machine.variables(),
-            {name: machine.input(name) for name in machine.layout.sensors},
-            dict(agent.faces()),
-            machine.fault,
-        )
+        return view_of(self.members[index])
 
     @property
     def agents(self) -> list[AgentView]:

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from kitrobot.mission import FailureKind
-from kitrobot.sim.sayings import Event
+from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
 
 ROOM_BYTES = 64 * 1024 * 1024

@@ -22,6 +22,7 @@ from kitrobot.trace.model import (
     TracePart,
 )
 from kitrobot.trace.reading import TraceReader
+from kitrobot.trace.source import Ability, AbilityError, NewEvents, RecordingSource, RunSource
 from kitrobot.trace.writing import TraceWriter
 
 __all__ = [
@@ -35,7 +36,12 @@ __all__ = [
     "ROBOT",
     "TEAM",
     "WORLD",
+    "Ability",
+    "AbilityError",
     "Column",
+    "NewEvents",
+    "RecordingSource",
+    "RunSource",
     "Threads",
     "TickRecord",
     "TraceAgent",

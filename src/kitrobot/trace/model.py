@@ -114,7 +114,8 @@ class TraceCommand:
 class TraceEvent:
     """What happened: load, unload, message, collision, end, outside, …; `agent` is -1 for the whole team.
 
-    `tick` is the step in which it happened, or before which somebody did it from outside. `cause` is one of PROGRAM,
+    `tick` is the step in which it happened, or before which somebody did it from outside; at most that of the record it
+    is in. `cause` is one of PROGRAM,
     WORLD, PERSON, MISSION, CHANCE, ROBOT and LINK.
     """
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 import zlib
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO
 
-from kitrobot.diagnostics import expect_regular
+from kitrobot.diagnostics import expect_regular, lock_handle
 from kitrobot.trace import layout
 from kitrobot.trace.coding import Encoder
 from kitrobot.trace.header import header_to_json
@@ -21,7 +22,7 @@ class TraceWriter:
     Where it cannot be written any further, the file ends behind what was written whole: it opens as one that was cut.
 
     Raises:
-        TraceError: the file cannot be made or written.
+        TraceError: the file cannot be made or written, or another run is writing it.
     """
 
     def __init__(self, path: Path, header: TraceHeader) -> None:
@@ -35,14 +36,26 @@ class TraceWriter:
         head = layout.VERSION_HEAD.pack(layout.VERSION) + layout.HEAD.pack(len(text), len(packed), zlib.crc32(packed))
         try:
             expect_regular(path)
-            self._file: BinaryIO = path.open("wb", buffering=0)
+            self._file: BinaryIO = path.open("ab", buffering=0)
         except OSError as error:
             raise TraceError(f"the trace {path.name} cannot be written: {error.strerror}") from error
         try:
+            self._begin()
             self._write(layout.MAGIC + head + packed)
         except TraceError:
             self._file.close()
             raise
+
+    def _begin(self) -> None:
+        """Empties the file, once no other run writes into it."""
+        free = True
+        # There a lock keeps readers away too. A file system without locks has none to wait for.
+        if sys.platform != "win32":
+            with suppress(OSError):
+                free = lock_handle(self._file.fileno())
+        if not free:
+            raise TraceError(f"the trace {self.path.name} is being written by another run")
+        self._file.truncate(0)
 
     def record(self, record: TickRecord) -> None:
         """Takes one record; ticks must grow."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
 from kitrobot.lll import Condition, Instr, Seq
 from kitrobot.primitives import Texts
@@ -18,6 +19,7 @@ mission was saved.
 """
 
 Range = tuple[int, int]
+PointKind = Literal["part", "vertex", "button", "panel", "program"]
 
 
 @dataclass(frozen=True)
@@ -43,7 +45,7 @@ class Point:
     `inner` is a setting or a slot of the vertex that is pointed at; "" for the vertex itself.
     """
 
-    kind: str
+    kind: PointKind
     name: str
     inner: str = ""
 

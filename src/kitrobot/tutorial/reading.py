@@ -7,12 +7,31 @@ used, and its diagnostics say where it is wrong. Left to others: whether `start`
 from __future__ import annotations
 
 import re
+from dataclasses import replace
+from typing import get_args
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import Node, children, is_name
-from kitrobot.primitives import TEXT, TEXTS, Element, Reader, Tag, Template, holes, one_of, read_template
+from kitrobot.lll import Node, children
+from kitrobot.primitives import IDENTIFIER, Template, holes, read_template
+from kitrobot.text import one_of
 from kitrobot.tutorial import rules
-from kitrobot.tutorial.model import EVENTS, Pattern, Point, Range, Step, Tutorial
+from kitrobot.tutorial.model import EVENTS, Pattern, Point, PointKind, Range, Step, Tutorial
+from kitrobot.xml import (
+    ICON,
+    LONGEST_NAME,
+    NAME,
+    TEXT,
+    TEXTS,
+    Element,
+    Kind,
+    Reader,
+    Tag,
+    needed,
+    one,
+    optional,
+    version,
+    whole,
+)
 
 VERSION = 1
 """The newest version of the format that is read."""
@@ -24,10 +43,9 @@ DEEPEST_PATTERN = 20
 
 BUTTONS = ("run", "pause", "step", "stop", "speed", "undo", "redo", "add-program", "problems", "file-menu")
 PANELS = ("palette", "canvas", "inspector", "code", "arena")
-_POINTS = ("part", "vertex", "button", "panel", "program")
+_POINTS = get_args(PointKind)
 _INNER = ("setting", "slot")
 
-_ICON = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 _START = re.compile(r"""[^\\/:*?"<>|\x00-\x1f]+\.krt""", re.IGNORECASE)
 
 _Hole = tuple[str, Range]
@@ -47,11 +65,11 @@ class _Event(str):
 def read_tutorial(data: bytes, name: str) -> tuple[Tutorial | None, list[Diagnostic]]:
     """Reads a tutorial; None when it has an error, which the diagnostics tell."""
     reader = Reader(data, name)
-    root = reader.read({"tutorial": _TUTORIAL})
+    root = reader.read(TUTORIAL)
     if root is None:
         return None, reader.diagnostics
-    start = root.matching("start", _START.fullmatch, "the name of a .krt in the same folder")
-    icon = root.matching("icon", _ICON.fullmatch, "the name of a Lucide icon, such as arrow-up,", "graduation-cap")
+    start = root.matching("start")
+    icon = root.matching("icon", "graduation-cap")
     steps = root.found(Step)
     if "" not in root.texts.get("label", {}):
         root.report(rules.START, "expected a <label> in English, found none", help="say what the tutorial is called")
@@ -82,9 +100,9 @@ def _depth(root: Node) -> int:
 
 
 def _hole(element: Element) -> _Hole:
-    name = element.matching("name", is_name, "the name of a hole")
-    least = element.integer("min", 0, _LARGEST, 0)
-    most = element.integer("max", 0, _LARGEST, _LARGEST)
+    name = element.matching("name")
+    least = element.integer("min")
+    most = element.integer("max")
     if least > most:
         element.report(rules.PATTERN, f"expected min at most max, found {least} and {most}", "min")
     return name, (least, most)
@@ -110,7 +128,7 @@ def _pattern(element: Element) -> Pattern | None:
         elif name in ranges:
             inner.report(rules.PATTERN, f"the range of {{{name}}} is given already", "name")
         ranges[name] = bounds
-    programs = element.integer("programs", 1, MOST_PROGRAMS, 1)
+    programs = element.integer("programs")
     program = element.optional("program")
     if program and programs > 1:
         element.report(rules.PATTERN, "expected either program or programs, found both", "programs")
@@ -125,17 +143,17 @@ def _any(element: Element) -> _Alternatives | None:
 
 
 def _event(element: Element) -> _Event:
-    return _Event(element.choice("name", EVENTS))
+    return _Event(element.choice("name"))
 
 
 def _point(element: Element) -> Point | None:
-    kinds = [kind for kind in _POINTS if kind in element.attributes]
+    kinds: list[PointKind] = [kind for kind in _POINTS if kind in element.attributes]
     inner = [kind for kind in _INNER if kind in element.attributes]
     if len(kinds) != 1:
         element.report(rules.POINT, f"expected {one_of(_POINTS)} on <point>, found {' and '.join(kinds) or 'none'}")
         return None
     [kind] = kinds
-    name = element.choice(kind, {"button": BUTTONS, "panel": PANELS}[kind]) if kind in ("button", "panel") else ""
+    name = element.choice(kind) if kind in ("button", "panel") else ""
     if len(inner) > (kind == "vertex"):
         element.report(rules.POINT, f"expected no {inner[-1]} here, found one", inner[-1])
         return None
@@ -162,24 +180,74 @@ def _step(element: Element) -> Step:
     )
 
 
+_NUMBER = whole(0, _LARGEST, "lll-number")
+_HOLE = Tag(
+    _hole,
+    {
+        "name": needed(replace(IDENTIFIER, words="the name of a hole")),
+        "min": optional(_NUMBER, "0"),
+        "max": optional(_NUMBER, str(_LARGEST)),
+    },
+    about="Which numbers may stand there; for a body, how many instructions; min=0 lets a test be missing.",
+)
 _PATTERN = Tag(
     _pattern,
-    ("program", "programs"),
-    {"code": Tag(_code, text=True), "hole": Tag(_hole, ("name", "min", "max"))},
+    {
+        "program": optional(NAME, about="The program that is meant; any, when left out."),
+        "programs": optional(whole(1, MOST_PROGRAMS), "1", about="How many programs have to be like that."),
+    },
+    {"code": Tag(_code, text=True, about="LLL with holes {name}."), "hole": _HOLE},
+    least=1,
 )
-_PATTERNS = {"contains": _PATTERN, "matches": _PATTERN}
+_PATTERNS = {
+    "contains": replace(_PATTERN, about="The code stands somewhere in a program."),
+    "matches": replace(_PATTERN, about="The code is the whole program."),
+}
+_POINT = Tag(
+    _point,
+    {
+        "part": optional(NAME),
+        "vertex": optional(NAME),
+        "setting": optional(NAME),
+        "slot": optional(NAME),
+        "button": optional(one(*BUTTONS)),
+        "panel": optional(one(*PANELS)),
+        "program": optional(NAME),
+    },
+    about="What the step points at: one of part, vertex, button, panel, program.",
+)
 _STEP = Tag(
     _step,
-    (),
-    {
+    children={
         **TEXTS,
         **_PATTERNS,
-        "hint": TEXT,
-        "any": Tag(_any, (), _PATTERNS),
-        "event": Tag(_event, ("name",)),
-        "point": Tag(_point, (*_POINTS, *_INNER)),
+        "hint": replace(TEXT, about="What is said when somebody asks to be shown."),
+        "any": Tag(_any, children=_PATTERNS, least=1, about="Several right ways."),
+        "event": Tag(_event, {"name": needed(one(*EVENTS))}),
+        "point": _POINT,
     },
+    least=1,
+    about="One thing to do: done when all patterns and one of each any hold, and an event came. A step with none of "
+    "these is read.",
 )
-_TUTORIAL = Tag(
-    None, ("version", "start", "icon"), {**TEXTS, "step": _STEP}, open=lambda element: element.version(VERSION)
+_MISSION_NAME = Kind(
+    longest=LONGEST_NAME,
+    pattern=r"""[^\\/:*?"<>|]+\.[kK][rR][tT]""",
+    fits=_START.fullmatch,
+    words="the name of a .krt in the same folder",
 )
+TUTORIAL = {
+    "tutorial": Tag(
+        None,
+        {
+            "version": version(VERSION),
+            "start": needed(_MISSION_NAME, about="The mission to begin with, in the same folder."),
+            "icon": optional(ICON),
+        },
+        {**TEXTS, "step": _STEP},
+        open=lambda element: element.version(VERSION),
+        least=1,
+        about="A tutorial: steps, and what a program has to be like so that each is done.",
+    )
+}
+"""The first element of a tutorial's file."""

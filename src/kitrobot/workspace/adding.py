@@ -11,10 +11,9 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.files import ConflictError, MissionFolder, MissionNameError, replace_file, revision_of
 from kitrobot.primitives import read_constructors, read_robot
 from kitrobot.workspace.checking import first_element
-from kitrobot.workspace.files import replace_file
-from kitrobot.workspace.folder import ConflictError, MissionFolder, MissionNameError, revision_of
 from kitrobot.world import read_world
 
 LARGEST_PARTS_BYTES = 4 * 1024 * 1024

@@ -24,7 +24,7 @@ def advice(opened: OpenMission, simulation: Simulation) -> list[Diagnostic]:
 
 def _pause_before_the_end(opened: OpenMission, simulation: Simulation, name: str) -> Diagnostic:
     program = opened.mission.program(name)
-    robot = opened.catalogue.robots.get(program.robot) if program is not None else None
+    robot = opened.catalogue.robots.get(program.target) if program is not None else None
     assert program is not None, "it has run"
     assert robot is not None, "it has run"
     stop = next((vertex.id for vertex in program.vertices if vertex.element == STOP), "")

@@ -12,14 +12,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kitrobot.compiler import compile_text
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
+from kitrobot.files import FileError, decode, read_bytes
 from kitrobot.lll import parse
 from kitrobot.primitives import Robot, load_catalogue, read_constructors, read_robot
 from kitrobot.tutorial import read_tutorial
-from kitrobot.workspace.files import FileError, decode, read_bytes
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.opening import open_mission
-from kitrobot.workspace.problems import ProblemsError
 from kitrobot.workspace.robot_devices import robot_problems
 from kitrobot.world import read_world
 

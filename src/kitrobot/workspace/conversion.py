@@ -14,15 +14,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.compiler import check, compile_program, compile_text, graph_to_lll, lll_to_graph
+from kitrobot.compiler import check, compile_program, compile_text, graph_to_lll, lll_to_graph, target_of
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
+from kitrobot.files import Form, form_of, is_picture, read_text, same_file, saving_in, write_atomic
 from kitrobot.image import Image, disassemble
 from kitrobot.lll import is_name, parse, print_program
 from kitrobot.mission import Mission, save
 from kitrobot.primitives import Robot, load_catalogue
-from kitrobot.workspace.carried import is_picture
-from kitrobot.workspace.files import read_text, same_file, saving_in, write_atomic
-from kitrobot.workspace.forms import Form, form_of
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.opening import mission_of, open_mission
 from kitrobot.workspace.robots import find_robot
@@ -139,7 +137,7 @@ def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | Non
         translation = graph_to_lll(program, opened.catalogue)
         text = Source(f"{program.name}.lll", print_program(translation.program))
         found += translation.diagnostics
-        found += check(translation.program, opened.catalogue.robot(program.robot), text, program.name)
+        found += check(translation.program, target_of(program, opened.catalogue), text, program.name)
         data = text.text.encode() if translation.ok else None
     else:
         compiled = compile_program(program, opened.catalogue)

@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.compiler import compile_program, compile_text
+from kitrobot.compiler import compile_program, compile_text, target_of
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Source
+from kitrobot.files import Form, form_of, is_picture, read_text
 from kitrobot.image import Image, Machine
 from kitrobot.primitives import Robot
-from kitrobot.workspace.carried import is_picture
-from kitrobot.workspace.files import read_text
-from kitrobot.workspace.forms import Form, form_of
 from kitrobot.workspace.images import read_image
 from kitrobot.workspace.inputs import Inputs, read_inputs
 from kitrobot.workspace.opening import open_mission
@@ -79,7 +77,7 @@ def _mission(path: Path, robot: str | None, name: str | None) -> _Loaded:
     compiled = compile_program(program, opened.catalogue)
     found = opened.placed([*opened.diagnostics, *compiled.diagnostics])
     image = None if any(item.is_error for item in opened.diagnostics) else compiled.image
-    return _Loaded(opened.catalogue.robot(program.robot), image, found, opened.sources)
+    return _Loaded(target_of(program, opened.catalogue), image, found, opened.sources)
 
 
 def _text(path: Path, robot: Robot) -> _Loaded:

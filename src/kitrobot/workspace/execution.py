@@ -7,11 +7,11 @@ device answers, so a program can be looked at alone.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from kitrobot.image import Image, Machine
+from kitrobot.image import Command, Image, Machine, Readings
 from kitrobot.primitives import Robot
 from kitrobot.workspace.inputs import Inputs
 
@@ -52,14 +52,32 @@ def execute(image: Image, robot: Robot, ticks: int, inputs: Inputs = NO_INPUTS) 
     return _ticks(Machine(image, robot), ticks, inputs)
 
 
-def _ticks(machine: Machine, ticks: int, inputs: Inputs) -> Iterator[Executed]:
-    for tick in range(ticks):
-        for change in inputs.at(tick):
-            if change.done:
-                machine.set_done(change.name, bool(change.value))
-            else:
-                machine.set_input(change.name, change.value)
-        commands = tuple(
-            (f"{command.actuator}.{command.procedure}", tuple(command.arguments)) for command in machine.tick()
+class ScriptedDevices:
+    """Devices without a world: inputs are those of a script, commands are kept for the caller."""
+
+    def __init__(self, inputs: Inputs = NO_INPUTS) -> None:
+        self.tick = 0
+        self.applied: Sequence[Command] = ()
+        """The commands of the last tick."""
+        self._inputs = inputs
+
+    def read(self) -> Readings:
+        """The changes of the script in this tick."""
+        changes = self._inputs.at(self.tick)
+        return Readings(
+            {change.name: change.value for change in changes if not change.done},
+            {change.name: bool(change.value) for change in changes if change.done},
         )
+
+    def apply(self, commands: Sequence[Command]) -> None:
+        """Keeps the commands, and goes on to the next tick."""
+        self.applied = commands
+        self.tick += 1
+
+
+def _ticks(machine: Machine, ticks: int, inputs: Inputs) -> Iterator[Executed]:
+    devices = ScriptedDevices(inputs)
+    for tick in range(ticks):
+        machine.react(devices)
+        commands = tuple((f"{one.actuator}.{one.procedure}", tuple(one.arguments)) for one in devices.applied)
         yield Executed(tick, commands, machine.variables(), machine.fault, machine.ended)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from kitrobot.files import FileError, read_bytes, read_text
 from kitrobot.image import Image, ImageError, assemble, verify
-from kitrobot.workspace.files import FileError, read_bytes, read_text
 
 
 def read_image(path: Path) -> Image:

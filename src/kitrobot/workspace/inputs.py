@@ -18,7 +18,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from kitrobot.diagnostics import Diagnostic, Severity, Source, rule
-from kitrobot.primitives import Robot, Suggestions, listed
+from kitrobot.primitives import Robot
+from kitrobot.text import Suggestions, listed
 
 HEADER = rule(
     "inputs-header",

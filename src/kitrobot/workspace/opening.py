@@ -9,30 +9,28 @@ diagnostics keep the places they have in the LLL. Opening reads; `check` looks e
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kitrobot.compiler import Compiled, compile_program
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
+from kitrobot.files import Places, read_bytes, read_carried
 from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Agent, Mission, Team, read_mission
-from kitrobot.primitives import Catalogue, load_catalogue
-from kitrobot.workspace.carried import CarriedError, carried_mission
-from kitrobot.workspace.files import FileError, read_bytes
-from kitrobot.workspace.places import Places
-from kitrobot.workspace.problems import ProblemsError
+from kitrobot.primitives import Catalogue
 from kitrobot.workspace.program_report import ProgramReport, program_report
 from kitrobot.workspace.robots import find_robot
+from kitrobot.workspace.search_path import SearchPath
 from kitrobot.workspace.team import team_problems
-from kitrobot.world import SHIPPED, World, check_plan, find_world, read_world
+from kitrobot.world import World, check_plan, read_world
 
 if TYPE_CHECKING:
     from kitrobot.sim import Simulation
-    from kitrobot.workspace.kept import KeptPrograms
-    from kitrobot.workspace.running import Progress, Run
+    from kitrobot.workspace.compile_cache import KeptPrograms
+    from kitrobot.workspace.running import PreparedRun, Progress, Run, RunOptions
 
 NO_WORLD = rule(
     "mission-no-world",
@@ -116,7 +114,7 @@ class OpenMission:
             if self.kept is None
             else self.kept.of(program, self.catalogue).compiled
             for program in self.mission.programs
-            if program.robot in robots
+            if program.target in robots
         }
 
     def check(self) -> Report:
@@ -126,14 +124,18 @@ class OpenMission:
     @cached_property
     def report(self) -> Report:
         """What `check` gives; worked out once."""
-        found = list(self.before_staging)
+        found = list(self.before_setup)
         if not any(item.is_error for item in found):
             found += self._stage_problems()
-        sources = [*self.sources, *(compiled.source for compiled in self.compiled.values())]
-        return Report(tuple(self._program_reports()), tuple(found), tuple(sources))
+        return Report(tuple(self._program_reports()), tuple(found), self.all_sources)
+
+    @property
+    def all_sources(self) -> tuple[Source, ...]:
+        """The texts of its files and of its programs."""
+        return (*self.sources, *(compiled.source for compiled in self.compiled.values()))
 
     @cached_property
-    def before_staging(self) -> tuple[Diagnostic, ...]:
+    def before_setup(self) -> tuple[Diagnostic, ...]:
         """What can be said without letting the team take its places in the world, which is what takes long of many."""
         found = list(self.diagnostics)
         # Whoever names a part of the mission's own world that does not fit is not to blame for it.
@@ -158,16 +160,23 @@ class OpenMission:
             return [program_report(one.name, self.compiled.get(one.name)) for one in self.mission.programs]
         return self.kept.reports(self.mission.programs, self.catalogue)
 
-    def simulation(self, seed: int = 1, fail_rate: float = 0.0) -> Simulation:
-        """The mission in its world, before its first tick; `fail_rate` is the probability (0…1) that an agent fails for
-        good within a minute, by chance.
+    def prepare(self, options: RunOptions | None = None) -> PreparedRun:
+        """The mission in its world, set up once: see `PreparedRun`.
 
         Raises:
-            ProblemsError: the mission has errors.
+            ProblemsError: the mission has errors; all are told.
+            SimulationError: a number of the options makes no sense.
+            TracePlaceError: the recording would be written over the mission.
         """
-        from kitrobot.workspace.running import simulation
+        from kitrobot.workspace.running import RunOptions, prepare
 
-        return simulation(self, seed, fail_rate=fail_rate)
+        return prepare(self, options if options is not None else RunOptions())
+
+    def simulation(self, seed: int = 1, fail_rate: float = 0.0) -> Simulation:
+        """The mission in its world, before its first step, without a time limit; the rest as for `prepare`."""
+        from kitrobot.workspace.running import RunOptions
+
+        return self.prepare(RunOptions(seed, fail_rate=fail_rate)).simulation
 
     def run(
         self,
@@ -190,9 +199,9 @@ class OpenMission:
             ProblemsError: the mission has errors.
             TraceError: the trace cannot be written.
         """
-        from kitrobot.workspace.running import run
+        from kitrobot.workspace.running import RunOptions
 
-        return run(self, seed, seconds, trace, progress, fail_rate)
+        return self.prepare(RunOptions(seed, seconds, fail_rate, trace)).run(progress)
 
 
 def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
@@ -207,41 +216,18 @@ def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
         ProblemsError: nothing of the file can be used.
         KitRobotError: there is no such robot.
     """
-    opened = read_mission_data(read_carried(path), str(path), path.parent)
+    opened = read_mission_data(read_carried(path), str(path), SearchPath(path.parent))
     opened = replace(opened, path=path)
     if robot is not None:
         meant = find_robot(robot, path.parent)
         opened.catalogue.robots[meant.name] = meant
         for program in opened.mission.programs:
-            program.robot = meant.name
+            program.target = meant.name
     return opened
 
 
-def read_carried(path: Path) -> bytes:
-    """The bytes of a `.krt`: the file's own, or those that a picture carries.
-
-    Raises:
-        FileError: the file cannot be read, or is a picture without a mission.
-    """
-    try:
-        return carried_mission(read_bytes(path), str(path))[0]
-    except CarriedError as error:
-        raise FileError(error.message, error.help, path=path) from None
-
-
-def read_mission_data(
-    data: bytes,
-    name: str,
-    folder: Path,
-    *,
-    catalogue: Catalogue | None = None,
-    within: Path | None = None,
-    before: Sequence[Path] = (),
-) -> OpenMission:
-    """Opens the bytes of a `.krt`; robots, constructors and the world are looked for in `folder` too.
-
-    `within`: a folder that the world's file must not lead out of by a link; `before`: folders in which the world is
-    looked for first, each of which it must not lead out of.
+def read_mission_data(data: bytes, name: str, search: SearchPath) -> OpenMission:
+    """Opens the bytes of a `.krt`, with what lies in the folders of `search`.
 
     Raises:
         ProblemsError: nothing of it can be used.
@@ -250,25 +236,16 @@ def read_mission_data(
     text = Source(name, data.decode("utf-8-sig", errors="replace"))
     if mission is None:
         raise ProblemsError(f"`{name}` cannot be opened", "", tuple(diagnostics), (text,))
-    opened = _open(mission, name, folder, catalogue, Places(text), within, before)
+    opened = _open(mission, name, search, Places(text))
     return replace(opened, diagnostics=(*diagnostics, *opened.diagnostics), sources=(text, *opened.sources), text=text)
 
 
-def with_mission(
-    mission: Mission,
-    folder: Path,
-    *,
-    name: str,
-    catalogue: Catalogue | None = None,
-    within: Path | None = None,
-    before: Sequence[Path] = (),
-    kept: KeptPrograms | None = None,
-) -> OpenMission:
-    """Opens a mission that is no file (yet), with what lies in `folder`; the rest as in `read_mission_data`.
+def with_mission(mission: Mission, name: str, search: SearchPath, kept: KeptPrograms | None = None) -> OpenMission:
+    """Opens a mission that is no file (yet), with what lies in the folders of `search`.
 
     `kept`: what was worked out for it before.
     """
-    return _open(mission, name, folder, catalogue, None, within, before, kept)
+    return _open(mission, name, search, None, kept)
 
 
 def new_mission() -> Mission:
@@ -282,16 +259,9 @@ def mission_of(program: Program) -> Mission:
 
 
 def _open(
-    mission: Mission,
-    name: str,
-    folder: Path,
-    catalogue: Catalogue | None,
-    places: Places | None,
-    within: Path | None = None,
-    before: Sequence[Path] = (),
-    kept: KeptPrograms | None = None,
+    mission: Mission, name: str, search: SearchPath, places: Places | None, kept: KeptPrograms | None = None
 ) -> OpenMission:
-    common = catalogue if catalogue is not None else load_catalogue([folder])
+    common = search.catalogue()
     extended = common.extended if kept is None else partial(kept.catalogue, common)
     known = extended(mission.constructors, mission.variables)
     own = tuple(known.problems[len(common.problems) :])
@@ -299,24 +269,13 @@ def _open(
         world, told = check_plan(mission.own_world)
         # What was read from a file has said with its lines what is wrong with its world.
         return OpenMission(name, mission, known, world, own if places is not None else (*own, *told), kept=kept)
-    path = world_file(mission.world_href, [*before, folder], [*before, within] if within is not None else None)
+    path = search.world_file(mission.world_href)
     if path is None:
         place = (places.world or Place(name)) if places is not None else None
-        found = NO_WORLD(f"there is no world `{mission.world_href}`", place, help=f"put its file into `{folder.name}`")
+        help = f"put its file into `{search.folder.name}`"
+        found = NO_WORLD(f"there is no world `{mission.world_href}`", place, help=help)
         return OpenMission(name, mission, known, None, (*own, found), kept=kept)
     data = read_bytes(path)
     world, diagnostics = read_world(data, path.name)
     source = Source(path.name, data.decode("utf-8-sig", errors="replace"))
     return OpenMission(name, mission, known, world, (*own, *diagnostics), (source,), kept=kept)
-
-
-def world_file(href: str, folders: Sequence[Path], within: Sequence[Path] | None) -> Path | None:
-    """The file of a mission's world: in one of the folders, the first one first, or shipped; None when there is none.
-
-    `within`: a link that leads out of all of these is not followed.
-    """
-    path = find_world(href, folders)
-    if path is None or within is None:
-        return path
-    real = path.resolve()
-    return path if any(folder.resolve() in real.parents for folder in (*within, SHIPPED)) else None

@@ -10,8 +10,9 @@ from pathlib import Path
 
 from kitrobot.deploy import Package
 from kitrobot.diagnostics import Diagnostic, Severity, in_reading_order, rule
-from kitrobot.primitives import Robot, RobotObject, config_folder, did_you_mean, shown
+from kitrobot.primitives import Robot, RobotObject, config_folder
 from kitrobot.sim import device_problems, simulated_devices
+from kitrobot.text import did_you_mean, shown
 
 NOT_SIMULATED = rule(
     "robot-not-simulated",
@@ -36,10 +37,10 @@ def robot_problems(robot: Robot, folder: Path) -> list[Diagnostic]:
     found: list[Diagnostic] = []
     at_hand: list[RobotObject] = []
     for part in parts:
-        simulated = part.device in simulated_devices(part.category)
+        simulated = part.model in simulated_devices(part.category)
         if simulated and part.board.driver in missing:
             found.append(_no_driver(robot, part))
-        elif not simulated and part.board.driver not in missing:
+        elif not simulated and part.model == part.device and part.board.driver not in missing:
             found.append(_not_simulated(robot, part))
             at_hand.append(part)
     # What a board alone can do is no mistake; all else is told as a run tells it.
@@ -47,10 +48,13 @@ def robot_problems(robot: Robot, folder: Path) -> list[Diagnostic]:
     return in_reading_order(found + device_problems(robot, on_board))
 
 
+_SIMULATE = 'run it on a board, or say what stands for it in the simulator, as in <simulate as="slider"/>'
+
+
 def _not_simulated(robot: Robot, part: RobotObject) -> Diagnostic:
     message = f"`{robot.name}.{part.name}`: the simulator has no device {shown(part.device)}, only a board has"
     near = did_you_mean(part.device, simulated_devices(part.category))
-    return NOT_SIMULATED(message, part.place, help=near or "run it on a board, or give it a device of the simulator")
+    return NOT_SIMULATED(message, part.place, help=near or _SIMULATE)
 
 
 def _no_driver(robot: Robot, part: RobotObject) -> Diagnostic:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from kitrobot.diagnostics import Source
+from kitrobot.diagnostics import ProblemsError, Source
+from kitrobot.files import read_bytes
 from kitrobot.primitives import Robot, load_catalogue, read_robot
-from kitrobot.workspace.files import read_bytes
-from kitrobot.workspace.problems import ProblemsError
 
 
 def find_robot(word: str, folder: Path | None = None) -> Robot:

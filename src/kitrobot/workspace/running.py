@@ -8,12 +8,11 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, Place
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Source
+from kitrobot.files import same_file
 from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, simulate
 from kitrobot.workspace.advising import advice
-from kitrobot.workspace.files import same_file
 from kitrobot.workspace.opening import OpenMission
-from kitrobot.workspace.problems import ProblemsError
 from kitrobot.workspace.traces import parts_of
 
 Progress = Callable[[float], None]
@@ -72,16 +71,85 @@ class Run:
         }
 
 
-def simulation(opened: OpenMission, seed: int, seconds: float | None = None, fail_rate: float = 0.0) -> Simulation:
-    """A mission in its world, before its first tick; `seconds` is its time limit, `fail_rate` as in `Simulation`.
+@dataclass(frozen=True)
+class RunOptions:
+    """What is chosen for a run of a mission.
 
-    Raises:
-        ProblemsError: the mission has errors; all are told.
+    Attributes:
+        seed: where chance begins; the same seed gives the same run.
+        seconds: simulated seconds after which it is out of time; None: never.
+        fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
+        trace: a file to record the run in.
     """
-    # The report would let the team take its places once more.
-    if not any(item.is_error for item in opened.before_staging):
+
+    seed: int = 1
+    seconds: float | None = None
+    fail_rate: float = 0.0
+    trace: Path | None = None
+
+
+@dataclass(frozen=True)
+class PreparedRun:
+    """A mission set up in its world, before its first step; it has no errors."""
+
+    opened: OpenMission
+    options: RunOptions
+    simulation: Simulation
+
+    @property
+    def problems(self) -> tuple[Diagnostic, ...]:
+        """What there is to say about the mission all the same: warnings and hints."""
+        return self.opened.before_setup
+
+    @property
+    def sources(self) -> tuple[Source, ...]:
+        """The texts that the problems point into."""
+        return self.opened.all_sources
+
+    def run(self, progress: Progress | None = None) -> Run:
+        """Runs the mission to its end, once; it needs a time limit. `progress` is told the simulated seconds so far.
+
+        Raises:
+            TraceError: the trace cannot be written.
+        """
+        made, trace = self.simulation, self.options.trace
+        began = time.perf_counter()
+        parts = parts_of(self.opened) if trace is not None else ()
+        simulate(made, trace, None if progress is None else lambda now: progress(now.seconds), parts)
+        real = time.perf_counter() - began
+        assert made.outcome is not None, "a run with a time limit ends"
+        return Run(
+            made.outcome,
+            made.sentence,
+            made.tick,
+            made.seconds,
+            made.delivered,
+            made.total,
+            made.collisions,
+            Timing(real, made.seconds / real if real > 0 else 0.0),
+            tuple(advice(self.opened, made)),
+        )
+
+    def again(self) -> Simulation:
+        """The same run before its first step, by itself.
+
+        Raises:
+            ProblemsError: the mission has errors.
+        """
+        made = prepare(self.opened, self.options).simulation
+        assert made.identity == self.simulation.identity, "the same mission, seed and limits are the same run"
+        return made
+
+
+def prepare(opened: OpenMission, options: RunOptions) -> PreparedRun:
+    """Sets a mission up in its world; see `OpenMission.prepare`."""
+    trace = options.trace
+    if trace is not None and opened.path is not None and same_file(trace, opened.path):
+        raise TracePlaceError(f"the trace would be written over `{trace}`", "give it a name of its own")
+    # The report would set the mission up once more.
+    if not any(item.is_error for item in opened.before_setup):
         try:
-            return stage(opened, seed, seconds, fail_rate)
+            return PreparedRun(opened, options, _set_up(opened, options))
         except ProblemsError:
             if opened.report.ok:
                 raise
@@ -89,34 +157,25 @@ def simulation(opened: OpenMission, seed: int, seconds: float | None = None, fai
     raise ProblemsError(f"`{opened.name}` has errors, so it was not run", "", report.problems, report.sources)
 
 
-def once_more(opened: OpenMission, was: Simulation) -> Simulation:
-    """The run `was` of a mission before its first step, by itself.
-
-    Raises:
-        ProblemsError: the mission has errors.
-    """
-    made = simulation(opened, was.seed, was.seconds_limit, was.fail_rate)
-    assert made.identity == was.identity, "the same mission, seed and limits are the same run"
-    return made
-
-
-def stage(opened: OpenMission, seed: int, seconds: float | None = None, fail_rate: float = 0.0) -> Simulation:
-    """As `simulation`, for a mission that was found free of errors otherwise.
-
-    Raises:
-        ProblemsError: it does not fit its world.
-        SimulationError: a number makes no sense (see `check_limits`).
-    """
+def _set_up(opened: OpenMission, options: RunOptions) -> Simulation:
     assert opened.world is not None, "a mission without its world has an error"
-    check_limits(seconds, seed, fail_rate)
+    check_limits(options.seconds, options.seed, options.fail_rate)
     try:
-        return Simulation(opened.mission, opened.world, opened.compiled, opened.catalogue, seed, seconds, fail_rate)
+        return Simulation(
+            opened.mission,
+            opened.world,
+            opened.compiled,
+            opened.catalogue,
+            options.seed,
+            options.seconds,
+            options.fail_rate,
+        )
     except SimulationError as error:
         raise _refused(opened, error) from None
 
 
 def look_whether_it_runs(opened: OpenMission) -> None:
-    """As `stage`, without making the run.
+    """Sets a mission that has no other errors up in its world, without making the run.
 
     Raises:
         ProblemsError: it does not fit its world.
@@ -131,37 +190,6 @@ def look_whether_it_runs(opened: OpenMission) -> None:
 def _refused(opened: OpenMission, error: SimulationError) -> ProblemsError:
     found = tuple(_placed(opened, item) for item in error.diagnostics)
     return ProblemsError(f"`{opened.name}` cannot be run", "", found, opened.sources)
-
-
-def run(
-    opened: OpenMission,
-    seed: int,
-    seconds: float,
-    trace: Path | None,
-    progress: Progress | None,
-    fail_rate: float = 0.0,
-) -> Run:
-    """Runs a mission to its end; see `OpenMission.run`."""
-    if trace is not None and opened.path is not None and same_file(trace, opened.path):
-        raise TracePlaceError(f"the trace would be written over `{trace}`", "give it a name of its own")
-    made = simulation(opened, seed, seconds, fail_rate)
-    began = time.perf_counter()
-    parts = parts_of(opened) if trace is not None else ()
-    simulate(made, trace, None if progress is None else lambda now: progress(now.seconds), parts)
-    real = time.perf_counter() - began
-    assert made.outcome is not None, "a run with a time limit ends"
-    timing = Timing(real, made.seconds / real if real > 0 else 0.0)
-    return Run(
-        made.outcome,
-        made.sentence,
-        made.tick,
-        made.seconds,
-        made.delivered,
-        made.total,
-        made.collisions,
-        timing,
-        tuple(advice(opened, made)),
-    )
 
 
 def _placed(opened: OpenMission, item: Diagnostic) -> Diagnostic:

@@ -6,10 +6,11 @@ from collections import Counter
 from collections.abc import Iterable
 
 from kitrobot.diagnostics import Diagnostic, Place, Severity, rule
+from kitrobot.files import Places
 from kitrobot.mission import NO_PROGRAM, Mission
-from kitrobot.primitives import Catalogue, Suggestions, listed
+from kitrobot.primitives import Catalogue
 from kitrobot.sim import free_start
-from kitrobot.workspace.places import Places
+from kitrobot.text import Suggestions, listed
 from kitrobot.world import World
 
 SAME_NAME = rule(
@@ -60,9 +61,9 @@ class _Look:
             yield SAME_NAME(f"{names[name]} programs are called `{name}`", self._program(name), program=name)
         robots = self.catalogue.robots
         for program in self.mission.programs:
-            if program.robot not in robots:
-                message = f"the program `{program.name}` is for the robot `{program.robot}`, which is not at hand"
-                help = self._help(program.robot, robots) or f"robots at hand: {listed(robots)}"
+            if program.target not in robots:
+                message = f"the program `{program.name}` is for the robot `{program.target}`, which is not at hand"
+                help = self._help(program.target, robots) or f"robots at hand: {listed(robots)}"
                 yield NO_ROBOT(message, self._program(program.name), help=help, program=program.name)
 
     def agents(self) -> Iterable[Diagnostic]:

@@ -12,10 +12,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
+from kitrobot.files import FileError, read_bytes, write_atomic
 from kitrobot.mission import Mission, read_mission
 from kitrobot.primitives import SHIPPED
 from kitrobot.trace import ENDING, TraceError, TracePart, TraceReader
-from kitrobot.workspace.files import FileError, read_bytes, write_atomic
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.world import EMPTY, World, read_world
 
@@ -74,7 +74,7 @@ def parts_of(opened: OpenMission) -> tuple[TracePart, ...]:
     """The XML files of robots and constructors that a mission uses and that do not come with KitRobot."""
     catalogue, programs = opened.catalogue, opened.mission.programs
     elements = {vertex.element for program in programs for vertex in program.vertices}
-    wanted = [catalogue.robot_files.get(program.robot) for program in programs]
+    wanted = [catalogue.robot_files.get(program.target) for program in programs]
     wanted += [path for name, path in catalogue.constructor_files.items() if name in elements]
     paths = {path.resolve() for path in wanted if path is not None}
     parts = {}

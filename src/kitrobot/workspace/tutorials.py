@@ -12,12 +12,20 @@ from pathlib import PurePosixPath
 
 from kitrobot.compiler import graph_to_lll
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place
+from kitrobot.files import (
+    NAME_NO_TEXT,
+    RENAME,
+    TUTORIAL_ENDING,
+    UNREADABLE,
+    FileError,
+    MissionFolder,
+    name_as_text,
+    read_bytes,
+)
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue
 from kitrobot.tutorial import Tutorial, read_tutorial, steps_fit
 from kitrobot.tutorial.rules import START
-from kitrobot.workspace.files import UNREADABLE, FileError, read_bytes
-from kitrobot.workspace.folder import NAME_NO_TEXT, RENAME, TUTORIAL_ENDING, MissionFolder, shown
 
 MOST_KEPT = 200
 """Tutorials that are kept as they were read."""
@@ -53,7 +61,7 @@ class Tutorials:
             name.encode()
             return self.found(name)
         except UnicodeEncodeError:
-            name = shown(name)
+            name = name_as_text(name)
             return FoundTutorial(name, None, "", (UNREADABLE(NAME_NO_TEXT, Place(name), help=RENAME),))
         except KitRobotError as error:
             return FoundTutorial(name, None, "", (UNREADABLE(error.message, Place(name), help=error.help),))
@@ -106,6 +114,6 @@ def watched(tutorial: Tutorial, mission: Mission, catalogue: Catalogue) -> list[
     trees = {
         program.name: graph_to_lll(program, catalogue).program
         for program in mission.programs
-        if program.robot in catalogue.robots
+        if program.target in catalogue.robots
     }
     return steps_fit(tutorial, trees)

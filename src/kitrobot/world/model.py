@@ -211,6 +211,19 @@ class World:
         """The start of that name, or None."""
         return self._starts.get(name)
 
+    @cached_property
+    def places(self) -> dict[str, tuple[float, float, float, float]]:
+        """Left, lower, right and upper edge in mm of storehouses, docks and starts by name; the last two are points."""
+        found: dict[str, tuple[float, float, float, float]] = {}
+        for house in self.storehouses:
+            right, top = house.x_mm + house.width_mm, house.y_mm + house.height_mm
+            found.setdefault(house.name, (house.x_mm, house.y_mm, right, top))
+        points = [(dock.name, self.dock_pose(dock)) for dock in self.docks]
+        points += [(start.name, self.start_pose(start)) for start in self.starts]
+        for name, pose in points:
+            found.setdefault(name, (pose.x_mm, pose.y_mm, pose.x_mm, pose.y_mm))
+        return found
+
     def dock_pose(self, dock: Dock) -> Pose:
         """Where a carrier stands in the dock, and where it looks."""
         road = self.road(dock.road)

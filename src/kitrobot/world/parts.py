@@ -9,8 +9,6 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from kitrobot.primitives import Element, Tag
-from kitrobot.primitives import rules as xml_rules
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, Pose, normalised
 from kitrobot.world.model import (
@@ -29,6 +27,8 @@ from kitrobot.world.model import (
     Wall,
     rectangle_corners,
 )
+from kitrobot.xml import NAME, YES_NO, Element, Tag, decimal, needed, one, optional, whole
+from kitrobot.xml import rules as xml_rules
 
 MAX_SIZE_MM = 1_000_000.0
 """A kilometre; worlds are table tops and halls."""
@@ -40,13 +40,9 @@ SECTION_SLACK_MM = 1.0
 """How far a section may miss the end of the one before: lengths of arcs are irrational, files are not."""
 
 
-def length(element: Element, name: str, least: float = 0.0, default: float | None = None) -> float:
-    """An attribute in mm, `least` or more, to the thousandth that is written."""
-    return round(element.decimal(name, least, MAX_SIZE_MM, default), 3)
-
-
-def _coordinate(element: Element, name: str) -> float:
-    return round(element.decimal(name, -MAX_SIZE_MM, MAX_SIZE_MM), 3)
+def in_mm(element: Element, name: str) -> float:
+    """An attribute in mm, to the thousandth that is written."""
+    return round(element.decimal(name), 3)
 
 
 def mm(value: float) -> str:
@@ -55,43 +51,43 @@ def mm(value: float) -> str:
 
 
 def _point(element: Element) -> Corner:
-    return Corner(_coordinate(element, "x"), _coordinate(element, "y"), length(element, "radius", default=0.0))
+    return Corner(in_mm(element, "x"), in_mm(element, "y"), in_mm(element, "radius"))
 
 
 def _wall(element: Element) -> Wall:
-    return Wall(*(_coordinate(element, name) for name in ("x1", "y1", "x2", "y2")))
+    return Wall(*(in_mm(element, name) for name in ("x1", "y1", "x2", "y2")))
 
 
 def _line(element: Element) -> ColouredLine:
-    colour = element.choice("colour", COLOURS)
+    colour = element.choice("colour")
     corners = tuple(element.found(Corner))
-    line = ColouredLine(colour, length(element, "width", 0.1), corners, element.flag("closed"))
+    line = ColouredLine(colour, in_mm(element, "width"), corners, element.flag("closed"))
     _is_drawn(element, line)
     return line
 
 
 def _floor(element: Element) -> Floor:
-    colour = element.choice("colour", COLOURS)
+    colour = element.choice("colour")
     corners = tuple(element.found(Corner))
     sides = [side for side in ("x", "y", "width", "height") if side in element.attributes]
     if sides and corners:
         element.report(rules.LINE, "expected points or x, y, width and height on <floor>, found both", sides[0])
     elif sides:
-        x_mm, y_mm = _coordinate(element, "x"), _coordinate(element, "y")
-        corners = rectangle_corners(x_mm, y_mm, length(element, "width", 0.1), length(element, "height", 0.1))
+        x_mm, y_mm = in_mm(element, "x"), in_mm(element, "y")
+        corners = rectangle_corners(x_mm, y_mm, in_mm(element, "width"), in_mm(element, "height"))
     floor = Floor(colour, corners)
     _is_drawn(element, floor)
     return floor
 
 
 def _section(element: Element) -> Section:
-    sign = element.integer("sign", 0, MAX_NUMBER)
-    end = length(element, "to") if "to" in element.attributes else math.inf
-    return Section(sign, length(element, "from"), end)
+    sign = element.integer("sign")
+    end = in_mm(element, "to") if "to" in element.attributes else math.inf
+    return Section(sign, in_mm(element, "from"), end)
 
 
 def _road(element: Element) -> Road:
-    name, width, closed = element.required("name"), length(element, "width", 1.0), element.flag("closed")
+    name, width, closed = element.required("name"), in_mm(element, "width"), element.flag("closed")
     corners = tuple(element.found(Corner))
     road = Road(name, width, closed, corners)
     if not _is_drawn(element, road):
@@ -142,22 +138,22 @@ def _dock(element: Element) -> Dock:
     return Dock(
         element.required("name"),
         element.required("road"),
-        length(element, "at"),
-        length(element, "reach", 0.1),
+        in_mm(element, "at"),
+        in_mm(element, "reach"),
         element.required("storehouse"),
-        element.choice("kind", (LOAD, UNLOAD)),
-        element.choice("side", (LEFT, RIGHT), LEFT),
+        element.choice("kind"),
+        element.choice("side"),
     )
 
 
 def _storehouse(element: Element) -> Storehouse:
-    capacity = element.integer("capacity", 0, MAX_NUMBER)
-    stock = element.integer("stock", 0, MAX_NUMBER, 0)
+    capacity = element.integer("capacity")
+    stock = element.integer("stock")
     if stock > capacity and not element.faulty:
         message = f"expected at most {capacity} boxes, the capacity, found a stock of {stock}"
         element.report(rules.STOREHOUSE, message, "stock")
-    x_mm, y_mm = _coordinate(element, "x"), _coordinate(element, "y")
-    width, height = length(element, "width", 1.0), length(element, "height", 1.0)
+    x_mm, y_mm = in_mm(element, "x"), in_mm(element, "y")
+    width, height = in_mm(element, "width"), in_mm(element, "height")
     return Storehouse(element.required("name"), x_mm, y_mm, width, height, capacity, stock)
 
 
@@ -169,28 +165,97 @@ def _start(element: Element) -> Start:
         element.report(rules.START, f"expected one of road, dock, storehouse, or x and y on <start>, found {found}")
         return Start(name)
     if ways == ["road"]:
-        return Start(name, road=element.required("road"), at_mm=length(element, "at"))
+        return Start(name, road=element.required("road"), at_mm=in_mm(element, "at"))
     if ways == ["dock"]:
         return Start(name, dock=element.required("dock"))
     if ways == ["storehouse"]:
         return Start(name, storehouse=element.required("storehouse"))
-    heading = math.radians(round(element.decimal("heading", -360.0, 360.0, 0.0), 3))
-    return Start(name, pose=Pose(_coordinate(element, "x"), _coordinate(element, "y"), normalised(heading)))
+    heading = math.radians(round(element.decimal("heading"), 3))
+    return Start(name, pose=Pose(in_mm(element, "x"), in_mm(element, "y"), normalised(heading)))
 
 
-_POINT = Tag(close=_point, attributes=("x", "y", "radius"))
+_COORDINATE = decimal(-MAX_SIZE_MM, MAX_SIZE_MM, "coordinate")
+_LENGTH = decimal(0.0, MAX_SIZE_MM, "length")
+_THICKNESS = decimal(0.1, MAX_SIZE_MM, "thickness")
+SIZE = decimal(1.0, MAX_SIZE_MM, "size")
+"""A side of what is at least a millimetre wide."""
+
+_COUNT = whole(0, MAX_NUMBER, "count")
+_COLOUR = {"colour": needed(one(*COLOURS, name="floor-colour"))}
+_CLOSED = {"closed": optional(YES_NO, "no")}
+_NAMED = {"name": needed()}
+_POSITION = {"x": needed(_COORDINATE), "y": needed(_COORDINATE)}
+_MAY_BE_POSITION = {"x": optional(_COORDINATE), "y": optional(_COORDINATE)}
+_POINT = Tag(_point, {**_POSITION, "radius": optional(_LENGTH, "0")}, about="A corner, rounded when it has a radius.")
+_SECTION = Tag(
+    _section,
+    {
+        "sign": needed(_COUNT),
+        "from": needed(_LENGTH),
+        "to": optional(_LENGTH, about="The last section may go without: it ends with the road."),
+    },
+)
 
 PARTS = {
-    "wall": Tag(close=_wall, attributes=("x1", "y1", "x2", "y2")),
-    "floor": Tag(close=_floor, attributes=("colour", "x", "y", "width", "height"), children={"point": _POINT}),
-    "line": Tag(close=_line, attributes=("colour", "width", "closed"), children={"point": _POINT}),
-    "road": Tag(
-        close=_road,
-        attributes=("name", "width", "closed"),
-        children={"point": _POINT, "section": Tag(close=_section, attributes=("sign", "from", "to"))},
+    "wall": Tag(_wall, {name: needed(_COORDINATE) for name in ("x1", "y1", "x2", "y2")}),
+    "floor": Tag(
+        _floor,
+        {**_COLOUR, **_MAY_BE_POSITION, "width": optional(_THICKNESS), "height": optional(_THICKNESS)},
+        {"point": _POINT},
+        about="A coloured part of the floor: a rectangle from its lower left corner, or what three or more points "
+        "enclose.",
     ),
-    "dock": Tag(close=_dock, attributes=("name", "road", "at", "reach", "storehouse", "kind", "side")),
-    "storehouse": Tag(close=_storehouse, attributes=("name", "x", "y", "width", "height", "capacity", "stock")),
-    "start": Tag(close=_start, attributes=("name", "road", "at", "dock", "storehouse", "x", "y", "heading")),
+    "line": Tag(
+        _line,
+        {**_COLOUR, "width": needed(_THICKNESS), **_CLOSED},
+        {"point": _POINT},
+        least=2,
+        about="A coloured line on the floor.",
+    ),
+    "road": Tag(
+        _road,
+        {**_NAMED, "width": needed(SIZE), **_CLOSED},
+        {"point": _POINT, "section": _SECTION},
+        least=1,
+        about="A guided way, cut into numbered sections without gaps; mm count from its first corner.",
+    ),
+    "dock": Tag(
+        _dock,
+        {
+            **_NAMED,
+            "road": needed(),
+            "at": needed(_LENGTH),
+            "reach": needed(_THICKNESS),
+            "storehouse": needed(),
+            "kind": needed(one(LOAD, UNLOAD)),
+            "side": optional(one(LEFT, RIGHT), LEFT),
+        },
+        about="Where a carrier is loaded or unloaded: within reach of a point of its road.",
+    ),
+    "storehouse": Tag(
+        _storehouse,
+        {
+            **_NAMED,
+            **_POSITION,
+            "width": needed(SIZE),
+            "height": needed(SIZE),
+            "capacity": needed(_COUNT),
+            "stock": optional(_COUNT, "0"),
+        },
+        about="A rectangle from its lower left corner, with room for so many boxes.",
+    ),
+    "start": Tag(
+        _start,
+        {
+            **_NAMED,
+            "road": optional(NAME),
+            "at": optional(_LENGTH),
+            "dock": optional(NAME),
+            "storehouse": optional(NAME),
+            **_MAY_BE_POSITION,
+            "heading": optional(decimal(-360.0, 360.0), "0"),
+        },
+        about="Where an agent begins: road and at, or dock, or storehouse, or x, y and heading in degrees.",
+    ),
 }
 """What a `<world>` may hold."""

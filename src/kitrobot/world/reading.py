@@ -14,13 +14,14 @@ from functools import cached_property, lru_cache
 from typing import TypeVar
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.primitives import TEXTS, Element, Reader, Tag, shown
-from kitrobot.primitives import rules as xml_rules
+from kitrobot.text import shown
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, distance_to_stretch
 from kitrobot.world.model import ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World
-from kitrobot.world.parts import PARTS, length, mm
+from kitrobot.world.parts import PARTS, SIZE, in_mm, mm
 from kitrobot.world.writing import write_world
+from kitrobot.xml import TEXTS, Element, Reader, Tag, needed, version
+from kitrobot.xml import rules as xml_rules
 
 VERSION = 1
 
@@ -63,8 +64,18 @@ def keep_unknown(element: Element, raw: str) -> None:
     element.values.append((_Unknown(raw), element))
 
 
-ATTRIBUTES = ("version", "name", "width", "height")
-_ROOTS = {"world": Tag(attributes=ATTRIBUTES, children={**TEXTS, **PARTS}, open=_open, keep=keep_unknown)}
+ATTRIBUTES = {"version": version(VERSION), "name": needed(), "width": needed(SIZE), "height": needed(SIZE)}
+WORLD = {
+    "world": Tag(
+        attributes=ATTRIBUTES,
+        children={**TEXTS, **PARTS},
+        open=_open,
+        keep=keep_unknown,
+        unique=("road", "storehouse", "dock", "start"),
+        about="A world, in mm and degrees: x to the right, y up, heading 0 looks right and grows counter-clockwise.",
+    )
+}
+"""The first element of a world's file."""
 
 
 def read_world(data: bytes, name: str) -> tuple[World | None, list[Diagnostic]]:
@@ -75,7 +86,7 @@ def read_world(data: bytes, name: str) -> tuple[World | None, list[Diagnostic]]:
         name: what people call it, for messages.
     """
     reader = Reader(data, name)
-    root = reader.read(_ROOTS)
+    root = reader.read(WORLD)
     if root is None:
         return None, reader.diagnostics
     frame = _frame(root)
@@ -88,7 +99,7 @@ def read_world(data: bytes, name: str) -> tuple[World | None, list[Diagnostic]]:
 def _frame(root: Element) -> World | None:
     """The world without what is in it; None without a size: then nothing can be said about where things are."""
     found_before = len(root.reader.diagnostics)
-    world_name, width, height = root.required("name"), length(root, "width", 1.0), length(root, "height", 1.0)
+    world_name, width, height = root.required("name"), in_mm(root, "width"), in_mm(root, "height")
     if len(root.reader.diagnostics) > found_before:
         return None
     texts, unknown = root.texts, tuple(str(raw) for raw in root.found(_Unknown))
@@ -101,7 +112,7 @@ def read_plan(root: Element) -> World | None:
     What does not fit is reported as for a file. None when the plan would not say what the element says (a number that
     is none, an attribute that is missing): whoever writes the file keeps the element then.
     """
-    if "version" in root.attributes and root.integer("version", 1, 10**9, 1) > VERSION:
+    if "version" in root.attributes and root.between("version", 1, 10**9, 1) > VERSION:
         message = f"expected version {VERSION} or older, found version {root.attributes['version']}"
         root.report(xml_rules.NEWER_VERSION, message, "version", "open it with a newer KitRobot")
         return None
@@ -121,7 +132,7 @@ def _plan(root: Element, frame: World) -> World:
 
 def _says_it_all(root: Element) -> bool:
     """Whether everything wrong inside is about what fits together, so that the values are those of the file."""
-    here = (root.line, root.column)
+    here = _where(root)
     for item in root.reader.diagnostics:
         inside = item.place is not None and (item.place.line, item.place.column) >= here
         if inside and item.is_error and not item.code.startswith("world-") and item.code != xml_rules.DUPLICATE.code:
@@ -135,12 +146,17 @@ def _says_it_all(root: Element) -> bool:
     )
 
 
+def _where(element: Element) -> tuple[int, int]:
+    place = element.place()
+    return place.line, place.column
+
+
 def with_things(root: Element, diagnostics: list[Diagnostic]) -> list[Diagnostic]:
     """The diagnostics, those about a thing of the world `root` with its kind and number: `road:0`."""
-    starts: list[tuple[int, int, str]] = [(root.line, root.column, "world:0")]
+    starts: list[tuple[int, int, str]] = [(*_where(root), "world:0")]
     for name, (_, kind) in KINDS.items():
         found = root.found_at(kind)
-        starts += [(element.line, element.column, f"{name}:{at}") for at, (_, element) in enumerate(found)]
+        starts += [(*_where(element), f"{name}:{at}") for at, (_, element) in enumerate(found)]
     starts.sort()
 
     def thing(item: Diagnostic) -> str:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from kitrobot.primitives import Texts, attributes, text_element
+from kitrobot.primitives import Texts
 from kitrobot.world.geometry import Corner
 from kitrobot.world.model import LEFT, ColouredLine, Dock, Floor, Road, Start, World
+from kitrobot.xml import attributes, text_element
 
 
 def number(value: float) -> str:

@@ -48,7 +48,8 @@ const { indices, bytes } = ringOf(workerData.buffer);
 const files = new Map(workerData.files);
 
 let mp;
-let heard = []; // came in, and nobody has read it yet
+let heard = []; // came in, from `taken` on nobody has read it yet
+let taken = 0;
 let out = [];
 let muted = false;
 let skip = 0; // bytes that are not to be said
@@ -110,11 +111,22 @@ function rest(ms) {
   Atomics.wait(indices, HEAD, Atomics.load(indices, TAIL), ms);
 }
 
+/** The next of the bytes that came in, of which there is one. */
+function take() {
+  const byte = heard[taken];
+  taken += 1;
+  if (taken === heard.length) {
+    heard = [];
+    taken = 0;
+  }
+  return byte;
+}
+
 /** The next byte for a program that waits for one; null when it was interrupted meanwhile. */
 function readByte() {
   for (;;) {
     if (pump()) return null;
-    if (heard.length > 0) return heard.shift();
+    if (heard.length > 0) return take();
     rest();
   }
 }

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 import { meetAgain, rememberSecret } from "./again";
+import { api } from "./client";
 import { forgetToken, takeToken, token } from "./token";
 
 const SECRET = "the folder's";
@@ -59,4 +60,19 @@ it("tells a stranger nothing but a number that was never used", async () => {
 it("tells a missing studio from a stranger", async () => {
   vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
   expect(await meetAgain()).toBe("nobody");
+});
+
+it("sends a refused request again although somebody else took the new token meanwhile", async () => {
+  listen(SECRET);
+  const meet = fetch;
+  const tokens: string[] = [];
+  vi.stubGlobal("fetch", async (address: string, asked: RequestInit) => {
+    if (address.startsWith("api/again")) return meet(address, asked);
+    tokens.push(new Headers(asked.headers).get("X-KitRobot-Token") ?? "");
+    if (tokens.at(-1) === "new") return new Response("[]");
+    await meetAgain();
+    return new Response("{}", { status: 403 });
+  });
+  expect(await api.missions()).toEqual([]);
+  expect(tokens).toEqual(["old", "new"]);
 });

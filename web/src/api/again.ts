@@ -33,7 +33,7 @@ async function post<T>(address: string, json: object): Promise<T | null> {
   return response.ok ? ((await response.json()) as T) : null;
 }
 
-/** Asks whoever listens who they are. */
+/** Finds out which studio, if any, listens at the address. */
 export async function meetAgain(): Promise<Met> {
   // Only pages of this very machine can prove anything.
   if (secret === "" || !window.isSecureContext) return "stranger";

@@ -1,65 +1,22 @@
 /**
- * The server's doors as functions.
+ * The server's routes as functions.
  *
  * Each resolves to what the server sent or rejects with an `ApiError`, whose message is a sentence and whose help says what
  * to do; 409 keeps the revision that is on disk. Addresses are relative, so the page works under any path.
  */
-import { languageInUse, t } from "../words/words";
+import { languageInUse, t } from "../i18n/words";
+import type { Fragment, Mission, MissionFile, Problem, Program, Report } from "../model/types";
 import { meetAgain } from "./again";
-import { type DrawnProgram, drawn, forget, learn, sent } from "./known";
+import type * as server from "./generated";
+import { drawn, forget, learn, sent } from "./known";
 import { token } from "./token";
-import type { Fragment, Mission, MissionFile, Problem, Program, Report, Texts, World, SpanEntry } from "./types";
 
-export interface Session {
-  version: string;
-  /** The mission that the person named on the command line. */
-  path: string | null;
-  workspace: string;
-  /** What this page knows the folder's next studio by. */
-  secret: string;
-}
-
-/** What the small picture of an example is drawn from. */
-export interface MissionPicture {
-  program: Program;
-  world: World | null;
-  agents: string[];
-}
-
-export interface MissionEntry {
-  path: string;
-  name: string;
-  title: string;
-  example: boolean;
-  modified: number | string | null;
-  /** The title and what happens, by language; examples have them. */
-  label: Texts;
-  help: Texts;
-  picture: MissionPicture | null;
-  /** Why it cannot be opened; "" where nothing is known against it. */
-  problem: string;
-}
-
-/** What became of a typed text: its program, or null and why not; places count in the text that was sent. */
-export interface Followed {
+/**
+ * What became of a typed text: its program, or null and why not; places count in the text that was sent. The server sends
+ * what has changed of the program (`known.ts`), the page has the whole.
+ */
+export interface Followed extends Omit<server.Followed, "program"> {
   program: Program | null;
-  spans: SpanEntry[];
-  problems: Problem[];
-  /** What the whole mission is with that program; null without one. */
-  report: Report | null;
-}
-
-/** What a program without errors becomes: the bytes of its image, in base64, and their listing. */
-export interface Made {
-  image: string;
-  listing: string;
-}
-
-export interface Saved {
-  path: string;
-  revision: string;
-  /** Whether nobody else could save meanwhile. */
-  locked?: boolean;
 }
 
 export class ApiError extends Error {
@@ -116,10 +73,14 @@ const REFUSED = 403;
 
 /** One request; where it is refused because the studio started anew, once more with the token of that. */
 async function answer(address: string, asked: Asked): Promise<Response> {
+  const mine = token();
   const response = await request(address, asked);
   if (response.ok) return response;
   const told = refusal(response);
-  if (response.status !== REFUSED || (await meetAgain()) !== "new") throw await told;
+  if (response.status !== REFUSED) throw await told;
+  await meetAgain();
+  // Another request may have got the new token meanwhile.
+  if (token() === mine) throw await told;
   const again = await request(address, asked);
   if (!again.ok) throw await refusal(again);
   return again;
@@ -165,8 +126,7 @@ async function check(mission: Mission, path: string, signal?: AbortSignal): Prom
 }
 
 async function follow(mission: Mission, path: string, program: string, text: string): Promise<Followed> {
-  type Answer = Omit<Followed, "program"> & { program: DrawnProgram | null };
-  const answer = await askAbout<Answer>("text", mission, { path, program, text });
+  const answer = await askAbout<server.Followed>("text", mission, { path, program, text });
   const before = mission.programs.find((one) => one.name === program);
   if (answer.program === null || before === undefined) return { ...answer, program: null };
   const after = drawn(before, answer.program);
@@ -176,17 +136,17 @@ async function follow(mission: Mission, path: string, program: string, text: str
 }
 
 export const api = {
-  session: () => ask<Session>("session"),
-  missions: () => ask<MissionEntry[]>("missions"),
+  session: () => ask<server.Session>("session"),
+  missions: () => ask<server.MissionEntry[]>("missions"),
   mission: (path: string) => ask<MissionFile>(`mission?path=${encodeURIComponent(path)}`),
   newMission: () => ask<MissionFile>("mission/new"),
   readMission: (name: string, bytes: ArrayBuffer) =>
     ask<MissionFile>(`mission/read?name=${encodeURIComponent(name)}`, { method: "POST", bytes }),
   saveMission: (path: string, revision: string, mission: Mission) =>
-    ask<Saved>("mission", { method: "PUT", json: { path, revision, mission } }),
+    ask<server.Saved>("mission", { method: "PUT", json: { path, revision, mission } }),
   missionText: (mission: Mission) => ask<{ text: string }>("mission/text", { method: "POST", json: { mission } }),
   image: (mission: Mission, path: string, program: string) =>
-    ask<Made>("image", { method: "POST", json: { mission, path, program } }),
+    ask<server.Image>("image", { method: "POST", json: { mission, path, program } }),
   /** `own` is what the mission brings along: the text may speak of it. */
   fragment: (text: string, robot: string, path: string, own: Pick<Mission, "constructors" | "variables"> = {}) =>
     ask<Fragment>("fragment", {

@@ -33,7 +33,7 @@ export interface AgainToken {
   token: string;
 }
 
-/** A robot of the team; `start` is a place of the world, "" for the one with the agent's name. */
+/** A member of the team and the program it runs. It starts at the world's start `start`, or the one of its name. */
 export interface Agent {
   name: string;
   program: string;
@@ -51,7 +51,7 @@ export interface AgentReport {
   forced: string[];
 }
 
-/** From the port `out` of one vertex to the port `at` of another. */
+/** From a port of one vertex to a port of another. */
 export interface Arc {
   source: string;
   target: string;
@@ -268,7 +268,7 @@ export interface Claim {
   journal: string;
 }
 
-/** The journal that the page writes from now on; `records` is what was left, `damaged` if some is lost. */
+/** The journal that a tab writes from now on, and what is in it: nothing when `records` is empty. */
 export interface Claimed {
   journal: string;
   path: string;
@@ -406,7 +406,7 @@ export interface FragmentRequest {
   variables?: OwnVariable[];
 }
 
-/** What ends the mission as done: this storehouse holds this stock (a number, or `all`). */
+/** What must be true in the end: that many boxes (or `ALL`) in a storehouse. */
 export interface Goal {
   storehouse: string;
   stock: string;
@@ -433,7 +433,7 @@ export interface HelloMessage {
   tab: string;
 }
 
-/** Why a run pauses: an agent came to the vertex of a breakpoint. */
+/** An agent came to the vertex of a breakpoint. `visit` counts from 1. */
 export interface Hit {
   program: string;
   vertex: string;
@@ -476,7 +476,7 @@ export interface JournalSize {
   bytes: number;
 }
 
-/** Unsaved work that nobody has open; `modified` is a moment in UTC (ISO 8601). */
+/** Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601). */
 export interface Left {
   journal: string;
   path: string;
@@ -583,7 +583,11 @@ export interface NewsMessage {
   runs: string[];
 }
 
-/** A comment of the user. */
+/**
+ * A comment of the user. `at` is "" for lines above the instruction, "after" for the rest of its line, "in:SLOT" for
+ * the end of that body (a repeated slot with its number, `in:branch.2`). A plain note of Stop stands at the end of the
+ * program.
+ */
 export interface Note {
   text: string;
   at: string;
@@ -823,7 +827,10 @@ export interface Plan {
   problems: Problem[];
 }
 
-/** Something of the page that a step points at; `inner` is a setting or slot of a vertex, or "". */
+/**
+ * Something of the page that a step points at: `kind` is an attribute of `<point>`, `name` its value. `inner` is a
+ * setting or a slot of the vertex that is pointed at; "" for the vertex itself.
+ */
 export interface Point {
   kind: "part" | "vertex" | "button" | "panel" | "program";
   name: string;
@@ -935,11 +942,12 @@ export interface Robot {
   length_mm?: number;
 }
 
-/** A part of a robot. */
+/** A part of a robot. In the arena, `look` is how an actuator is drawn, and `hand` how a person works a sensor. */
 export interface RobotObject {
   name: string;
   category: "actuator" | "sensor" | "variable" | "system";
-  device: string;
+  look?: "" | "wheels" | "lights" | "melody" | "pin" | "lamp" | "bar" | "sound" | "number";
+  hand?: "" | "button" | "gesture" | "slider";
   icon: string;
   label: Record<string, string>;
   help: Record<string, string>;
@@ -981,7 +989,7 @@ export interface ScheduledFailure {
   kind: "fail" | "stall" | "mute" | "revive";
 }
 
-/** A numbered stretch of a road, by the distance along it. */
+/** A stretch of a road with the number its signs show. */
 export interface Section {
   sign: number;
   from_mm: number;
@@ -1155,7 +1163,7 @@ export interface StopRequest {
   type: "stop";
 }
 
-/** A place for stock; `x_mm`, `y_mm` is its lower left corner. */
+/** A rectangle (x, y: its lower left corner) with room for `capacity` boxes, `stock` of them there at the start. */
 export interface Storehouse {
   name: string;
   x_mm: number;
@@ -1247,7 +1255,11 @@ export interface VariableAsk {
   shared: boolean;
 }
 
-/** A program element; `unknown` is XML of the file inside it that nobody knows, kept word for word. */
+/**
+ * A program element: `element` is Start, Stop, a constructor's name, or `Object.Method`. `settings` holds what was
+ * typed into number and text slots, or parameters, by name. `unknown` keeps, word for word, XML inside the vertex that
+ * we do not know.
+ */
 export interface Vertex {
   id: string;
   element: string;

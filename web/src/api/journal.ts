@@ -1,30 +1,7 @@
-/** The journal's doors: what the page did travels as texts that only the page understands. */
+/** Routes of the journal: records are texts that the server does not read. */
+import type { Mission } from "../model/types";
 import { ask } from "./client";
-import type { Mission } from "./types";
-
-export interface Claimed {
-  journal: string;
-  path: string;
-  name: string;
-  records: string[];
-  damaged: boolean;
-}
-
-export interface Left {
-  journal: string;
-  path: string;
-  name: string;
-  modified: string;
-}
-
-export interface Difference {
-  revision: string;
-  changes: string[];
-}
-
-export interface JournalSize {
-  bytes: number;
-}
+import type { Claimed, Difference, JournalSize, Left } from "./generated";
 
 const post = <T>(address: string, json: unknown) => ask<T>(address, { method: "POST", json });
 

@@ -3,7 +3,8 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { CARRIER, missionOf } from "../model/testing/missions";
 import type { Arc, Program, Report, Vertex } from "../model/types";
 import { api } from "./client";
-import { drawn, forget, rowsOf, type SentMission, type SentProgram } from "./known";
+import type { SentMission, SentProgram } from "./generated";
+import { drawn, forget, rowsOf } from "./known";
 
 const MISSION = missionOf(CARRIER);
 const { vertices, arcs } = CARRIER;

@@ -5,23 +5,10 @@
  * stayed is told by `===`, which holds since nothing is ever changed in place. The server names the programs that it keeps; it
  * may forget them at any time (status 410), and is then sent everything.
  */
-import type { Arc, Mission, Program, Report, Vertex } from "../model/types";
+import type { Mission, Program, Report } from "../model/types";
+import type { DrawnProgram, SentMission } from "./generated";
 
 export type Rows<Thing> = (Thing | [from: number, to: number])[];
-
-export interface SentProgram {
-  name: string;
-  robot: string;
-  /** The server's name of the program that the rows are of; "" for one that is sent whole. */
-  of?: string;
-  vertices: Rows<Vertex>;
-  arcs: Rows<Arc>;
-}
-
-export type SentMission = Omit<Mission, "programs"> & { programs: SentProgram[] };
-
-/** What became of the program that a text was typed over. */
-export type DrawnProgram = Pick<SentProgram, "vertices" | "arcs">;
 
 /** The newest of each name that the server has answered for. */
 const known = new Map<string, { program: Program; of: string }>();

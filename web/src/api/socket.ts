@@ -3,7 +3,7 @@
  *
  * A lost connection is said once and not mended in secret: the run it carried is gone, so the person decides.
  */
-import { languageInUse, t } from "../words/words";
+import { languageInUse, t } from "../i18n/words";
 import { token } from "./token";
 import { decodeFrame, type PoseFrame, type RunMessage, type RunRequest } from "./wire";
 

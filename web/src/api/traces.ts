@@ -1,28 +1,6 @@
-/** The server's doors to recordings. */
+/** Routes of recordings. */
 import { ask, askBytes } from "./client";
-import type { MissionFile } from "./types";
-
-/** A recording that was opened, and the mission that it brought along. */
-export interface Recording {
-  /** By this name it is played. */
-  recording: string;
-  seed: number;
-  /** The probability (0…1) that a robot failed by chance within a minute. */
-  fail_rate: number;
-  /** Whether its file ends before its run did. */
-  cut: boolean;
-  /** Whether it is of real robots. */
-  real: boolean;
-  file: MissionFile;
-}
-
-export interface RecordingEntry {
-  path: string;
-  name: string;
-  modified: string;
-  /** Why it cannot be opened; "" where nothing is known against it. */
-  problem: string;
-}
+import type { Recording, RecordingEntry } from "./generated";
 
 export const traceApi = {
   all: () => ask<RecordingEntry[]>("traces"),

@@ -5,21 +5,11 @@
  * started anew meanwhile is known by its proof (again.ts).
  */
 import { type Met, meetAgain } from "./again";
+import type { HelloMessage, NewsMessage } from "./generated";
 import { token } from "./token";
 
-export interface News {
-  path: string;
-  /** What is on disk, "" when nothing is. */
-  revision: string;
-  /** How many other pages have this mission open. */
-  others: number;
-  /** The state of the XML files that the mission depends on. */
-  parts: string;
-  /** The runs of this mission that are on, here or on another page. */
-  runs: string[];
-}
-
-type Message = { type: "hello"; tab: string } | ({ type: "news" } & News);
+/** What is on disk and who else has the mission open; the page keeps it without the name of the message. */
+export type News = Omit<NewsMessage, "type">;
 
 export interface Watcher {
   onHello: (tab: string) => void | Promise<void>;
@@ -27,7 +17,7 @@ export interface Watcher {
   onLost: () => void;
   /** After the hello of a studio that started anew. */
   onReturn: () => void;
-  /** Somebody else is where the studio was. */
+  /** Another server answers at the studio's address. */
   onStranger: () => void;
 }
 
@@ -51,7 +41,7 @@ export function openWatch({ onHello, onNews, onLost, onReturn, onStranger }: Wat
     socket = new WebSocket(address);
     socket.addEventListener("message", (event: MessageEvent<string>) => {
       if (over) return;
-      const message = JSON.parse(event.data) as Message;
+      const message = JSON.parse(event.data) as HelloMessage | NewsMessage;
       if (message.type === "news") {
         onNews(message);
         return;

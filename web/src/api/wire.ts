@@ -4,122 +4,28 @@
  * Lengths in mm, angles in radians, x to the right, y up, heading 0 along +x and counter-clockwise. Poses come as binary
  * frames (see `decodeFrame`), everything else as JSON with a `type`.
  */
-import type { Breakpoint, Mission, Problem, World } from "./types";
+import type { AgentReport, HarmRequest, RunEvent, StateMessage } from "./generated";
 
-export type Road = World["roads"][number];
-export type Dock = World["docks"][number];
-export type Storehouse = World["storehouses"][number];
+export type {
+  AgentReport,
+  Dock,
+  Hit,
+  Road,
+  RunEvent,
+  RunMessage,
+  RunRequest,
+  StartedAgent,
+  Storehouse,
+} from "./generated";
 
-export type AgentActivity = "running" | "waiting" | "idle" | "failed" | "stalled";
-export type RunOutcome = "done" | "failed" | "stuck" | "time" | "stopped";
-
-export interface StartedAgent {
-  name: string;
-  program: string;
-  robot: string;
-  number: number;
-  kind: string;
-  /** Whether it is known where it is; of a real robot nobody knows. */
-  placed: boolean;
-}
-
-export interface AgentReport {
-  active: [slot: number, vertex: string][];
-  state: AgentActivity;
-  values: Record<string, number>;
-  inputs: Record<string, number>;
-  /** What its displays and the like show, by the name of the actuator: the numbers that a trace has of it. */
-  shown: Record<string, number[]>;
-  fault: number;
-  /** Sensors in whose place a value stands. */
-  forced: string[];
-}
-
-/** Why a run pauses: an agent came to the vertex of a breakpoint. */
-export interface Hit {
-  program: string;
-  vertex: string;
-  agent: string;
-  visit: number;
-}
-
-export type RunEventKind = "load" | "unload" | "message" | "collision" | "failure" | "revival" | "end" | "outside";
-
-/** What brings an event about: `mission` is its schedule, `person` somebody's hand during the run. */
-export type RunEventCause = "program" | "world" | "person" | "mission" | "chance" | "robot" | "link";
-
-export interface RunEvent {
-  tick: number;
-  kind: RunEventKind;
-  agent: string;
-  text: string;
-  cause: RunEventCause;
-}
-
-export type RunMessage =
-  | {
-      type: "started";
-      run: string | number;
-      tick_ms: number;
-      seed: number;
-      world: World | null;
-      agents: StartedAgent[];
-      stock: Record<string, number>;
-      total: number;
-      /** Whether it is played from a recording. */
-      recording: boolean;
-      /** The probability (0…1) that a robot fails by chance within a minute. */
-      fail_rate: number;
-      /** Whether another page steers it; `another`: what runs there is not the mission that is open here. */
-      watching: boolean;
-      another: boolean;
-    }
-  | {
-      type: "state";
-      /** `end` is where a recording ends whose run was still on. */
-      status: "running" | "paused" | "end" | RunOutcome;
-      tick: number;
-      seconds: number;
-      sentence: string;
-      hits: Hit[];
-      /** Hints on a run that ended before anything could be seen. */
-      problems: Problem[];
-    }
-  | {
-      type: "tick";
-      tick: number;
-      /** The furthest tick of this future; less than before when another one has begun. */
-      latest: number;
-      /** Whether `events` are all up to `latest`, not only those since the last message. */
-      again: boolean;
-      seconds: number;
-      agents: Record<string, AgentReport>;
-      stock: Record<string, number>;
-      delivered: Record<string, number>;
-      collisions: number;
-      events: RunEvent[];
-    }
-  | { type: "problems"; problems: Problem[] }
-  | { type: "error"; message: string; help: string; ended: boolean };
-
-/** What can befall a robot. */
-export type Harm = "fail" | "stall" | "mute" | "revive";
-
-export type RunRequest =
-  | { type: "replay"; recording: string; speed: number }
-  | { type: "start"; mission: Mission; path: string; seed: number; speed: number; fail_rate: number }
-  | { type: "watch"; run: string; mission: Mission }
-  | { type: "pause" }
-  | { type: "resume" }
-  | { type: "stop" }
-  | { type: "step"; by: "tick" | "vertex"; back: boolean; agent: string }
-  | { type: "seek"; tick: number }
-  | { type: "force"; agent: string; sensor: string; value: number | null }
-  | { type: "set"; agent: string; variable: string; value: number }
-  | { type: "harm"; agent: string; kind: Harm }
-  | { type: "look"; agents: string[] }
-  | { type: "breakpoints"; breakpoints: Breakpoint[] }
-  | { type: "speed"; value: number };
+export type AgentActivity = AgentReport["state"];
+/** What a run says of itself; `end` is where a recording ends whose run was still on. */
+export type RunStage = StateMessage["status"];
+export type RunEventKind = RunEvent["kind"];
+/** What brings an event about: `mission` is its schedule, `person` an action during the run. */
+export type RunEventCause = RunEvent["cause"];
+/** A fault that can be injected, or the recovery from it. */
+export type Harm = HarmRequest["kind"];
 
 /** One robot as a frame shows it. */
 export interface Pose {

@@ -1,8 +1,9 @@
 /**
- * A command: one change of the document that can be taken back.
+ * A command: one change of the document.
  *
- * `execute` and `revert` are pure: each takes a mission and gives another one, sharing what did not change. Commands
- * live one a file in `commands/`; the store (studio.ts) keeps the two stacks.
+ * `execute` is pure: it takes a mission and gives another one, sharing what did not change; the same one when there is
+ * nothing to do. Commands live one a file in `commands/`. Nothing is changed in place, so undo needs no command: the history
+ * (history.ts) has the missions before and after.
  */
 import type { Mission, Program } from "./types";
 
@@ -10,11 +11,15 @@ export interface Command {
   /** What it does, in the words of a menu: "Delete While". */
   label: string;
   execute: (mission: Mission) => Mission;
-  revert: (mission: Mission) => Mission;
   /** Vertices to select afterwards; without it the selection stays as far as it still exists. */
   selects?: string[];
   /** Commands with the same key that follow each other closely (a slider, a word) are taken back as one. */
   joins?: string;
+}
+
+/** The command that leads to `after`. */
+export function becomes(label: string, after: Mission, more: Pick<Command, "selects" | "joins"> = {}): Command {
+  return { label, execute: () => after, ...more };
 }
 
 function withProgram(mission: Mission, name: string, program: Program): Mission {
@@ -26,7 +31,6 @@ export function replaceProgram(label: string, before: Program, after: Program, s
   return {
     label,
     execute: (mission) => withProgram(mission, before.name, after),
-    revert: (mission) => withProgram(mission, after.name, before),
     ...(selects === undefined ? {} : { selects }),
   };
 }

@@ -32,7 +32,10 @@ describe("finding", () => {
       { vertex: "v1", start: 0, end: lll.length, line: 1 },
       { vertex: "v3", start: 19, end: 22, line: 2 },
     ];
-    const report = { programs: [{ name: "carrier", lll, spans, listing: "", instructions: 0 }], problems: [] };
+    const report = {
+      programs: [{ name: "carrier", lll, spans, listing: "", instructions: 0, known: "" }],
+      problems: [],
+    };
     expect(ids("//(", undefined, report)).toEqual(["v3"]);
     expect(ids("*[", undefined, report)).toEqual(["v1"]);
   });

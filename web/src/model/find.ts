@@ -4,8 +4,8 @@
  */
 import { type Parts, title } from "./parts";
 import { type Block, readStructure } from "./structure";
-import { everySpot } from "./tree";
 import { text } from "./texts";
+import { everySpot } from "./tree";
 import type { Program, Report, Vertex } from "./types";
 import { fieldWords, wordsOf } from "./words";
 

@@ -1,9 +1,9 @@
 /**
- * The history of a document as plain values: what the journal keeps and gives back.
+ * The history of a document as plain values: what undo and redo go through, and what the journal keeps and gives back.
  *
- * A `History` is the mission with the steps before it and the steps that were taken back. It follows the store from its
- * announcements (`Change`), so the states are the store's own and share what they have in common. Left to others: how it
- * is written down (`delta.ts`, `shell/journal-records.ts`).
+ * A `History` is the mission with the steps before it and the steps that were taken back. Missions share what they have in
+ * common. Left to others: when a step joins the one before (`studio.ts`), how a history is written down (`delta.ts`,
+ * `session/journal-records.ts`).
  */
 import type { Mission } from "./types";
 
@@ -14,7 +14,17 @@ export interface Step {
   program: string;
   before: Mission;
   after: Mission;
+  /** What was selected before it and is selected after it; unknown of steps that were read from a journal. */
+  selection?: string[];
+  selects?: string[] | undefined;
+  /** Steps with the same key that follow each other closely are one. */
+  joins?: string | undefined;
+  /** When it was made, in ms of `Date.now`. */
+  at_ms?: number;
 }
+
+/** What of a step a `Change` does not say. */
+export type StepDetails = Pick<Step, "selection" | "selects" | "joins" | "at_ms">;
 
 export interface History {
   mission: Mission;
@@ -45,7 +55,12 @@ export function isUnsaved({ past, saved }: History): boolean {
 }
 
 /** The history after a change that led to `mission`; the same history when the change does not belong to it. */
-export function follow(history: History, { kind, label, program, saved }: Change, mission: Mission): History {
+export function follow(
+  history: History,
+  { kind, label, program, saved }: Change,
+  mission: Mission,
+  details: StepDetails = {},
+): History {
   const { past, future } = history;
   const last = past.at(-1);
   switch (kind) {
@@ -56,13 +71,18 @@ export function follow(history: History, { kind, label, program, saved }: Change
     case "do":
       return {
         mission,
-        past: [...past, { label, program, before: history.mission, after: mission }],
+        past: [...past, { label, program, before: history.mission, after: mission, ...details }],
         future: [],
         saved,
       };
     case "join":
       if (last === undefined) return history;
-      return { mission, past: [...past.slice(0, -1), { ...last, label, after: mission }], future: [], saved };
+      return {
+        mission,
+        past: [...past.slice(0, -1), { ...last, ...details, label, after: mission }],
+        future: [],
+        saved,
+      };
     case "undo":
       if (last === undefined) return history;
       return { mission: last.before, past: past.slice(0, -1), future: [...future, last], saved };

@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
 
+import type { Command } from "./command";
+import { emptyProgram } from "./commands/changePrograms";
 import { insertPart } from "./commands/insertPart";
 import { pasteParts } from "./commands/pasteParts";
 import { setNote } from "./commands/setNote";
 import { stretchOf, unwrapPart, wrapParts } from "./commands/wrapParts";
-import { emptyProgram } from "./commands/changePrograms";
-import type { Command } from "./command";
 import { blocksOf, copyOf, readPiece } from "./fragment";
 import { lllOf } from "./lll";
 import { readStructure } from "./structure";

@@ -4,7 +4,7 @@
  * Both are as the server gave them, so the palette, the canvas and the inspector know no difference. They win over what is
  * there, as the server has it. Left to others: making them (the server reads their LLL), the commands that change them.
  */
-import type { Catalogue, Constructor, Mission, OwnVariable, Robot } from "./types";
+import type { Catalogue, Constructor, Group, Mission, OwnVariable, Robot } from "./types";
 
 /** The name of the group that the mission's own constructors are in. */
 export const OWN_GROUP = "Own";
@@ -41,7 +41,7 @@ export function catalogueOf(files: Catalogue, mission: Mission): Catalogue {
     ...group,
     constructors: group.constructors.filter((one) => !names.has(one.name)),
   }));
-  const own = { name: OWN_GROUP, colour: "action", label: OWN_LABEL, constructors: [...constructors] };
+  const own: Group = { name: OWN_GROUP, colour: "action", label: OWN_LABEL, constructors: [...constructors] };
   return {
     ...files,
     groups: constructors.length === 0 ? files.groups : [...groups, own],

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
-import { insertPart } from "./commands/insertPart";
 import { emptyProgram } from "./commands/changePrograms";
+import { insertPart } from "./commands/insertPart";
 import { placeFor } from "./placeFor";
 import { readStructure } from "./structure";
 import { CARRIER, CARRIER_PARTS as PARTS, missionOf } from "./testing/missions";

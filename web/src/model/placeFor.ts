@@ -1,5 +1,5 @@
 /**
- * Where a part goes when nobody points at a place: after the selected vertex, on the selected arc, into the first empty
+ * Where a part goes when no place is pointed at: after the selected vertex, on the selected arc, into the first empty
  * slot that it fits, else at the end of the program; what fits nowhere is parked.
  */
 import { fits, isMark, type Shape, standsInChain } from "./parts";

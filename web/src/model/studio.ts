@@ -1,25 +1,17 @@
 /**
- * The open document: mission, parts, selection, and the undo and redo stacks.
+ * The open document: mission, parts, selection, and the history that undo and redo go through.
  *
- * The one file of the model that knows zustand. Every change of the mission is a `Command` given to `execute`; the stacks
- * have no limit, and undo gives back exactly what was there. The server's words about the mission (`report`) are kept
+ * The one file of the model that knows zustand. Every change of the mission is a `Command` given to `execute`; the history
+ * has no limit, and undo gives back exactly what was there. The server's words about the mission (`report`) are kept
  * beside it and may lag behind by one check.
  */
 import { create } from "zustand";
 
 import type { Command } from "./command";
-import type { Change, History, Step } from "./history";
 import { OWN_WORLD } from "./commands/changeWorld";
+import { type Change, follow, type History, historyOf, isUnsaved, type StepDetails } from "./history";
 import { catalogueOf } from "./own";
 import type { Catalogue, Mission, MissionFile, Program, Report, World } from "./types";
-
-interface Done {
-  command: Command;
-  /** The selection and the program in view before the command, for undo. */
-  selection: string[];
-  program: string;
-  at_ms: number;
-}
 
 /** Joining commands further apart than this are steps of their own. */
 const JOIN_MS = 1500;
@@ -33,6 +25,8 @@ interface File {
 export interface StudioState {
   file: File;
   mission: Mission;
+  /** The steps that led to the mission, and those that were taken back. */
+  history: History;
   /** What the files hold, and the same with what the mission brings along: the one that everybody uses. */
   files: Catalogue;
   catalogue: Catalogue;
@@ -75,35 +69,31 @@ function stillThere(mission: Mission, program: string, ids: string[]): string[] 
   return ids.every((id) => known.has(id)) ? ids : ids.filter((id) => known.has(id));
 }
 
-/** A step of a journal as something that can be taken back. */
-function doneBefore({ label, program, before, after }: Step): Done {
-  const command = { label, execute: () => after, revert: () => before };
-  return { command, selection: [], program, at_ms: 0 };
-}
-
 /** The program that stays in view: the same one, or the one that took its place. */
 function inView(mission: Mission, name: string, place: number): string {
   if (mission.programs.some((one) => one.name === name)) return name;
   return mission.programs[Math.min(Math.max(place, 0), mission.programs.length - 1)]?.name ?? "";
 }
 
-export const useStudio = create<StudioState>((set, get) => {
-  let past: Done[] = [];
-  let future: Done[] = [];
-  /** The depth of `past` at which the file on disk was written; -1 when that state cannot be reached any more. */
-  let saved = 0;
-
-  const stacks = () => ({
-    dirty: past.length !== saved,
+/** A history, and what menus say of it. */
+function withHistory(history: History) {
+  const { past, future } = history;
+  return {
+    history,
+    dirty: isUnsaved(history),
     canUndo: past.length > 0,
     canRedo: future.length > 0,
-    undoLabel: past.at(-1)?.command.label ?? "",
-    redoLabel: future.at(-1)?.command.label ?? "",
-  });
+    undoLabel: past.at(-1)?.label ?? "",
+    redoLabel: future.at(-1)?.label ?? "",
+  };
+}
 
-  const told = (kind: Change["kind"], label = "", program = ""): { change: Change } => ({
-    change: { kind, label, program, saved },
-  });
+export const useStudio = create<StudioState>((set, get) => {
+  /** The state after one more change of the document, and what is announced of it. */
+  const changed = (change: Change, mission: Mission, details?: StepDetails) => {
+    const history = follow(get().history, change, mission, details);
+    return { change, ...withHistory(history) };
+  };
 
   /** The catalogue for a mission; the one that is there as long as what the mission brings along is the same. */
   const partsFor = (mission: Mission): { catalogue?: Catalogue } => {
@@ -121,7 +111,6 @@ export const useStudio = create<StudioState>((set, get) => {
       ...partsFor(mission),
       activeProgram,
       selection: stillThere(mission, activeProgram, selection),
-      ...stacks(),
     };
   };
 
@@ -135,18 +124,11 @@ export const useStudio = create<StudioState>((set, get) => {
     activeProgram: "",
     selection: [],
     report: null,
-    dirty: false,
-    canUndo: false,
-    canRedo: false,
-    undoLabel: "",
-    redoLabel: "",
+    ...withHistory(historyOf(NO_MISSION)),
     change: { kind: "open", label: "", program: "", saved: 0 },
 
-    openMission: ({ path, name, revision, mission: read, catalogue, world }, history) => {
-      past = history?.past.map(doneBefore) ?? [];
-      future = history?.future.map(doneBefore) ?? [];
-      saved = history?.saved ?? 0;
-      const mission = history?.mission ?? read;
+    openMission: ({ path, name, revision, mission: read, catalogue, world }, history = historyOf(read)) => {
+      const { mission, saved } = history;
       set({
         file: { path, name, revision },
         mission,
@@ -157,46 +139,49 @@ export const useStudio = create<StudioState>((set, get) => {
         activeProgram: mission.programs[0]?.name ?? "",
         selection: [],
         report: null,
-        ...stacks(),
-        ...told("open"),
+        ...withHistory(history),
+        change: { kind: "open", label: "", program: "", saved },
       });
     },
 
-    execute: (command) => {
-      const { mission, selection, activeProgram } = get();
-      const after = command.execute(mission);
+    execute: ({ label, execute, joins, selects }) => {
+      const { mission, selection, activeProgram: program, history } = get();
+      const after = execute(mission);
       if (after === mission) return;
-      if (saved > past.length) saved = -1;
-      const now = Date.now();
-      const depth = past.length;
+      const { past, future } = history;
       const last = past.at(-1);
-      const joins = command.joins !== undefined && command.joins === last?.command.joins && future.length === 0;
-      if (joins && saved !== past.length && now - last.at_ms < JOIN_MS) {
-        past[past.length - 1] = { ...last, command: { ...command, revert: last.command.revert }, at_ms: now };
-      } else {
-        past.push({ command, selection, program: activeProgram, at_ms: now });
-      }
-      future = [];
-      const kind = past.length > depth ? "do" : "join";
+      // The state that was saved can be reached by redo only, and there is none after this.
+      const saved = history.saved > past.length ? -1 : history.saved;
+      const at_ms = Date.now();
+      const same = joins !== undefined && joins === last?.joins && future.length === 0 && saved !== past.length;
+      const join = same && at_ms - (last.at_ms ?? 0) < JOIN_MS;
+      const details = { at_ms, selects, joins, ...(join ? {} : { selection }) };
       set({
-        ...place(after, activeProgram, command.selects ?? selection),
-        ...told(kind, command.label, activeProgram),
+        ...place(after, program, selects ?? selection),
+        ...changed({ kind: join ? "join" : "do", label, program, saved }, after, details),
       });
     },
 
     undo: () => {
-      const last = past.pop();
+      const { past, saved } = get().history;
+      const last = past.at(-1);
       if (last === undefined) return;
-      future.push(last);
-      set({ ...place(last.command.revert(get().mission), last.program, last.selection), ...told("undo") });
+      const { before, program, selection = [] } = last;
+      set({
+        ...place(before, program, selection),
+        ...changed({ kind: "undo", label: "", program: "", saved }, before),
+      });
     },
 
     redo: () => {
-      const next = future.pop();
+      const { future, saved } = get().history;
+      const next = future.at(-1);
       if (next === undefined) return;
-      past.push(next);
-      const after = next.command.execute(get().mission);
-      set({ ...place(after, next.program, next.command.selects ?? next.selection), ...told("redo") });
+      const { after, program, selects, selection = [] } = next;
+      set({
+        ...place(after, program, selects ?? selection),
+        ...changed({ kind: "redo", label: "", program: "", saved }, after),
+      });
     },
 
     select: (ids) => {
@@ -216,8 +201,12 @@ export const useStudio = create<StudioState>((set, get) => {
     },
 
     markSaved: (path, revision, name, saving) => {
-      saved = saving === undefined || saving === get().mission ? past.length : -1;
-      set({ file: { path, revision, name: name ?? path.split("/").at(-1) ?? path }, ...stacks(), ...told("save") });
+      const { mission, history } = get();
+      const saved = saving === undefined || saving === mission ? history.past.length : -1;
+      set({
+        file: { path, revision, name: name ?? path.split("/").at(-1) ?? path },
+        ...changed({ kind: "save", label: "", program: "", saved }, mission),
+      });
     },
 
     loadParts: (files) => {

@@ -1,5 +1,5 @@
 /** Words from XML in the page's language. */
-import { languageInUse } from "../words/words";
+import { languageInUse } from "../i18n/words";
 import type { Texts } from "./types";
 
 /** The text in the page's language ("fr-CA" falls back on "fr"), else the default one (English), else `fallback`. */

@@ -2,8 +2,8 @@
  * Finding and changing things in a freshly read structure. Every function here may change the tree it is given; vertices
  * themselves are never changed, only replaced.
  */
-import type { Block, Body, Structure } from "./structure";
 import { isMark, type Shape, standsInChain } from "./parts";
+import type { Block, Body, Structure } from "./structure";
 import type { Vertex } from "./types";
 
 /** Where a block stands: in a chain of a body (or of the void), or in a slot of another block. */

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 
 import { insertPart } from "./commands/insertPart";
-import { findSpot, type Place } from "./tree";
 import { readStructure } from "./structure";
 import { CARRIER, CARRIER_PARTS as PARTS, missionOf } from "./testing/missions";
+import { findSpot, type Place } from "./tree";
 import type { Program } from "./types";
 import { fieldWords, piecesOf, wordsOf } from "./words";
 

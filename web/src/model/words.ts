@@ -4,9 +4,9 @@
  * A method brings its own phrase with holes; a constructor of conditions joins its tests by its own name (two tests or
  * more) or stands in front by the name of its slot (one). Empty slots stay visible as holes.
  */
+import { t } from "../i18n/words";
 import { shortTitle, title } from "./parts";
 import type { Block } from "./structure";
-import { t } from "../words/words";
 import { text } from "./texts";
 
 /** A run of words, or an empty slot. `vertex` is the vertex they speak of, or whose slot it is. */

@@ -1,4 +1,4 @@
 /** Before each file of tests: the page speaks English, as it does before anything is drawn. */
-import { speak } from "../words/words";
+import { speak } from "../i18n/words";
 
 await speak("en");

@@ -2,7 +2,7 @@
  * An icon by its lucide name, as robots and constructors name theirs in XML.
  *
  * Names of the bounded set are drawn at once. For another one the whole set is fetched (once, from our own server); until
- * it is there, and for a name that nobody knows, a plain square stands in.
+ * it is there, and for an unknown name, a plain square is drawn.
  */
 import type { LucideIcon } from "lucide-react";
 import { createElement, useEffect, useState } from "react";
@@ -12,7 +12,7 @@ import { ICONS } from "./icons";
 interface IconProps {
   name: string;
   size?: number;
-  /** Words for those who cannot see; without them the icon is decoration. */
+  /** The accessible name; without it the icon is decoration. */
   label?: string;
   className?: string;
 }

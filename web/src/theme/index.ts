@@ -1,4 +1,4 @@
-/** The door of the theme: icons, tiles, the choice of light or dark, colours for drawing. */
+/** The theme's interface: icons, tiles, the choice of light or dark, colours for drawing. */
 export { Icon, loadIcons } from "./Icon";
 export { type Theme, type ThemeChoice, installTheme, token, useTheme } from "./theme";
 export { type Category, Tile } from "./Tile";

@@ -47,7 +47,6 @@ from kitrobot.server.shapes.files import (
 )
 from kitrobot.server.shapes.journal import (
     WATCH_MESSAGE_MODELS,
-    ClaimedShape,
     ClaimShape,
     DifferenceAskShape,
     DifferenceShape,
@@ -56,7 +55,6 @@ from kitrobot.server.shapes.journal import (
     JournalAppendShape,
     JournalShape,
     JournalSizeShape,
-    LeftShape,
     NewsMessage,
 )
 from kitrobot.server.shapes.mission import MissionShape, breakpoint_from_shape, mission_from_shape, mission_shape
@@ -74,7 +72,6 @@ from kitrobot.server.shapes.run import (
     ErrorMessage,
     ForceRequest,
     HarmRequest,
-    HitShape,
     LookRequest,
     PauseRequest,
     ProblemsMessage,
@@ -137,7 +134,6 @@ __all__ = [
     "CatalogueShape",
     "CheckShape",
     "ClaimShape",
-    "ClaimedShape",
     "ConflictShape",
     "DifferenceAskShape",
     "DifferenceShape",
@@ -147,11 +143,9 @@ __all__ = [
     "ForgetShape",
     "HarmRequest",
     "HelloMessage",
-    "HitShape",
     "JournalAppendShape",
     "JournalShape",
     "JournalSizeShape",
-    "LeftShape",
     "LookRequest",
     "MissionEntryShape",
     "MissionFileShape",

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, TypeAdapter
+from pydantic import AliasChoices, BaseModel, Field, model_validator
 
-from kitrobot.primitives import Catalogue, Constructor, Group, Method, Parameter, Robot, RobotObject, Slot
+from kitrobot.primitives import Catalogue, Robot
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
-from kitrobot.sim import length_of
+from kitrobot.server.shapes.values import Least, Most, View
+from kitrobot.sim import Hand, Look, appearance_of, length_of
 
 Texts = dict[str, str]
 Colour = Literal["loop", "choice", "parallel", "action", "test", "team"]
 
 
-_COLOURS: TypeAdapter[Colour] = TypeAdapter(Colour)
-
-
-class SlotShape(BaseModel):
+class SlotShape(View):
     """A hole of a constructor."""
 
     name: str
@@ -26,20 +24,25 @@ class SlotShape(BaseModel):
     loop: bool
     repeat: bool
     least: int
-    min: int | None
-    max: int | None
+    min: Least[int | None]
+    max: Most[int | None]
     default: str
     unit: str
 
 
-class AddsShape(BaseModel):
+class AddsShape(View):
     """The constructor, and its slot, that a branch adds itself to."""
 
     constructor: str
     slot: str
 
+    @model_validator(mode="before")
+    @classmethod
+    def _pair(cls, given: Any) -> Any:
+        return {"constructor": given[0], "slot": given[1]} if isinstance(given, tuple) else given
 
-class ConstructorShape(BaseModel):
+
+class ConstructorShape(View):
     """A building block of programs."""
 
     name: str
@@ -54,7 +57,7 @@ class ConstructorShape(BaseModel):
     code: str
 
 
-class GroupShape(BaseModel):
+class GroupShape(View):
     """A heading of the palette."""
 
     name: str
@@ -63,20 +66,20 @@ class GroupShape(BaseModel):
     constructors: list[ConstructorShape]
 
 
-class ParameterShape(BaseModel):
+class ParameterShape(View):
     """A parameter of a method; `min` and `max` are included."""
 
     name: str
-    kind: Literal["integer", "boolean"]
-    min: int
-    max: int
+    kind: Annotated[Literal["integer", "boolean"], Field(validation_alias=AliasChoices("kind", "type"))]
+    min: Least[int]
+    max: Most[int]
     default: int
     unit: str
     label: Texts
     help: Texts
 
 
-class MethodShape(BaseModel):
+class MethodShape(View):
     """What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`."""
 
     name: str
@@ -90,24 +93,25 @@ class MethodShape(BaseModel):
     phrase: Texts
 
 
-class RobotObjectShape(BaseModel):
-    """A part of a robot."""
+class RobotObjectShape(View):
+    """A part of a robot. In the arena, `look` is how an actuator is drawn, and `hand` how a person works a sensor."""
 
     name: str
     category: Literal["actuator", "sensor", "variable", "system"]
-    device: str
+    look: Look = ""
+    hand: Hand = ""
     icon: str
     label: Texts
     help: Texts
     methods: list[MethodShape]
     type: Literal["integer", "boolean"]
-    min: int
-    max: int
+    min: Least[int]
+    max: Most[int]
     initial: int
     shared: bool
 
 
-class RobotShape(BaseModel):
+class RobotShape(View):
     """A kind of robot; `length_mm` is how long it is, 0 for one without wheels."""
 
     name: str
@@ -130,110 +134,15 @@ class CatalogueShape(BaseModel):
 def catalogue_shape(catalogue: Catalogue) -> CatalogueShape:
     """The catalogue as it travels."""
     return CatalogueShape(
-        groups=[_group(group) for group in catalogue.groups],
+        groups=[GroupShape.model_validate(group) for group in catalogue.groups],
         robots=[_robot(robot) for robot in catalogue.robots.values()],
         problems=problem_shapes(catalogue.problems),
     )
 
 
-def _group(group: Group) -> GroupShape:
-    return GroupShape(
-        name=group.name,
-        colour=_colour(group.colour),
-        label=dict(group.label),
-        constructors=[constructor_shape(constructor) for constructor in group.constructors],
-    )
-
-
-def constructor_shape(constructor: Constructor) -> ConstructorShape:
-    """A constructor as it travels."""
-    adds = constructor.adds
-    return ConstructorShape(
-        name=constructor.name,
-        group=constructor.group,
-        icon=constructor.icon,
-        colour=_colour(constructor.colour),
-        label=dict(constructor.label),
-        help=dict(constructor.help),
-        slots=[_slot(slot) for slot in constructor.slots],
-        role=constructor.role.value,
-        adds=AddsShape(constructor=adds[0], slot=adds[1]) if adds else None,
-        code=constructor.code,
-    )
-
-
-def _colour(name: str) -> Colour:
-    found: Colour = _COLOURS.validate_python(name)
-    return found
-
-
-def _slot(slot: Slot) -> SlotShape:
-    return SlotShape(
-        name=slot.name,
-        kind=slot.kind.value,
-        label=dict(slot.label),
-        loop=slot.loop,
-        repeat=slot.repeat,
-        least=slot.least,
-        min=slot.minimum,
-        max=slot.maximum,
-        default=slot.default,
-        unit=slot.unit,
-    )
-
-
 def _robot(robot: Robot) -> RobotShape:
-    return RobotShape(
-        name=robot.name,
-        label=dict(robot.label),
-        help=dict(robot.help),
-        tick_ms=robot.tick_ms,
-        wait_unit_ms=robot.wait_unit_ms,
-        objects=[object_shape(part) for part in robot.objects],
-        length_mm=length_of(robot),
-    )
-
-
-def object_shape(part: RobotObject) -> RobotObjectShape:
-    """A part of a robot as it travels."""
-    return RobotObjectShape(
-        name=part.name,
-        category=part.category.value,
-        device=part.device,
-        icon=part.icon,
-        label=dict(part.label),
-        help=dict(part.help),
-        methods=[_method(method) for method in part.methods],
-        type=part.type.value,
-        min=part.minimum,
-        max=part.maximum,
-        initial=part.initial,
-        shared=part.shared,
-    )
-
-
-def _method(method: Method) -> MethodShape:
-    return MethodShape(
-        name=method.name,
-        kind=method.kind.value,
-        label=dict(method.label),
-        help=dict(method.help),
-        icon=method.icon,
-        parameters=[_parameter(parameter) for parameter in method.parameters],
-        completes_later=method.completes_later,
-        stop=method.stop,
-        phrase=dict(method.phrase),
-    )
-
-
-def _parameter(parameter: Parameter) -> ParameterShape:
-    return ParameterShape(
-        name=parameter.name,
-        kind=parameter.type.value,
-        min=parameter.minimum,
-        max=parameter.maximum,
-        default=parameter.default,
-        unit=parameter.unit,
-        label=dict(parameter.label),
-        help=dict(parameter.help),
-    )
+    shape = RobotShape.model_validate(robot).model_copy(update={"length_mm": length_of(robot)})
+    for part, seen in zip(robot.objects, shape.objects, strict=True):
+        seen.look, seen.hand, resting = appearance_of(part)
+        seen.initial = part.initial or resting
+    return shape

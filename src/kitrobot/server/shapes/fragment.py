@@ -8,7 +8,7 @@ from pydantic import BaseModel, Field
 
 from kitrobot.primitives import MOST_OWN
 from kitrobot.server.shapes.catalogue import ConstructorShape
-from kitrobot.server.shapes.mission import ProgramShape, Words
+from kitrobot.server.shapes.mission import ProgramShape
 from kitrobot.server.shapes.own import OwnVariableShape
 from kitrobot.server.shapes.problem import ProblemShape
 
@@ -21,9 +21,9 @@ class FragmentRequestShape(BaseModel):
     mission brings along.
     """
 
-    text: Annotated[Words, Field(max_length=LONGEST_FRAGMENT)]
-    robot: Words
-    path: Words
+    text: Annotated[str, Field(max_length=LONGEST_FRAGMENT)]
+    robot: str
+    path: str
     constructors: Annotated[list[ConstructorShape], Field(max_length=MOST_OWN)] = []
     variables: Annotated[list[OwnVariableShape], Field(max_length=MOST_OWN)] = []
 

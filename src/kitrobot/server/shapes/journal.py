@@ -6,37 +6,27 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from kitrobot.server.shapes.mission import MissionShape, Words
+from kitrobot.server.shapes.mission import MissionShape
 
 MOST_RECORDS = 100_000
 
-Records = Annotated[list[Words], Field(max_length=MOST_RECORDS)]
+Records = Annotated[list[str], Field(max_length=MOST_RECORDS)]
 
 
 class ClaimShape(BaseModel):
     """The page opened a mission; `journal` is the one it had before, or chose, "" for any that was left on it."""
 
     tab: str
-    path: Words
-    journal: str
-
-
-class ClaimedShape(BaseModel):
-    """The journal that the page writes from now on; `records` is what was left, `damaged` if some is lost."""
-
-    journal: str
     path: str
-    name: str
-    records: list[str]
-    damaged: bool
+    journal: str
 
 
 class JournalShape(BaseModel):
     """A whole journal, to take the place of the one that the page writes; without records there is none any more."""
 
     tab: str
-    path: Words
-    name: Words
+    path: str
+    name: str
     records: Records
     unsaved: bool
 
@@ -56,15 +46,6 @@ class JournalSizeShape(BaseModel):
     bytes: int
 
 
-class LeftShape(BaseModel):
-    """Unsaved work that nobody has open; `modified` is a moment in UTC (ISO 8601)."""
-
-    journal: str
-    path: str
-    name: str
-    modified: str
-
-
 class ForgetShape(BaseModel):
     """Unsaved work that nobody wants."""
 
@@ -74,7 +55,7 @@ class ForgetShape(BaseModel):
 class DifferenceAskShape(BaseModel):
     """A mission to be held against its file."""
 
-    path: Words
+    path: str
     mission: MissionShape
 
 

@@ -10,8 +10,6 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import TypeVar
 
-from pydantic import BaseModel
-
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import (
     Category,
@@ -26,7 +24,8 @@ from kitrobot.primitives import (
     write_constructor,
     write_variable,
 )
-from kitrobot.server.shapes.catalogue import ConstructorShape, RobotObjectShape, object_shape
+from kitrobot.server.shapes.catalogue import ConstructorShape, RobotObjectShape
+from kitrobot.server.shapes.values import View
 
 Own = TypeVar("Own", Constructor, OwnVariable)
 
@@ -38,16 +37,11 @@ class OwnPartError(KitRobotError):
     """A part of a mission's own makes no sense."""
 
 
-class OwnVariableShape(BaseModel):
+class OwnVariableShape(View):
     """A variable that the mission adds to every robot of a kind."""
 
     robot: str
     variable: RobotObjectShape
-
-
-def own_variable_shape(own: OwnVariable) -> OwnVariableShape:
-    """A variable of a mission as it travels."""
-    return OwnVariableShape(robot=own.robot, variable=object_shape(own.variable))
 
 
 def own_constructor(shape: ConstructorShape) -> Constructor:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Literal, cast
 
-from pydantic import AfterValidator, BaseModel, Field
+from pydantic import BaseModel, Field
 
 from kitrobot.world import (
     MAX_NUMBER,
@@ -32,11 +32,6 @@ MOST_THINGS = 20_000
 """Walls, corners, … of one kind."""
 
 
-def _sound(text: str) -> str:
-    return text if text.isascii() else text.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
-
-
-Words = Annotated[str, AfterValidator(_sound)]
 Millimetres = Annotated[float, Field(ge=-MAX_SIZE_MM, le=MAX_SIZE_MM, allow_inf_nan=False)]
 Length = Annotated[float, Field(ge=0, le=MAX_SIZE_MM, allow_inf_nan=False)]
 Count = Annotated[int, Field(ge=0, le=MAX_NUMBER)]
@@ -87,7 +82,7 @@ class OwnSectionShape(BaseModel):
 class OwnRoadShape(BaseModel):
     """A road by its corners."""
 
-    name: Words
+    name: str
     width_mm: Length
     closed: bool
     points: Annotated[list[CornerShape], Field(max_length=MOST_THINGS)]
@@ -97,7 +92,7 @@ class OwnRoadShape(BaseModel):
 class OwnStorehouseShape(BaseModel):
     """A place for stock; `x_mm`, `y_mm` is its lower left corner."""
 
-    name: Words
+    name: str
     x_mm: Millimetres
     y_mm: Millimetres
     width_mm: Length
@@ -109,11 +104,11 @@ class OwnStorehouseShape(BaseModel):
 class OwnDockShape(BaseModel):
     """Where stock goes from a storehouse onto a carrier, or back."""
 
-    name: Words
-    road: Words
+    name: str
+    road: str
     at_mm: Length
     reach_mm: Length
-    storehouse: Words
+    storehouse: str
     kind: Literal["load", "unload"]
     side: Literal["left", "right"]
 
@@ -121,12 +116,12 @@ class OwnDockShape(BaseModel):
 class OwnStartShape(BaseModel):
     """Where an agent may start; `at` says which of the other fields count."""
 
-    name: Words
+    name: str
     at: Literal["pose", "road", "dock", "storehouse"]
-    road: Words
+    road: str
     at_mm: Length
-    dock: Words
-    storehouse: Words
+    dock: str
+    storehouse: str
     x_mm: Millimetres
     y_mm: Millimetres
     heading_deg: Annotated[float, Field(ge=-360, le=360, allow_inf_nan=False)]
@@ -135,7 +130,7 @@ class OwnStartShape(BaseModel):
 class OwnWorldShape(BaseModel):
     """All of a world; `unknown` is XML that nobody knows, kept word for word."""
 
-    name: Words
+    name: str
     width_mm: Length
     height_mm: Length
     walls: Annotated[list[OwnWallShape], Field(max_length=MOST_THINGS)]
@@ -145,9 +140,9 @@ class OwnWorldShape(BaseModel):
     storehouses: Annotated[list[OwnStorehouseShape], Field(max_length=MOST_THINGS)]
     docks: Annotated[list[OwnDockShape], Field(max_length=MOST_THINGS)]
     starts: Annotated[list[OwnStartShape], Field(max_length=MOST_THINGS)]
-    unknown: list[Words]
-    label: dict[Words, Words]
-    help: dict[Words, Words]
+    unknown: list[str]
+    label: dict[str, str]
+    help: dict[str, str]
 
 
 def own_world_shape(world: World) -> OwnWorldShape:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, Field
+from pydantic import BaseModel, Field, model_validator
 
-from kitrobot.compiler import Chosen, Offer
+from kitrobot.compiler import Chosen
 from kitrobot.server.shapes.catalogue import Colour, ConstructorShape, Texts
-from kitrobot.server.shapes.mission import MOST_VERTICES, MissionShape, ProgramShape, Words
+from kitrobot.server.shapes.mission import MOST_VERTICES, MissionShape, ProgramShape
 from kitrobot.server.shapes.problem import FailureShape, ProblemShape
+from kitrobot.server.shapes.values import Least, Most, View
 
 LONGEST_PART = 20_000
 """Characters of a part's LLL as it is typed; what can be kept is shorter."""
@@ -19,9 +20,9 @@ class SelectedShape(BaseModel):
     """Some vertices of a program; `path` is the mission's file, "" for a new one."""
 
     mission: MissionShape
-    path: Words
-    program: Words
-    vertices: Annotated[list[Words], Field(max_length=MOST_VERTICES)]
+    path: str
+    program: str
+    vertices: Annotated[list[str], Field(max_length=MOST_VERTICES)]
 
 
 class PlaceShape(BaseModel):
@@ -30,8 +31,13 @@ class PlaceShape(BaseModel):
     vertex: str
     slot: str
 
+    @model_validator(mode="before")
+    @classmethod
+    def _pair(cls, given: Any) -> Any:
+        return {"vertex": given[0], "slot": given[1]} if isinstance(given, tuple) else given
 
-class OfferShape(BaseModel):
+
+class OfferShape(View):
     """What could be left open. `inside`: the offer that holds it; `is_open`: nothing fills it, so it has to be."""
 
     vertex: str
@@ -42,8 +48,8 @@ class OfferShape(BaseModel):
     inside: PlaceShape | None
     is_open: bool
     value: str
-    min: int
-    max: int
+    min: Least[int]
+    max: Most[int]
     unit: str
 
 
@@ -66,20 +72,20 @@ class OfferAnswerShape(BaseModel):
 class ChosenShape(BaseModel):
     """An offer that becomes a slot under that name; numbers with one name become one slot."""
 
-    vertex: Words
-    slot: Words
-    name: Words
+    vertex: str
+    slot: str
+    name: str
     min: int | None = None
     max: int | None = None
-    default: Words | None = None
-    unit: Words | None = None
+    default: str | None = None
+    unit: str | None = None
 
 
 class PartWishShape(SelectedShape):
     """A selection that is to be a part."""
 
-    name: Words
-    icon: Words = ""
+    name: str
+    icon: str = ""
     colour: Colour = "action"
     label: Texts = {}
     help: Texts = {}
@@ -106,8 +112,8 @@ class PartTextShape(BaseModel):
     """A part of that mission as a person has edited it, for a robot; its code may have mistakes."""
 
     mission: MissionShape
-    path: Words
-    robot: Words
+    path: str
+    robot: str
     constructor: ConstructorShape
 
 
@@ -128,24 +134,6 @@ class PartFileShape(BaseModel):
     """The parts of a mission as a constructors file."""
 
     constructors: list[ConstructorShape]
-
-
-def offer_shape(offer: Offer) -> OfferShape:
-    """An offer as it travels."""
-    inside = PlaceShape(vertex=offer.inside[0], slot=offer.inside[1]) if offer.inside is not None else None
-    return OfferShape(
-        vertex=offer.vertex,
-        slot=offer.slot,
-        kind=offer.kind.value,
-        name=offer.name,
-        label=dict(offer.label),
-        inside=inside,
-        is_open=offer.is_open,
-        value=offer.value,
-        min=offer.minimum,
-        max=offer.maximum,
-        unit=offer.unit,
-    )
 
 
 def chosen_from_shape(shape: ChosenShape) -> Chosen:

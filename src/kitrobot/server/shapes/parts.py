@@ -9,7 +9,6 @@ from pydantic import BaseModel, Field
 from kitrobot.primitives import MOST_OWN
 from kitrobot.server.sentences import FileName
 from kitrobot.server.shapes.catalogue import CatalogueShape
-from kitrobot.server.shapes.mission import Words
 from kitrobot.server.shapes.own import OwnVariableShape
 from kitrobot.server.shapes.own_world import OwnWorldShape
 from kitrobot.server.shapes.problem import ProblemShape
@@ -65,11 +64,11 @@ class VariableAskShape(BaseModel):
     `variables` are those of the mission already; min, max and initial of a truth are not looked at but `initial` != 0.
     """
 
-    path: Words
+    path: str
     variables: Annotated[list[OwnVariableShape], Field(max_length=MOST_OWN)]
-    robot: Words
-    was: Words = ""
-    name: Words
+    robot: str
+    was: str = ""
+    name: str
     type: Literal["integer", "boolean"]
     min: int
     max: int

@@ -9,10 +9,11 @@ from typing import Annotated, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
-from kitrobot.server.pacing import FASTEST
+from kitrobot.server.realtime_clock import FASTEST
 from kitrobot.server.sentences import Sentence
 from kitrobot.server.shapes.mission import MOST_AGENTS, BreakpointShape, MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
+from kitrobot.server.shapes.values import HitValue
 from kitrobot.server.shapes.world import WorldShape
 
 Speed = Annotated[float, Field(ge=0, le=FASTEST, allow_inf_nan=False)]
@@ -187,15 +188,6 @@ class StartedMessage(_Message):
     another: bool = False
 
 
-class HitShape(BaseModel):
-    """Why a run pauses: an agent came to the vertex of a breakpoint."""
-
-    program: str
-    vertex: str
-    agent: str
-    visit: int
-
-
 class StateMessage(_Message):
     """What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only.
     `problems` are hints on a run that ended before anything could be seen.
@@ -206,7 +198,7 @@ class StateMessage(_Message):
     tick: int
     seconds: float
     sentence: Sentence
-    hits: list[HitShape] = []
+    hits: list[HitValue] = []
     problems: list[ProblemShape] = []
 
 

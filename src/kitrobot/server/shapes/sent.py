@@ -16,22 +16,18 @@ from pydantic import BaseModel, Field
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import Program
 from kitrobot.mission import Mission
+from kitrobot.server.list_delta import taken
 from kitrobot.server.shapes.mission import (
     MOST_PROGRAMS,
     MOST_VERTICES,
-    ArcShape,
     MissionShape,
-    VertexShape,
-    Words,
-    arc_from_shape,
     mission_from_shape,
-    vertex_from_shape,
 )
-from kitrobot.server.stretches import taken
+from kitrobot.server.shapes.values import ArcValue, VertexValue
 
 Place = Annotated[int, Field(ge=0)]
-VertexRow = Annotated[VertexShape | tuple[Place, Place], Field(union_mode="left_to_right")]
-ArcRow = Annotated[ArcShape | tuple[Place, Place], Field(union_mode="left_to_right")]
+VertexRow = Annotated[VertexValue | tuple[Place, Place], Field(union_mode="left_to_right")]
+ArcRow = Annotated[ArcValue | tuple[Place, Place], Field(union_mode="left_to_right")]
 
 
 class ForgottenError(KitRobotError):
@@ -41,9 +37,9 @@ class ForgottenError(KitRobotError):
 class SentProgramShape(BaseModel):
     """A program as what became of the one that the studio knows as `of`; "" for one that is sent whole."""
 
-    name: Words
-    robot: Words
-    of: Words = ""
+    name: str
+    robot: str
+    of: str = ""
     vertices: Annotated[list[VertexRow], Field(max_length=MOST_VERTICES)]
     arcs: Annotated[list[ArcRow], Field(max_length=2 * MOST_VERTICES)]
 
@@ -84,9 +80,9 @@ def _program(shape: SentProgramShape, known: Callable[[str], Program | None]) ->
                 f"the studio does not know the program `{shape.name}` as it was before", "load the page again"
             )
         before = found
-    vertices = taken(shape.vertices, before.vertices, vertex_from_shape, MOST_VERTICES)
-    arcs = taken(shape.arcs, before.arcs, arc_from_shape, 2 * MOST_VERTICES)
-    same = (before.name, before.robot) == (shape.name, shape.robot)
+    vertices = taken(shape.vertices, before.vertices, MOST_VERTICES)
+    arcs = taken(shape.arcs, before.arcs, 2 * MOST_VERTICES)
+    same = (before.name, before.target) == (shape.name, shape.robot)
     if same and _are(vertices, before.vertices) and _are(arcs, before.arcs):
         return before
     return Program(shape.name, shape.robot, vertices, arcs)

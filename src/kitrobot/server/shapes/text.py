@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.server.shapes.mission import Words
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.report import ReportShape, SpanEntryShape
 from kitrobot.server.shapes.sent import DrawnProgramShape, SentMissionShape
@@ -16,7 +15,7 @@ class TextEditShape(BaseModel):
     mission: SentMissionShape
     path: str
     program: str
-    text: Words
+    text: str
 
 
 class FollowedShape(BaseModel):

@@ -2,21 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from pydantic import BaseModel
 
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
+from kitrobot.server.shapes.values import PointValue
 from kitrobot.workspace import FoundTutorial
-
-
-class PointShape(BaseModel):
-    """Something of the page that a step points at; `inner` is a setting or slot of a vertex, or ""."""
-
-    kind: Literal["part", "vertex", "button", "panel", "program"]
-    name: str
-    inner: str
 
 
 class TutorialStepShape(BaseModel):
@@ -25,7 +16,7 @@ class TutorialStepShape(BaseModel):
     label: dict[str, str]
     help: dict[str, str]
     hint: dict[str, str]
-    points: list[PointShape]
+    points: list[PointValue]
     asks: bool
     events: list[str]
 
@@ -70,10 +61,7 @@ def tutorial_shape(found: FoundTutorial) -> TutorialShape:
                 label=dict(step.label),
                 help=dict(step.help),
                 hint=dict(step.hint),
-                points=[
-                    PointShape.model_validate({"kind": point.kind, "name": point.name, "inner": point.inner})
-                    for point in step.points
-                ],
+                points=list(step.points),
                 asks=bool(step.wants),
                 events=list(step.events),
             )

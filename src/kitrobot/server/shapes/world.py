@@ -6,6 +6,7 @@ from typing import Literal, cast
 
 from pydantic import BaseModel
 
+from kitrobot.server.shapes.values import SectionValue, StorehouseValue
 from kitrobot.world import LOAD, Dock, Start, World
 
 FloorColour = Literal["red", "green", "blue"]
@@ -36,14 +37,6 @@ class FloorShape(BaseModel):
     points: list[tuple[float, float]]
 
 
-class SectionShape(BaseModel):
-    """A numbered stretch of a road, by the distance along it."""
-
-    sign: int
-    from_mm: float
-    to_mm: float
-
-
 class RoadShape(BaseModel):
     """A road as the line along its middle."""
 
@@ -51,7 +44,7 @@ class RoadShape(BaseModel):
     width_mm: float
     closed: bool
     points: list[tuple[float, float]]
-    sections: list[SectionShape]
+    sections: list[SectionValue]
 
 
 class DockShape(BaseModel):
@@ -66,18 +59,6 @@ class DockShape(BaseModel):
     x_mm: float
     y_mm: float
     heading_rad: float
-
-
-class StorehouseShape(BaseModel):
-    """A place for stock; `x_mm`, `y_mm` is its lower left corner."""
-
-    name: str
-    x_mm: float
-    y_mm: float
-    width_mm: float
-    height_mm: float
-    capacity: int
-    stock: int
 
 
 class StartPoseShape(BaseModel):
@@ -100,7 +81,7 @@ class WorldShape(BaseModel):
     lines: list[LineShape]
     roads: list[RoadShape]
     docks: list[DockShape]
-    storehouses: list[StorehouseShape]
+    storehouses: list[StorehouseValue]
     starts: list[StartPoseShape]
 
 
@@ -132,26 +113,12 @@ def world_shape(world: World) -> WorldShape:
                 width_mm=road.width_mm,
                 closed=road.closed,
                 points=list(zip(road.line.xs, road.line.ys, strict=True)),
-                sections=[
-                    SectionShape(sign=section.sign, from_mm=section.from_mm, to_mm=section.to_mm)
-                    for section in road.sections
-                ],
+                sections=list(road.sections),
             )
             for road in world.roads
         ],
         docks=[_dock(world, dock) for dock in world.docks],
-        storehouses=[
-            StorehouseShape(
-                name=house.name,
-                x_mm=house.x_mm,
-                y_mm=house.y_mm,
-                width_mm=house.width_mm,
-                height_mm=house.height_mm,
-                capacity=house.capacity,
-                stock=house.stock,
-            )
-            for house in world.storehouses
-        ],
+        storehouses=list(world.storehouses),
         starts=[_start(world, start) for start in world.starts],
     )
 

@@ -6,11 +6,14 @@ import importlib
 import pkgutil
 from functools import cache
 
-from kitrobot.sim.devices.base import Actuator, Device, Sensor, Setting, Standing, Values, ticks
+from kitrobot.sim.devices.base import Actuator, Command, Device, Hand, Look, Sensor, Setting, Standing, Values, ticks
 
 __all__ = [
     "Actuator",
+    "Command",
     "Device",
+    "Hand",
+    "Look",
     "Sensor",
     "Setting",
     "Standing",
@@ -29,7 +32,11 @@ def _all() -> tuple[type[Device], ...]:
         for value in vars(importlib.import_module(f"{__name__}.{module.name}")).values():
             if isinstance(value, type) and issubclass(value, Device) and value.name and value not in found:
                 found.append(value)
-    return tuple(sorted(found, key=lambda device: device.name))
+    found.sort(key=lambda device: device.name)
+    for category in (Actuator, Sensor):
+        for number, device in enumerate(device for device in found if issubclass(device, category)):
+            device.kind = number
+    return tuple(found)
 
 
 @cache

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Hand, Sensor, Setting, Values
 
-ACCELEROMETER = 0
 _LEVEL_MG = -1024
 
 
@@ -14,7 +13,6 @@ class Accelerometer(Sensor):
     """
 
     name = "accelerometer"
-    kind = ACCELEROMETER
     by_hand = True
     settings = (
         LATENCY,
@@ -23,6 +21,10 @@ class Accelerometer(Sensor):
         Setting("what", "axis", "what it feels", words=("axis", "shake")),
         Setting("axis", "x", "along which axis", words=("x", "y", "z")),
     )
+
+    @classmethod
+    def hand(cls, values: Values) -> Hand:
+        return "gesture" if values.says("what", "shake") else ""
 
     @classmethod
     def resting(cls, values: Values) -> int:

@@ -19,7 +19,6 @@ from kitrobot.sim.columns import (
     A_ROBOT,
     A_STORE,
     A_WAY,
-    ARM,
     DELIVERED,
     DOWN,
     FAILED,
@@ -29,13 +28,15 @@ from kitrobot.sim.columns import (
     NO_EMPTY_CARRIER,
     NO_LOADED_CARRIER,
     NO_ROOM,
+    SIGN_ARM,
+    SIGNS,
     UNLOADED,
     tell,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, MOVES_BOXES, Actuator, Command, Setting, Values
 from kitrobot.sim.docks import carrier_in
+from kitrobot.sim.state import State
 
-ARM_DEVICE = 0
 _LOAD, _UNLOAD = range(2)
 
 
@@ -43,7 +44,7 @@ class Arm(Actuator):
     """`Load()` takes a box from the storehouse to the carrier, `Unload()` back. It waits while that is full."""
 
     name = "arm"
-    kind = ARM_DEVICE
+    handles = MOVES_BOXES
     procedures = ("Load", "Unload")
     settings = (
         LATENCY,
@@ -54,63 +55,52 @@ class Arm(Actuator):
     needs = "dock"
 
     @classmethod
-    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+    def is_waiting_for_room(cls, k: int, state: State) -> bool:
+        return bool(state.actuators.floats[A_R][k])
+
+    @classmethod
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         return (values.number("time") / 1000,)
 
 
-def take_arm(
-    k: int,
-    procedure: int,
-    deviate: float,
-    actuator: list[list[int]],
-    actuator_real: list[list[float]],
-    arm: list[int],
-) -> None:
+def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Begins to do what a command says. P is the seconds a box takes, Q those left, R 1 if it waits for room."""
-    factor = 1.0 + deviate * actuator_real[A_NOISE][k]
+    actuator = state.actuators.ints
+    actuator_floats = state.actuators.floats
+    factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
     if factor < 0.1:
         factor = 0.1
-    actuator_real[A_Q][k] = actuator_real[A_P][k] * factor
-    actuator_real[A_R][k] = 0.0
-    actuator[A_WAY][k] = procedure
+    actuator_floats[A_Q][k] = actuator_floats[A_P][k] * factor
+    actuator_floats[A_R][k] = 0.0
+    actuator[A_WAY][k] = command.procedure
     actuator[A_DONE][k] = 0
-    arm[actuator[A_ROBOT][k]] = 1
+    state.robots.ints[SIGNS][actuator[A_ROBOT][k]] |= SIGN_ARM
 
 
-def move_arms(
-    first: int,
-    last: int,
-    dt: float,
-    actuator: list[list[int]],
-    actuator_real: list[list[float]],
-    real: list[list[float]],
-    whole: list[list[int]],
-    carriers: list[int],
-    docks: list[list[float]],
-    dock_road: list[int],
-    road_length: list[float],
-    closed: list[int],
-    stock: list[int],
-    capacity: list[int],
-    events: list[int],
-    clock: list[int],
-) -> None:
+def advance(first: int, last: int, dt: float, state: State) -> None:
     """Goes on for a step with the devices `first` … `last` - 1."""
+    actuator = state.actuators.ints
+    actuator_floats = state.actuators.floats
+    ints = state.robots.ints
+    stock = state.docks.stock
+    capacity = state.docks.capacity
+    events = state.events
+    clock = state.clock
     done = actuator[A_DONE]
-    down = whole[DOWN]
+    down = ints[DOWN]
     for k in range(first, last):
         if done[k] or down[actuator[A_ROBOT][k]] == FAILED:
             continue
-        if actuator_real[A_R][k] == 0.0:
-            left = actuator_real[A_Q][k] - dt
-            actuator_real[A_Q][k] = left
+        if actuator_floats[A_R][k] == 0.0:
+            left = actuator_floats[A_Q][k] - dt
+            actuator_floats[A_Q][k] = left
             if left > 1e-9:
                 continue
         robot = actuator[A_ROBOT][k]
         house = actuator[A_STORE][k]
         dock = actuator[A_DOCK][k]
-        load = whole[LOAD]
-        carrier = carrier_in(dock, real, whole, carriers, docks, dock_road, road_length, closed)
+        load = ints[LOAD]
+        carrier = carrier_in(dock, state.robots, state.roads, state.docks)
         if actuator[A_WAY][k] == _LOAD:
             if carrier < 0 or load[carrier]:
                 tell(events, clock, NO_EMPTY_CARRIER, robot, dock, 0)
@@ -123,15 +113,20 @@ def move_arms(
         elif carrier < 0 or load[carrier] == 0:
             tell(events, clock, NO_LOADED_CARRIER, robot, dock, 0)
         elif stock[house] >= capacity[house]:
-            if actuator_real[A_R][k] == 0.0:
-                actuator_real[A_R][k] = 1.0
+            if actuator_floats[A_R][k] == 0.0:
+                actuator_floats[A_R][k] = 1.0
                 tell(events, clock, NO_ROOM, robot, house, 0)
             continue
         else:
             stock[house] += 1
             load[carrier] = 0
-            whole[DELIVERED][carrier] += 1
+            ints[DELIVERED][carrier] += 1
             tell(events, clock, UNLOADED, robot, house, 0)
-        actuator_real[A_R][k] = 0.0
+        actuator_floats[A_R][k] = 0.0
         done[k] = 1
-        whole[ARM][robot] = 0
+        ints[SIGNS][robot] &= ~SIGN_ARM
+
+
+def is_busy(k: int, state: State) -> bool:
+    """Whether it moves; while it waits for room it does not."""
+    return state.actuators.floats[A_R][k] == 0.0 and state.actuators.ints[A_DONE][k] == 0

@@ -3,27 +3,41 @@
 A module of this package that defines a subclass with a `name` is a device; nobody keeps a list. `settings` says which
 attributes of the robot's XML it understands, with their units and bounds, so that every number of its behaviour is in
 the XML. The class only describes; a device's state and numbers are its entries in the tables of the run (see columns),
-where `reals` fills the columns P, Q, … that are its own. What it does is in loops beside the class, in the Python that
-Numba compiles: a sensor's `sense_…` measures into S_VALUE, an actuator's `take_…` begins what a command says and its
-`move_…` goes on for a step. `stepping` calls them. What a device shows to the eye or the ear is its row of `faces`.
+where `initial_floats` fills the columns P, Q, … that are its own. What it does is in functions beside the class, in the
+Python that Numba compiles, which `dispatch` finds by their names and calls:
 
-What all of them share, latency, noise and drop-outs, is done in one place each: `sampling` for sensors, `commanding`
+- `sense(first, last, step, state)` measures into S_VALUE with the sensors `first` … `last` - 1;
+- `start(k, command, deviate, state)` lets actuator k begin what a command says;
+- `advance(first, last, dt, state)` goes on for a step of dt seconds with the actuators `first` … `last` - 1;
+- `is_busy(k, state)` says whether actuator k will change something without a new command; without it, A_DONE says so.
+
+A module without one of them has nothing to do there. What a device shows to the eye or the ear is its row of `outputs`.
+
+What all of them share, latency, noise and drop-outs, is done in one place each: `sensing` for sensors, `actuation`
 for actuators; only how noise changes what an actuator does is its own.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from enum import Enum
+from typing import TYPE_CHECKING, ClassVar, Literal, NamedTuple
 
-from kitrobot.primitives import RobotObject
+from kitrobot.primitives import Method, RobotObject
+from kitrobot.world import World
+
+if TYPE_CHECKING:
+    from kitrobot.sim.state import State
 
 
 @dataclass(frozen=True)
 class Setting:
-    """An attribute of a device: a number with a unit and bounds, or one of a few words."""
+    """An attribute of a device: a number with a unit and bounds, one of a few words, or a text that `reads` accepts.
+
+    Of a text, `unit` says in words what is expected.
+    """
 
     name: str
     default: float | str
@@ -32,11 +46,24 @@ class Setting:
     least: float = 0.0
     most: float = 1_000_000.0
     words: tuple[str, ...] = ()
+    reads: Callable[[str], bool] | None = None
+    required: bool = False
+    names_place: bool = False
+    """Whether it is the name of a place of the world (see `World.places`)."""
 
 
 LATENCY = Setting("latency", 0.0, "how much later it works, or how old what it reads is", "ms", most=60_000.0)
 LOST_READINGS = Setting("dropout", 0.0, "how often a reading is lost and the one before stays", "%", 0.0, 100.0)
 LOST_COMMANDS = Setting("dropout", 0.0, "how often a command does not reach it", "%", 0.0, 100.0)
+MOVES_BOXES, COUNTS_BOXES = "moves", "counts"
+
+Look = Literal["", "wheels", "lights", "melody", "pin", "lamp", "bar", "sound", "number"]
+"""What the page draws of an actuator: nothing, wheels, a matrix of lights, whether it sounds, a pin's level, or its
+value as lamp, bar, sound or number."""
+
+Hand = Literal["", "button", "gesture", "slider"]
+"""How a person works a sensor in the arena: not, by a button of the board, by moving the whole board, by a slider."""
+
 SPREAD = Setting("noise", 0.0, "how far a reading may be off (one standard deviation)", "", 0.0, 1000.0)
 WRONG = Setting("noise", 0.0, "how often it reads something else than what is there", "%", 0.0, 100.0)
 
@@ -54,7 +81,7 @@ class Values:
         return value
 
     def word(self, name: str) -> str:
-        """A setting that is a word."""
+        """A setting that is a word or a text."""
         value = self._values[name]
         assert isinstance(value, str), f"{name} is a number"
         return value
@@ -79,46 +106,129 @@ class Standing:
     storehouse: int = -1
 
 
+class Command(NamedTuple):
+    """What an actuator is told: its procedure's number, how many arguments, and the first, second and last of them, 0
+    where there is none.
+    """
+
+    procedure: int
+    arguments: int
+    first: int
+    second: int
+    last: int
+
+
+class Discrete(Enum):
+    """The discrete form of a device: how it behaves where time and lengths are abstracted away, for verification."""
+
+    EXACT = "exact"
+    """A number that the world holds: boxes on a bed or in a storehouse."""
+    ANY = "any"
+    """A sensor that may read any value of its range at any time."""
+    SECTION = "section"
+    """A function of the section of the road on which the robot is."""
+    GAP = "gap"
+    """A function of the gap to the robot ahead: touching, within reach, or beyond."""
+    VISIT = "visit"
+    """Whether a robot with the wanted load stands in the dock."""
+    MOTION = "motion"
+    """An actuator that moves its robot."""
+    BUSY = "busy"
+    """An actuator that is done at any time after it began, and in the end."""
+    INSTANT = "instant"
+    """An actuator that nothing in the world depends on."""
+
+
 class Device:
-    """A kind of device; `kind` is its number among the sensors, or among the actuators, in the order of names."""
+    """A kind of device; `kind` is its number among the sensors, or among the actuators, in the order of names, which it
+    gets when all devices are found.
+    """
 
     name: ClassVar[str] = ""
     kind: ClassVar[int] = -1
     settings: ClassVar[tuple[Setting, ...]] = ()
+    discrete: ClassVar[Discrete]
     needs: ClassVar[str] = ""
     """Where its robot must start: "road", "dock", "storehouse", or anywhere."""
     excludes: ClassVar[tuple[str, ...]] = ()
     """Devices that a robot with this one cannot have too: they would move the same thing."""
+    handles: ClassVar[str] = ""
+    """What it does with boxes, by which its robot is drawn: MOVES_BOXES, COUNTS_BOXES, or nothing."""
     differs_in: ClassVar[str] = ""
     """A setting in which several devices of this kind on one robot differ."""
 
     @classmethod
-    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         """What stands in the columns P, Q, … of one such device at the start; the rest is 0."""
         return ()
 
     @classmethod
-    def fit(cls, robot: int, real: list[list[float]], whole: list[list[int]], values: Values) -> None:
+    def fit(cls, robot: int, floats: list[list[float]], ints: list[list[int]], values: Values) -> None:
         """What having this device makes of a robot: its size, its bed."""
 
 
 class Actuator(Device):
-    """A device that does something; `procedures` are numbered in the order in which they stand."""
+    """A device that does something; `procedures` are numbered in the order in which they stand. Without any, it takes
+    procedures of every name.
+    """
 
+    discrete = Discrete.BUSY
     procedures: ClassVar[tuple[str, ...]] = ()
-    face: ClassVar[int] = 0
-    """How many whole numbers of its own it has in `faces`, all 0 at the start."""
+    drives: ClassVar[bool] = False
+    """Whether what it does is the motion of its robot."""
+    turns: ClassVar[bool] = False
+    """Whether it turns a robot that may have no wheels."""
+    outputs: ClassVar[int] = 0
+    """How many integers of its own it has in the table `outputs`, all 0 at the start."""
     shown: ClassVar[int] = 0
     """So many of these, the first ones, are for everybody to see: what a display shows, what a buzzer plays."""
+
+    @classmethod
+    def look(cls, values: Values) -> Look:
+        """How the page draws what it shows."""
+        return ""
+
+    @classmethod
+    def procedure_number(cls, part: RobotObject, method: Method, values: Values) -> int:
+        """The number by which `start` knows a procedure of the part."""
+        return cls.procedures.index(method.name)
+
+    @classmethod
+    def is_told(cls, k: int, state: State) -> bool:
+        """Whether actuator k, one that drives its robot, was told to move it last."""
+        return False
+
+    @classmethod
+    def is_waiting_for_room(cls, k: int, state: State) -> bool:
+        """Whether actuator k waits for room in its storehouse."""
+        return False
 
 
 class Sensor(Device):
     """A device that measures."""
 
+    discrete = Discrete.ANY
     by_hand: ClassVar[bool] = False
     """Whether it measures what only a person does: a run in which somebody waits for that is not at a standstill."""
     restless: ClassVar[bool] = False
     """Whether what it measures changes although nothing else does."""
+
+    @classmethod
+    def sees_robots(cls, on_road: bool) -> bool:
+        """Whether it looks for other robots in their grid, on a robot that is on a road or is not."""
+        return False
+
+    @classmethod
+    def table(cls, part: RobotObject, values: Values, world: World) -> Sequence[float]:
+        """Numbers of any count that its settings and the world give; `sense` finds them in `sensors.numbers`, from
+        S_FIRST to S_END.
+        """
+        return ()
+
+    @classmethod
+    def hand(cls, values: Values) -> Hand:
+        """How a person works it in the arena."""
+        return ""
 
     @classmethod
     def resting(cls, values: Values) -> int:

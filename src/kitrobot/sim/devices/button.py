@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from kitrobot.sim.columns import S_ROBOT, S_VALUE, TOUCHING
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor
-
-BUTTON = 1
+from kitrobot.sim.state import State
 
 
 class Button(Sensor):
     """1 while the robot touches a wall or another robot."""
 
     name = "button"
-    kind = BUTTON
     settings = (LATENCY, LOST_READINGS, WRONG)
 
 
-def sense_buttons(first: int, last: int, robots: list[int], touching: list[int], values: list[int]) -> None:
+def sense(first: int, last: int, step: int, state: State) -> None:
     """Measures with the devices `first` … `last` - 1."""
+    sensor = state.sensors.ints
+    robots = sensor[S_ROBOT]
+    values = sensor[S_VALUE]
+    touching = state.robots.ints[TOUCHING]
     for k in range(first, last):
         values[k] = touching[robots[k]]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import (
-    ALARM,
     DIRECTED,
     ENDED,
     GAP_AHEAD,
@@ -14,25 +13,24 @@ from kitrobot.sim.columns import (
     S_P,
     S_ROBOT,
     S_VALUE,
+    SIGN_ALARM,
+    SIGNS,
     SPEED,
     TARGET,
     TOUCHING,
     UX,
     UY,
-    X,
-    Y,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
 from kitrobot.sim.sight import ray_to_discs
-
-COLLISION_SENSOR = 3
+from kitrobot.sim.state import State
 
 
 class Collision(Sensor):
     """1 while a robot is nearer than `reach`, bumper to bumper along the road, or touches; 0 otherwise."""
 
     name = "collision"
-    kind = COLLISION_SENSOR
+    discrete = Discrete.GAP
     settings = (
         LATENCY,
         LOST_READINGS,
@@ -41,38 +39,32 @@ class Collision(Sensor):
     )
 
     @classmethod
-    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         return (values.number("reach"),)
 
     @classmethod
-    def fit(cls, robot: int, real: list[list[float]], whole: list[list[int]], values: Values) -> None:
-        whole[DIRECTED][robot] = 1
+    def fit(cls, robot: int, floats: list[list[float]], ints: list[list[int]], values: Values) -> None:
+        ints[DIRECTED][robot] = 1
+
+    @classmethod
+    def sees_robots(cls, on_road: bool) -> bool:
+        return not on_road
 
 
-def sense_collisions(
-    first: int,
-    last: int,
-    sensor: list[list[int]],
-    sensor_real: list[list[float]],
-    real: list[list[float]],
-    whole: list[list[int]],
-    frame: list[float],
-    shape: list[int],
-    starts: list[int],
-    items: list[int],
-    cells: list[int],
-    exits: list[float],
-) -> None:
+def sense(first: int, last: int, step: int, state: State) -> None:
     """Measures with the devices `first` … `last` - 1, and lights the alarm of their robots."""
+    sensor = state.sensors.ints
+    floats = state.robots.floats
+    ints = state.robots.ints
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
-    reaches = sensor_real[S_P]
-    ended = whole[ENDED]
-    road = whole[ROAD]
-    touching = whole[TOUCHING]
-    alarm = whole[ALARM]
-    speed = real[SPEED]
-    target = real[TARGET]
+    reaches = state.sensors.floats[S_P]
+    ended = ints[ENDED]
+    road = ints[ROAD]
+    touching = ints[TOUCHING]
+    signs = ints[SIGNS]
+    speed = floats[SPEED]
+    target = floats[TARGET]
     for k in range(first, last):
         i = robots[k]
         near = 0
@@ -81,29 +73,15 @@ def sense_collisions(
             if touching[i]:
                 near = 1
             elif road[i] >= 0:
-                if (real[GAP_BEHIND][i] if backwards else real[GAP_AHEAD][i]) <= reaches[k]:
+                if (floats[GAP_BEHIND][i] if backwards else floats[GAP_AHEAD][i]) <= reaches[k]:
                     near = 1
-            elif len(items) > 0:
+            elif len(state.grid.items) > 0:
                 side = -1.0 if backwards else 1.0
-                reach = reaches[k] + real[RADIUS][i]
-                far = ray_to_discs(
-                    real[X][i],
-                    real[Y][i],
-                    side * real[UX][i],
-                    side * real[UY][i],
-                    reach + 1.0,
-                    i,
-                    real[X],
-                    real[Y],
-                    real[RADIUS],
-                    frame,
-                    shape,
-                    starts,
-                    items,
-                    cells,
-                    exits,
-                )
+                reach = reaches[k] + floats[RADIUS][i]
+                ux = side * floats[UX][i]
+                uy = side * floats[UY][i]
+                far = ray_to_discs(i, ux, uy, reach + 1.0, state.robots, state.grid, state.rays)
                 if far <= reach:
                     near = 1
         values[k] = near
-        alarm[i] = near
+        signs[i] = signs[i] & ~SIGN_ALARM | SIGN_ALARM * near

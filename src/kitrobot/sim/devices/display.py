@@ -1,16 +1,16 @@
 """A display of five by five lights, each from 0 (dark) to 9 (bright), as on a micro:bit.
 
-What it shows is its face: five numbers, a row each from the top, whose five decimal digits are the lights from the
-left. The pictures and digits are those that the board shows.
+Its outputs are what it shows: five numbers, a row each from the top, whose five decimal digits are the lights from
+the left. The pictures and digits are those that the board shows.
 """
 
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import A_DONE, A_P, A_Q, A_ROBOT, FAILED
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
+from kitrobot.sim.columns import A_DONE, A_P, A_Q, A_ROBOT, DOWN, FAILED
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
+from kitrobot.sim.state import State
 
-DISPLAY = 1
 SIDE = 5
 _CLEAR, _IMAGE, _NUMBER, _SCROLL, _PIXEL = range(5)
 _SCROLLED = SIDE
@@ -70,10 +70,10 @@ class Display(Actuator):
     """
 
     name = "display"
-    kind = DISPLAY
+    discrete = Discrete.INSTANT
     procedures = ("Clear", "Image", "Number", "Scroll", "Pixel")
     shown = SIDE
-    face = SIDE + 1
+    outputs = SIDE + 1
     settings = (
         LATENCY,
         LOST_COMMANDS,
@@ -81,65 +81,60 @@ class Display(Actuator):
     )
 
     @classmethod
-    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         return (values.number("delay") / 1000,)
 
+    @classmethod
+    def look(cls, values: Values) -> Look:
+        return "lights"
 
-def take_display(
-    k: int,
-    procedure: int,
-    first: int,
-    second: int,
-    last: int,
-    actuator: list[list[int]],
-    actuator_real: list[list[float]],
-    face: list[int],
-) -> None:
+
+def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Does what a command says. P is the seconds for each column, Q how long the number runs already."""
+    actuator = state.actuators.ints
+    output = state.actuators.outputs[k]
+    procedure = command.procedure
+    first = command.first
     actuator[A_DONE][k] = 1
     if procedure == _PIXEL:
         x = min(max(first, 0), SIDE - 1)
-        y = min(max(second, 0), SIDE - 1)
+        y = min(max(command.second, 0), SIDE - 1)
         place = _PLACES[x]
-        face[y] += (min(max(last, 0), 9) - face[y] // place % 10) * place
+        output[y] += (min(max(command.last, 0), 9) - output[y] // place % 10) * place
         return
     for y in range(SIDE):
-        face[y] = 0
+        output[y] = 0
     if procedure == _IMAGE:
         at = SIDE * min(max(first, 0), LAST_IMAGE)
         for y in range(SIDE):
-            face[y] = _LIT[IMAGES[at + y]]
+            output[y] = _LIT[IMAGES[at + y]]
     elif procedure == _NUMBER:
         at = SIDE * min(max(first, 0), 9)
         for y in range(SIDE):
-            face[y] = _LIT[_DIGITS[at + y]]
+            output[y] = _LIT[_DIGITS[at + y]]
     elif procedure == _SCROLL:
-        face[_SCROLLED] = first
-        actuator_real[A_Q][k] = 0.0
+        output[_SCROLLED] = first
+        state.actuators.floats[A_Q][k] = 0.0
         actuator[A_DONE][k] = 0
 
 
-def move_displays(
-    first: int,
-    last: int,
-    dt: float,
-    actuator: list[list[int]],
-    actuator_real: list[list[float]],
-    faces: list[list[int]],
-    down: list[int],
-) -> None:
+def advance(first: int, last: int, dt: float, state: State) -> None:
     """Goes on for a step with the devices `first` … `last` - 1."""
+    actuator = state.actuators.ints
+    actuator_floats = state.actuators.floats
+    outputs = state.actuators.outputs
+    down = state.robots.ints[DOWN]
     done = actuator[A_DONE]
     for k in range(first, last):
         if done[k] or down[actuator[A_ROBOT][k]] == FAILED:
             continue
-        actuator_real[A_Q][k] += dt
-        face = faces[k]
-        if run_through(face[_SCROLLED], int(actuator_real[A_Q][k] / actuator_real[A_P][k] + 1e-9), face):
+        actuator_floats[A_Q][k] += dt
+        output = outputs[k]
+        if run_through(output[_SCROLLED], int(actuator_floats[A_Q][k] / actuator_floats[A_P][k] + 1e-9), output):
             done[k] = 1
 
 
-def run_through(value: int, column: int, face: list[int]) -> bool:
+def run_through(value: int, column: int, output: list[int]) -> bool:
     """Shows a number that has run in from the right by so many columns; True when it has run out again.
 
     Each character is five columns wide, with a dark one behind it.
@@ -153,7 +148,7 @@ def run_through(value: int, column: int, face: list[int]) -> bool:
     signs = 1 if value < 0 else 0
     width = (SIDE + 1) * (count + signs)
     for y in range(SIDE):
-        face[y] = 0
+        output[y] = 0
     for x in range(SIDE):
         at = column + x - SIDE
         across = at % (SIDE + 1)
@@ -168,5 +163,5 @@ def run_through(value: int, column: int, face: list[int]) -> bool:
             digit %= 10
         for y in range(SIDE):
             if _DIGITS[SIDE * digit + y] >> (SIDE - 1 - across) & 1:
-                face[y] += 9 * _PLACES[x]
+                output[y] += 9 * _PLACES[x]
     return column >= SIDE + width

@@ -14,10 +14,12 @@ from kitrobot.sim.columns import (
     RADIUS,
     ROAD,
     SOLID,
+    SPEED,
+    TARGET,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
+from kitrobot.sim.state import State
 
-DRIVE = 3
 _STOP, _ADVANCE, _REVERSE = range(3)
 
 
@@ -25,8 +27,9 @@ class Drive(Actuator):
     """`Advance(speed)`, `Reverse(speed)` in percent of full speed, `Stop()`."""
 
     name = "drive"
-    kind = DRIVE
+    discrete = Discrete.MOTION
     procedures = ("Stop", "Advance", "Reverse")
+    drives = True
     settings = (
         LATENCY,
         LOST_COMMANDS,
@@ -40,38 +43,48 @@ class Drive(Actuator):
     )
 
     @classmethod
-    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+    def is_told(cls, k: int, state: State) -> bool:
+        return bool(state.robots.floats[TARGET][state.actuators.ints[A_ROBOT][k]])
+
+    @classmethod
+    def look(cls, values: Values) -> Look:
+        return "wheels"
+
+    @classmethod
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         return (values.number("speed"),)
 
     @classmethod
-    def fit(cls, robot: int, real: list[list[float]], whole: list[list[int]], values: Values) -> None:
-        real[ACCELERATION][robot] = values.number("acceleration")
-        real[BRAKING][robot] = values.number("braking")
-        real[LENGTH][robot] = values.number("length")
-        real[RADIUS][robot] = values.number("length") / 2
-        whole[SOLID][robot] = 1
+    def fit(cls, robot: int, floats: list[list[float]], ints: list[list[int]], values: Values) -> None:
+        floats[ACCELERATION][robot] = values.number("acceleration")
+        floats[BRAKING][robot] = values.number("braking")
+        floats[LENGTH][robot] = values.number("length")
+        floats[RADIUS][robot] = values.number("length") / 2
+        ints[SOLID][robot] = 1
         if values.word("guide") == "road":
             # Robots on different roads keep only their widths apart, else a bend would count as a crash.
-            real[RADIUS][robot] = values.number("width") / 2
+            floats[RADIUS][robot] = values.number("width") / 2
         else:
-            whole[ROAD][robot] = FREE
+            ints[ROAD][robot] = FREE
 
 
-def take_drive(
-    k: int,
-    procedure: int,
-    percent: int,
-    deviate: float,
-    actuator: list[list[int]],
-    actuator_real: list[list[float]],
-    target: list[float],
-) -> None:
+def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Begins to do what a command says. P is full speed; `deviate` is a normal deviate."""
+    procedure = command.procedure
+    actuator_floats = state.actuators.floats
     speed = 0.0
     if procedure != _STOP:
-        speed = percent / 100 * actuator_real[A_P][k]
-        factor = 1.0 + deviate * actuator_real[A_NOISE][k]
+        speed = command.first / 100 * actuator_floats[A_P][k]
+        factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
         if factor < 0.0:
             factor = 0.0
         speed *= factor
-    target[actuator[A_ROBOT][k]] = -speed if procedure == _REVERSE else speed
+    robot = state.actuators.ints[A_ROBOT][k]
+    state.robots.floats[TARGET][robot] = -speed if procedure == _REVERSE else speed
+
+
+def is_busy(k: int, state: State) -> bool:
+    """Whether its robot rolls, or is to."""
+    robot = state.actuators.ints[A_ROBOT][k]
+    floats = state.robots.floats
+    return floats[SPEED][robot] != 0.0 or floats[TARGET][robot] != 0.0

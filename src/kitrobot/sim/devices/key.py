@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor
-
-KEY = 5
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Hand, Sensor, Values
 
 
 class Key(Sensor):
     """1 while a person holds it: in the simulator while somebody puts a 1 in its place."""
 
     name = "key"
-    kind = KEY
     by_hand = True
     settings = (LATENCY, LOST_READINGS, WRONG)
+
+    @classmethod
+    def hand(cls, values: Values) -> Hand:
+        return "button"

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator
-
-LAMP_DEVICE = 4
+from kitrobot.sim.columns import A_ROBOT, SIGN_LAMP, SIGNS
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete
+from kitrobot.sim.state import State
 
 
 class Lamp(Actuator):
     """`LightOn()`, `LightOff()`."""
 
     name = "lamp"
-    kind = LAMP_DEVICE
+    discrete = Discrete.INSTANT
     procedures = ("LightOff", "LightOn")
     settings = (LATENCY, LOST_COMMANDS)
 
 
-def take_lamp(robot: int, procedure: int, lamp: list[int]) -> None:
+def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Does what a command says."""
-    lamp[robot] = procedure
+    signs = state.robots.ints[SIGNS]
+    robot = state.actuators.ints[A_ROBOT][k]
+    signs[robot] = signs[robot] & ~SIGN_LAMP | SIGN_LAMP * command.procedure

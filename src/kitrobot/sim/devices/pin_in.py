@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor
 
-PIN_IN = 6
-
 
 class PinIn(Sensor):
     """0, until somebody puts a number in its place; 0 and 1 for a digital pin, more for an analogue one."""
 
     name = "pin-in"
-    kind = PIN_IN
     by_hand = True
     settings = (LATENCY, LOST_READINGS, SPREAD)

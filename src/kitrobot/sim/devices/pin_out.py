@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator
-
-PIN_OUT = 6
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Values
+from kitrobot.sim.state import State
 
 
 class PinOut(Actuator):
     """`Write(value)` 0 or 1, `Analog(value)` 0…1023, `Servo(angle)` 0…180 °."""
 
     name = "pin-out"
-    kind = PIN_OUT
+    discrete = Discrete.INSTANT
     procedures = ("Write", "Analog", "Servo")
     shown = 2
-    face = 2
+    outputs = 2
     settings = (LATENCY, LOST_COMMANDS)
 
+    @classmethod
+    def look(cls, values: Values) -> Look:
+        return "pin"
 
-def take_pin_out(procedure: int, value: int, face: list[int]) -> None:
-    """Does what a command says. The face: how it is used (1 written, 2 analogue, 3 servo, 0 not yet), and the value."""
-    face[0] = procedure + 1
-    face[1] = value
+
+def start(k: int, command: Command, deviate: float, state: State) -> None:
+    """Does what a command says. Outputs: how it is used (1 written, 2 analogue, 3 servo, 0 not yet), and the value."""
+    output = state.actuators.outputs[k]
+    output[0] = command.procedure + 1
+    output[1] = command.first

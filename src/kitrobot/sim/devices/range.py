@@ -25,15 +25,13 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.sight import ray_to_discs, ray_to_walls
-
-RANGE = 9
+from kitrobot.sim.state import State
 
 
 class Range(Sensor):
     """From the sensor's least value (touching) to its largest (`reach` or more), in a straight line from the front."""
 
     name = "range"
-    kind = RANGE
     settings = (
         LATENCY,
         LOST_READINGS,
@@ -43,69 +41,45 @@ class Range(Sensor):
     )
 
     @classmethod
-    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         return (values.number("reach"), *direction(math.radians(values.number("angle"))))
 
     @classmethod
-    def fit(cls, robot: int, real: list[list[float]], whole: list[list[int]], values: Values) -> None:
-        whole[DIRECTED][robot] = 1
+    def fit(cls, robot: int, floats: list[list[float]], ints: list[list[int]], values: Values) -> None:
+        ints[DIRECTED][robot] = 1
+
+    @classmethod
+    def sees_robots(cls, on_road: bool) -> bool:
+        return True
 
 
-def sense_ranges(
-    first: int,
-    last: int,
-    step: int,
-    sensor: list[list[int]],
-    sensor_real: list[list[float]],
-    real: list[list[float]],
-    whole: list[list[int]],
-    walls: list[list[float]],
-    wall_frame: list[float],
-    wall_shape: list[int],
-    wall_starts: list[int],
-    wall_items: list[int],
-    frame: list[float],
-    shape: list[int],
-    starts: list[int],
-    items: list[int],
-    cells: list[int],
-    exits: list[float],
-) -> None:
+def sense(first: int, last: int, step: int, state: State) -> None:
     """Measures with the devices `first` … `last` - 1. P is the reach, (Q, R) where it looks as seen from the robot."""
+    sensor = state.sensors.ints
+    sensor_floats = state.sensors.floats
+    floats = state.robots.floats
+    ints = state.robots.ints
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
     leasts = sensor[S_LEAST]
     mosts = sensor[S_MOST]
-    reaches = sensor_real[S_P]
-    cosines = sensor_real[S_Q]
-    sines = sensor_real[S_R]
-    xs = real[X]
-    ys = real[Y]
-    radii = real[RADIUS]
-    ended = whole[ENDED]
-    period = whole[PERIOD]
+    reaches = sensor_floats[S_P]
+    cosines = sensor_floats[S_Q]
+    sines = sensor_floats[S_R]
+    xs = floats[X]
+    ys = floats[Y]
+    radii = floats[RADIUS]
+    ended = ints[ENDED]
+    period = ints[PERIOD]
     for k in range(first, last):
         i = robots[k]
         if ended[i] or step % period[i]:
             continue
-        ux = real[UX][i] * cosines[k] - real[UY][i] * sines[k]
-        uy = real[UX][i] * sines[k] + real[UY][i] * cosines[k]
-        most = ray_to_walls(
-            xs[i],
-            ys[i],
-            ux,
-            uy,
-            reaches[k] + radii[i],
-            walls,
-            wall_frame,
-            wall_shape,
-            wall_starts,
-            wall_items,
-            cells,
-            exits,
-        )
-        if len(items) > 0:
-            most = ray_to_discs(xs[i], ys[i], ux, uy, most, i, xs, ys, radii, frame, shape, starts, items, cells, exits)
+        ux = floats[UX][i] * cosines[k] - floats[UY][i] * sines[k]
+        uy = floats[UX][i] * sines[k] + floats[UY][i] * cosines[k]
+        most = ray_to_walls(xs[i], ys[i], ux, uy, reaches[k] + radii[i], state.walls, state.rays)
+        if len(state.grid.items) > 0:
+            most = ray_to_discs(i, ux, uy, most, state.robots, state.grid, state.rays)
         most -= radii[i]
         if most < 0.0:
             most = 0.0

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import AT, ROAD, S_CUT, S_P, S_ROBOT, S_VALUE
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
-from kitrobot.sim.physics import CLOSED, CUT_FIRST, CUT_LAST
-
-SIGN = 10
+from kitrobot.sim.columns import AT, CLOSED, CUT_FIRST, CUT_LAST, ROAD, S_CUT, S_P, S_ROBOT, S_VALUE
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Discrete, Sensor, Setting, Values
+from kitrobot.sim.state import State
 
 
 class Sign(Sensor):
     """The number of the section under the sensor; 0 on a road without sections."""
 
     name = "sign"
-    kind = SIGN
+    discrete = Discrete.SECTION
     settings = (
         LATENCY,
         LOST_READINGS,
@@ -24,37 +22,33 @@ class Sign(Sensor):
     needs = "road"
 
     @classmethod
-    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         return (values.number("ahead"),)
 
 
-def sense_signs(
-    first: int,
-    last: int,
-    sensor: list[list[int]],
-    sensor_real: list[list[float]],
-    real: list[list[float]],
-    whole: list[list[int]],
-    roads: list[list[int]],
-    road_length: list[float],
-    cut_from: list[float],
-    cut_sign: list[int],
-) -> None:
+def sense(first: int, last: int, step: int, state: State) -> None:
     """Measures with the devices `first` … `last` - 1. P is how far ahead it looks."""
+    sensor = state.sensors.ints
+    floats = state.robots.floats
+    ints = state.robots.ints
+    roads = state.roads.ints
+    road_length = state.roads.length
+    cut_from = state.roads.cut_from
+    cut_sign = state.roads.cut_sign
     robots = sensor[S_ROBOT]
     values = sensor[S_VALUE]
     cuts = sensor[S_CUT]
-    aheads = sensor_real[S_P]
+    aheads = state.sensors.floats[S_P]
     for k in range(first, last):
         i = robots[k]
-        road = whole[ROAD][i]
+        road = ints[ROAD][i]
         if road < 0:
             continue
         low = roads[CUT_FIRST][road]
         high = roads[CUT_LAST][road]
         if low == high:
             continue
-        at = real[AT][i] + aheads[k]
+        at = floats[AT][i] + aheads[k]
         if roads[CLOSED][road]:
             while at >= road_length[road]:
                 at -= road_length[road]

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from kitrobot.sim.columns import A_WAY
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator
-
-SWITCH = 7
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete
+from kitrobot.sim.state import State
 
 
 class Switch(Actuator):
     """`SwitchOn()`, `SwitchOff()`."""
 
     name = "switch"
-    kind = SWITCH
+    discrete = Discrete.INSTANT
     procedures = ("SwitchOff", "SwitchOn")
     settings = (LATENCY, LOST_COMMANDS)
 
 
-def take_switch(k: int, procedure: int, actuator: list[list[int]]) -> None:
+def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Does what a command says; A_WAY is 1 while it is on."""
-    actuator[A_WAY][k] = procedure
+    state.actuators.ints[A_WAY][k] = command.procedure

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from kitrobot.primitives import RobotObject
-from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, FAILED
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
+from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, DOWN, FAILED, TURN
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Setting, Values
+from kitrobot.sim.state import State
 
-TURN_DEVICE = 8
 _STOP, _TURN, _ABSOLUTE = range(3)
 
 
@@ -16,8 +16,10 @@ class Turn(Actuator):
     """`AbsoluteTurn(angle, speed)` turns by a part of a full turn, `Turn(speed)` goes on until `Stop()`; in percent."""
 
     name = "turn"
-    kind = TURN_DEVICE
+    discrete = Discrete.MOTION
     procedures = ("Stop", "Turn", "AbsoluteTurn")
+    drives = True
+    turns = True
     settings = (
         LATENCY,
         LOST_COMMANDS,
@@ -26,51 +28,45 @@ class Turn(Actuator):
     )
 
     @classmethod
-    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+    def is_told(cls, k: int, state: State) -> bool:
+        return bool(state.actuators.floats[A_Q][k])
+
+    @classmethod
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         return (math.radians(values.number("rate")),)
 
 
-def take_turn(
-    k: int,
-    procedure: int,
-    count: int,
-    first: int,
-    last: int,
-    deviate: float,
-    actuator: list[list[int]],
-    actuator_real: list[list[float]],
-) -> None:
+def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Begins to do what a command says. P is the full rate, Q the rate now, R the angle that is left."""
-    factor = 1.0 + deviate * actuator_real[A_NOISE][k]
+    procedure = command.procedure
+    actuator = state.actuators.ints
+    actuator_floats = state.actuators.floats
+    factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
     if factor < 0.0:
         factor = 0.0
     rate = 0.0
-    if count > 0 and procedure != _STOP:
-        rate = last / 100 * actuator_real[A_P][k]
+    if command.arguments > 0 and procedure != _STOP:
+        rate = command.last / 100 * actuator_floats[A_P][k]
     if procedure == _ABSOLUTE:
-        actuator_real[A_R][k] = first / 100 * (2.0 * math.pi) * factor
+        actuator_floats[A_R][k] = command.first / 100 * (2.0 * math.pi) * factor
         actuator[A_DONE][k] = 0
     else:
         rate *= factor
-        actuator_real[A_R][k] = math.inf
+        actuator_floats[A_R][k] = math.inf
         actuator[A_DONE][k] = 1
-    actuator_real[A_Q][k] = rate
+    actuator_floats[A_Q][k] = rate
 
 
-def move_turns(
-    first: int,
-    last: int,
-    dt: float,
-    actuator: list[list[int]],
-    actuator_real: list[list[float]],
-    turn: list[float],
-    down: list[int],
-) -> None:
+def advance(first: int, last: int, dt: float, state: State) -> None:
     """Goes on for a step with the devices `first` … `last` - 1."""
+    actuator = state.actuators.ints
+    actuator_floats = state.actuators.floats
+    turn = state.robots.floats[TURN]
+    down = state.robots.ints[DOWN]
     robots = actuator[A_ROBOT]
     done = actuator[A_DONE]
-    rates = actuator_real[A_Q]
-    lefts = actuator_real[A_R]
+    rates = actuator_floats[A_Q]
+    lefts = actuator_floats[A_R]
     for k in range(first, last):
         rate = rates[k]
         if (done[k] and rate == 0.0) or down[robots[k]] == FAILED:
@@ -87,3 +83,8 @@ def move_turns(
             if left <= 1e-12:
                 rates[k] = 0.0
                 done[k] = 1
+
+
+def is_busy(k: int, state: State) -> bool:
+    """Whether it turns. A turn at speed 0 is never done, and nothing comes of it."""
+    return state.actuators.floats[A_Q][k] != 0.0

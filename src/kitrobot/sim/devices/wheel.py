@@ -17,6 +17,7 @@ from kitrobot.sim.columns import (
     A_S,
     ACCELERATION,
     BRAKING,
+    DOWN,
     FAILED,
     FREE,
     LENGTH,
@@ -27,9 +28,9 @@ from kitrobot.sim.columns import (
     TARGET,
     TURN,
 )
-from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Setting, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
+from kitrobot.sim.state import State
 
-WHEEL_DEVICE = 9
 _STOP, _FORWARD, _BACKWARD = range(3)
 
 
@@ -37,8 +38,9 @@ class Wheel(Actuator):
     """`Forward(speed)`, `Backward(speed)` in percent of full speed, `Stop()`: one wheel, the other has its own."""
 
     name = "wheel"
-    kind = WHEEL_DEVICE
+    discrete = Discrete.MOTION
     procedures = ("Stop", "Forward", "Backward")
+    drives = True
     excludes = ("drive", "turn")
     differs_in = "side"
     settings = (
@@ -54,68 +56,74 @@ class Wheel(Actuator):
     )
 
     @classmethod
-    def reals(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+    def is_told(cls, k: int, state: State) -> bool:
+        return bool(state.actuators.floats[A_R][k])
+
+    @classmethod
+    def look(cls, values: Values) -> Look:
+        return "wheels"
+
+    @classmethod
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         track = values.number("track")
         return values.number("speed"), 0.0, 0.0, -track if values.says("side", "left") else track
 
     @classmethod
-    def fit(cls, robot: int, real: list[list[float]], whole: list[list[int]], values: Values) -> None:
-        real[ACCELERATION][robot] = values.number("acceleration")
-        real[BRAKING][robot] = values.number("braking")
-        real[LENGTH][robot] = max(real[LENGTH][robot], values.number("length"))
-        real[RADIUS][robot] = real[LENGTH][robot] / 2
-        whole[SOLID][robot] = 1
-        whole[ROAD][robot] = FREE
+    def fit(cls, robot: int, floats: list[list[float]], ints: list[list[int]], values: Values) -> None:
+        floats[ACCELERATION][robot] = values.number("acceleration")
+        floats[BRAKING][robot] = values.number("braking")
+        floats[LENGTH][robot] = max(floats[LENGTH][robot], values.number("length"))
+        floats[RADIUS][robot] = floats[LENGTH][robot] / 2
+        ints[SOLID][robot] = 1
+        ints[ROAD][robot] = FREE
 
 
-def take_wheel(k: int, procedure: int, percent: int, deviate: float, actuator_real: list[list[float]]) -> None:
+def start(k: int, command: Command, deviate: float, state: State) -> None:
     """Begins to do what a command says. P is full speed, Q the speed now, R the one it is told."""
+    procedure = command.procedure
+    actuator_floats = state.actuators.floats
     speed = 0.0
     if procedure != _STOP:
-        speed = percent / 100 * actuator_real[A_P][k]
-        factor = 1.0 + deviate * actuator_real[A_NOISE][k]
+        speed = command.first / 100 * actuator_floats[A_P][k]
+        factor = 1.0 + deviate * actuator_floats[A_NOISE][k]
         if factor < 0.0:
             factor = 0.0
         speed *= factor
-    actuator_real[A_R][k] = -speed if procedure == _BACKWARD else speed
+    actuator_floats[A_R][k] = -speed if procedure == _BACKWARD else speed
 
 
-def move_wheels(
-    first: int,
-    last: int,
-    dt: float,
-    actuator: list[list[int]],
-    actuator_real: list[list[float]],
-    real: list[list[float]],
-    down: list[int],
-) -> None:
+def advance(first: int, last: int, dt: float, state: State) -> None:
     """Goes on for a step with the devices `first` … `last` - 1; those of one robot stand side by side.
 
     S is the track, negative for a left wheel. The wheels of a robot that failed brake. The robot is told the mean speed
     of the step, which it has at once: its wheels have done the accelerating.
     """
+    actuator = state.actuators.ints
+    actuator_floats = state.actuators.floats
+    floats = state.robots.floats
+    down = state.robots.ints[DOWN]
     robots = actuator[A_ROBOT]
-    speeds = actuator_real[A_Q]
-    targets = actuator_real[A_R]
-    tracks = actuator_real[A_S]
-    turn = real[TURN]
+    speeds = actuator_floats[A_Q]
+    targets = actuator_floats[A_R]
+    tracks = actuator_floats[A_S]
+    turn = floats[TURN]
     before = -1
     for k in range(first, last):
         i = robots[k]
         if i != before:
             before = i
             turn[i] = 0.0
-            real[SPEED][i] = 0.0
-            real[TARGET][i] = 0.0
+            floats[SPEED][i] = 0.0
+            floats[TARGET][i] = 0.0
         v = speeds[k]
         u = targets[k] if down[i] != FAILED else 0.0
         if v == 0.0 and u == 0.0:
             continue
         way = v * dt
         if v != u:
-            rate = real[ACCELERATION][i]
+            rate = floats[ACCELERATION][i]
             if v * u < 0.0 or abs(u) < abs(v):
-                rate = real[BRAKING][i]
+                rate = floats[BRAKING][i]
             needed = abs(u - v) / rate
             after = u
             if needed <= dt:
@@ -125,6 +133,11 @@ def move_wheels(
                 way = (v + after) / 2.0 * dt
             speeds[k] = after
         turn[i] += way / tracks[k]
-        mean = real[SPEED][i] + way / dt / 2.0
-        real[SPEED][i] = mean
-        real[TARGET][i] = mean
+        mean = floats[SPEED][i] + way / dt / 2.0
+        floats[SPEED][i] = mean
+        floats[TARGET][i] = mean
+
+
+def is_busy(k: int, state: State) -> bool:
+    """Whether it rolls, or is to."""
+    return state.actuators.floats[A_Q][k] != 0.0 or state.actuators.floats[A_R][k] != 0.0

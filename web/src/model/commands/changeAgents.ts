@@ -3,13 +3,12 @@
  *
  * An agent without a start of its own starts at the place of its name; whoever renames it leaves it where it is.
  */
-import { t } from "../../words/words";
-import type { Command } from "../command";
+import { t } from "../../i18n/words";
+import { becomes, type Command } from "../command";
 import type { Agent, Mission } from "../types";
 
 function withAgents(label: string, before: Mission, agents: Agent[], trial: Partial<Mission> = {}): Command {
-  const after = without({ ...before, agents, ...trial }, ["breakpoints", "failures"]);
-  return { label, execute: () => after, revert: () => before };
+  return becomes(label, without({ ...before, agents, ...trial }, ["breakpoints", "failures"]));
 }
 
 function has(mission: Mission, name: string): boolean {

@@ -1,5 +1,5 @@
 /** Adds a branch to a constructor with a repeated slot, or takes one away. */
-import { t } from "../../words/words";
+import { t } from "../../i18n/words";
 import type { Command } from "../command";
 import { type Parts, shortTitle } from "../parts";
 import { dropBranch, findSpot, growBranch } from "../tree";

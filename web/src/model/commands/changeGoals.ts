@@ -1,13 +1,12 @@
 /** Adds, changes and removes goals: what a storehouse holds in the end, as a number of boxes or all of them. */
-import { t } from "../../words/words";
-import type { Command } from "../command";
+import { t } from "../../i18n/words";
+import { becomes, type Command } from "../command";
 import type { Goal, Mission } from "../types";
 
 export const ALL = "all";
 
 function withGoals(label: string, before: Mission, goals: Goal[]): Command {
-  const after = { ...before, goals };
-  return { label, execute: () => after, revert: () => before };
+  return becomes(label, { ...before, goals });
 }
 
 /** A new goal at the end: everything in that storehouse. */

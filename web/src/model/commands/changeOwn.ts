@@ -2,14 +2,10 @@
  * Adds, changes and removes the parts that a mission brings along. Where a part gets another name, what is made of it
  * follows in every program.
  */
-import { t } from "../../words/words";
-import type { Command } from "../command";
+import { t } from "../../i18n/words";
+import { becomes, type Command } from "../command";
 import { ownConstructors, ownVariables } from "../own";
 import type { Constructor, Mission, OwnVariable, Program } from "../types";
-
-function between(label: string, before: Mission, after: Mission): Command {
-  return { label, execute: () => after, revert: () => before };
-}
 
 /** The mission with these lists, each left out when it is empty, as in a mission that never had one. */
 export function withOwn(
@@ -59,7 +55,7 @@ export function addConstructor(mission: Mission, made: Constructor): Command | n
   const own = ownConstructors(mission);
   if (own.some((one) => one.name === made.name)) return null;
   const after = withOwn(mission, [...own, made], ownVariables(mission));
-  return between(t("command.add", { name: made.name }), mission, after);
+  return becomes(t("command.add", { name: made.name }), after);
 }
 
 /** Another one in the place of a constructor; null when it is not there or the new name is taken. */
@@ -71,15 +67,15 @@ export function changeConstructor(mission: Mission, name: string, made: Construc
   const after = withOwn(mission, list, ownVariables(mission));
   const rename = (element: string) => (element === name ? made.name : element);
   const programs = mission.programs.map((program) => renamed(program, rename));
-  return between(t("command.edit", { name }), mission, { ...after, programs });
+  return becomes(t("command.edit", { name }), { ...after, programs });
 }
 
-/** Without that constructor; vertices made of it stay, as a part that nobody knows. Null when it is not there. */
+/** Without that constructor; vertices made of it stay, with the shape `unknown`. Null when it is not there. */
 export function removeConstructor(mission: Mission, name: string): Command | null {
   const own = ownConstructors(mission);
   const list = own.filter((one) => one.name !== name);
   if (list.length === own.length) return null;
-  return between(t("command.delete", { name }), mission, withOwn(mission, list, ownVariables(mission)));
+  return becomes(t("command.delete", { name }), withOwn(mission, list, ownVariables(mission)));
 }
 
 /** A text of LLL in which an object has another name. */
@@ -107,7 +103,7 @@ export function addVariable(mission: Mission, made: OwnVariable): Command | null
   const own = ownVariables(mission);
   const { name } = made.variable;
   if (own.some((one) => isSame(one, made.robot, name))) return null;
-  return between(t("command.add", { name }), mission, withOwn(mission, ownConstructors(mission), [...own, made]));
+  return becomes(t("command.add", { name }), withOwn(mission, ownConstructors(mission), [...own, made]));
 }
 
 /** Another one in the place of a variable, under its new name in every program; null when that name is taken. */
@@ -120,17 +116,17 @@ export function changeVariable(mission: Mission, robot: string, name: string, ma
   const after = withOwn(mission, ownConstructors(mission), list);
   const rename = (element: string) => (element.startsWith(`${name}.`) ? to + element.slice(name.length) : element);
   const programs = mission.programs.map((program) => (program.robot === robot ? renamed(program, rename) : program));
-  return between(t(to === name ? "command.edit" : "command.rename", { name }), mission, {
+  return becomes(t(to === name ? "command.edit" : "command.rename", { name }), {
     ...after,
     programs,
     ...breakpointsWith(mission, robot, name, to),
   });
 }
 
-/** Without that variable; vertices that use it stay, as a part that nobody knows. Null when it is not there. */
+/** Without that variable; vertices that use it stay, with the shape `unknown`. Null when it is not there. */
 export function removeVariable(mission: Mission, robot: string, name: string): Command | null {
   const own = ownVariables(mission);
   const list = own.filter((one) => !isSame(one, robot, name));
   if (list.length === own.length) return null;
-  return between(t("command.delete", { name }), mission, withOwn(mission, ownConstructors(mission), list));
+  return becomes(t("command.delete", { name }), withOwn(mission, ownConstructors(mission), list));
 }

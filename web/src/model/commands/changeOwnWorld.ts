@@ -4,32 +4,23 @@
  * Who renames a road, a dock, a storehouse or a start takes along everything that calls it by name: other things of the
  * world, the team's starts and goals.
  */
-import { t } from "../../words/words";
-import type { Command } from "../command";
+import { t } from "../../i18n/words";
+import { becomes, type Command } from "../command";
 import type { Mission, OwnWorld } from "../types";
 import { type Kind, partsOfKind, type Thing } from "../world/thing";
 import { removed, withDependents, withPart } from "../world/things";
 import { startOf } from "./changeAgents";
 
-function becomes(label: string, before: Mission, after: Mission, joins?: string): Command {
-  return {
-    label,
-    execute: () => after,
-    revert: () => before,
-    ...(joins === undefined ? {} : { joins }),
-  };
-}
-
 /** The mission takes place in this world, which it brings along from now on. */
 export function bringWorld(mission: Mission, world: OwnWorld): Command {
-  return becomes(t("world.bring"), mission, { ...mission, world: "", own_world: world });
+  return becomes(t("world.bring"), { ...mission, world: "", own_world: world });
 }
 
 /** Another world in the place of the mission's own; null when it is the same or there is none. */
 export function changeOwnWorld(mission: Mission, label: string, world: OwnWorld, joins?: string): Command | null {
   const before = mission.own_world ?? null;
   if (before === null || JSON.stringify(before) === JSON.stringify(world)) return null;
-  return becomes(label, mission, { ...mission, own_world: world }, joins);
+  return becomes(label, { ...mission, own_world: world }, joins === undefined ? {} : { joins });
 }
 
 /** Things out of the world, with what cannot be without them. */
@@ -75,5 +66,5 @@ export function renameThing(mission: Mission, { kind, at }: Thing, name: string)
       };
     }
   }
-  return becomes(t("command.rename", { name }), mission, { ...mission, ...team, own_world: after });
+  return becomes(t("command.rename", { name }), { ...mission, ...team, own_world: after });
 }

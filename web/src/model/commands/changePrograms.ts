@@ -1,6 +1,6 @@
 /** Adds, renames and removes whole programs of the mission. Agents follow a renamed program. */
-import { t } from "../../words/words";
-import type { Command } from "../command";
+import { t } from "../../i18n/words";
+import { becomes, type Command } from "../command";
 import type { Mission, Program } from "../types";
 import { breakpointsRenamed } from "./changeTrial";
 
@@ -17,14 +17,10 @@ export function emptyProgram(name: string, robot: string): Program {
   };
 }
 
-function between(label: string, before: Mission, after: Mission): Command {
-  return { label, execute: () => after, revert: () => before };
-}
-
 /** A new, empty program at the end, or null when the name is taken or empty. */
 export function addProgram(mission: Mission, name: string, robot: string): Command | null {
   if (name === "" || mission.programs.some((one) => one.name === name)) return null;
-  return between(t("command.add", { name }), mission, {
+  return becomes(t("command.add", { name }), {
     ...mission,
     programs: [...mission.programs, emptyProgram(name, robot)],
   });
@@ -34,7 +30,7 @@ export function addProgram(mission: Mission, name: string, robot: string): Comma
 export function renameProgram(mission: Mission, name: string, to: string): Command | null {
   if (to === "" || mission.programs.some((one) => one.name === to)) return null;
   if (!mission.programs.some((one) => one.name === name)) return null;
-  return between(t("command.rename", { name }), mission, {
+  return becomes(t("command.rename", { name }), {
     ...mission,
     programs: mission.programs.map((one) => (one.name === name ? { ...one, name: to } : one)),
     agents: mission.agents.map((one) => (one.program === name ? { ...one, program: to } : one)),
@@ -45,7 +41,7 @@ export function renameProgram(mission: Mission, name: string, to: string): Comma
 /** Without that program and its agents, or null when it is the only one. */
 export function removeProgram(mission: Mission, name: string): Command | null {
   if (mission.programs.length <= 1 || !mission.programs.some((one) => one.name === name)) return null;
-  return between(t("command.delete", { name }), mission, {
+  return becomes(t("command.delete", { name }), {
     ...mission,
     programs: mission.programs.filter((one) => one.name !== name),
     agents: mission.agents.filter((one) => one.program !== name),

@@ -8,7 +8,7 @@ const mission = missionOf(CARRIER);
 const vertex = CARRIER.vertices[1]?.id ?? "";
 
 describe("breakpoints", () => {
-  it("are set, changed and taken away, and undone", () => {
+  it("are set, changed and taken away", () => {
     const set = setBreakpoint(mission, { program: CARRIER.name, vertex });
     const one = set?.execute(mission) ?? mission;
     expect(breakpointAt(one, CARRIER.name, vertex)).toEqual({ program: CARRIER.name, vertex });
@@ -18,7 +18,6 @@ describe("breakpoints", () => {
     const three = removeBreakpoint(two, CARRIER.name, vertex)?.execute(two);
     expect(three).toEqual(mission);
     expect(Object.keys(three ?? {})).not.toContain("breakpoints");
-    expect(set?.revert(change?.revert(two) ?? two)).toBe(mission);
   });
 
   it("stand at vertices only", () => {

@@ -1,11 +1,7 @@
 /** Breakpoints and failures on schedule: what a mission says about trying it out. */
-import { t } from "../../words/words";
-import type { Command } from "../command";
+import { t } from "../../i18n/words";
+import { becomes, type Command } from "../command";
 import type { Breakpoint, Mission, Program, ScheduledFailure } from "../types";
-
-function between(label: string, before: Mission, after: Mission): Command {
-  return { label, execute: () => after, revert: () => before };
-}
 
 /** The mission with these lists, each left out when it is empty, as in a mission that never had one. */
 function withTrial(
@@ -42,11 +38,7 @@ export function setBreakpoint(mission: Mission, made: Breakpoint): Command | nul
   const old = breakpointAt(mission, made.program, made.vertex);
   const others = sound(mission);
   const list = old === undefined ? [...others, made] : others.map((one) => (one === old ? made : one));
-  return between(
-    t("command.breakpoint", { name: there.element }),
-    mission,
-    withTrial(mission, list, mission.failures ?? []),
-  );
+  return becomes(t("command.breakpoint", { name: there.element }), withTrial(mission, list, mission.failures ?? []));
 }
 
 /** Without the breakpoint of a vertex; null when it has none. */
@@ -54,14 +46,14 @@ export function removeBreakpoint(mission: Mission, program: string, vertex: stri
   const old = breakpointAt(mission, program, vertex);
   if (old === undefined) return null;
   const list = sound(mission).filter((one) => one !== old);
-  return between(t("command.no-breakpoint"), mission, withTrial(mission, list, mission.failures ?? []));
+  return becomes(t("command.no-breakpoint"), withTrial(mission, list, mission.failures ?? []));
 }
 
 /** Other failures on schedule, in the order of time; null when they are the same. */
 export function setFailures(mission: Mission, failures: readonly ScheduledFailure[]): Command | null {
   const list = [...failures].sort((a, b) => a.at_s - b.at_s);
   if (JSON.stringify(list) === JSON.stringify(mission.failures ?? [])) return null;
-  return between(t("command.failures"), mission, withTrial(mission, mission.breakpoints ?? [], list));
+  return becomes(t("command.failures"), withTrial(mission, mission.breakpoints ?? [], list));
 }
 
 /** The breakpoints after a program was given another name. */

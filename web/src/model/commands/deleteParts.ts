@@ -1,5 +1,5 @@
 /** Deletes vertices with all they hold; arcs heal, a marked action takes its mark along. */
-import { t } from "../../words/words";
+import { t } from "../../i18n/words";
 import type { Command } from "../command";
 import { type Parts, title } from "../parts";
 import { findSpot, inChain, takeOut, topmost, withMark } from "../tree";

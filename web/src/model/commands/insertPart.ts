@@ -1,5 +1,5 @@
 /** Puts a new part where it was dropped: on an arc, in a slot, on a vertex, or on the void, where it is parked. */
-import { t } from "../../words/words";
+import { t } from "../../i18n/words";
 import type { Command } from "../command";
 import { fits, isMark, type Parts, type Shape, standsInChain, title } from "../parts";
 import type { Structure } from "../structure";

@@ -1,5 +1,5 @@
 /** Moves vertices with all they hold to another place, or puts copies of them there. */
-import { t } from "../../words/words";
+import { t } from "../../i18n/words";
 import type { Command } from "../command";
 import { fits, isMark, type Parts, standsInChain, title } from "../parts";
 import type { Block, Structure } from "../structure";

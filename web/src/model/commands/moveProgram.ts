@@ -1,6 +1,6 @@
 /** Moves a program's tab before or behind its neighbour. */
-import { t } from "../../words/words";
-import type { Command } from "../command";
+import { t } from "../../i18n/words";
+import { becomes, type Command } from "../command";
 import type { Mission } from "../types";
 
 /** The command, or null when there is no neighbour on that side. */
@@ -10,6 +10,5 @@ export function moveProgram(mission: Mission, name: string, by: 1 | -1): Command
   if (moved === undefined || mission.programs[from + by] === undefined) return null;
   const programs = mission.programs.filter((one) => one !== moved);
   programs.splice(from + by, 0, moved);
-  const after = { ...mission, programs };
-  return { label: t("command.move", { name }), execute: () => after, revert: () => mission };
+  return becomes(t("command.move", { name }), { ...mission, programs });
 }

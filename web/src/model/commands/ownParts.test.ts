@@ -1,14 +1,14 @@
 /** A selection is replaced by a part, a part changes its vertices, and its instructions take their place again. */
 import { describe, expect, it } from "vitest";
 
+import type { Command } from "../command";
+import { catalogueOf } from "../own";
 import { partsOf } from "../parts";
 import { readStructure } from "../structure";
-import { everySpot } from "../tree";
 import { CARRIER, missionOf } from "../testing/missions";
 import { PARTS } from "../testing/parts";
-import { catalogueOf } from "../own";
+import { everySpot } from "../tree";
 import type { Arc, Constructor, Mission, Program, Slot, Vertex } from "../types";
-import type { Command } from "../command";
 import { addConstructor, removeConstructor } from "./changeOwn";
 import { changePart, dissolvePart, saveAsPart } from "./ownParts";
 
@@ -111,7 +111,6 @@ describe("a selection becomes a part", () => {
     expect(after?.constructors).toEqual([PART]);
     expect(after?.programs[0]?.vertices).toBe(USE.vertices);
     expect(command?.selects).toEqual(["v1"]);
-    expect(command?.revert(after ?? mission)).toBe(mission);
   });
 
   it("leaves the program where the part is only kept", () => {
@@ -136,7 +135,6 @@ describe("a part is changed", () => {
     const after = command?.execute(USING) ?? USING;
     expect(said(after)).toEqual(["Other 7 9", "Run.IsTrue", "Other 2 9", "Lamp.LightOn"]);
     expect(after.programs[0]?.vertices.find(({ id }) => id === "v1")?.notes.map(({ at }) => at)).toEqual(["", ""]);
-    expect(command?.revert(after)).toBe(USING);
   });
 
   it("closes a body that is new", () => {
@@ -173,7 +171,6 @@ describe("a part's instructions take its place", () => {
       ["Repetition", "", "why"],
       ["While", "in:body", "end"],
     ]);
-    expect(command?.revert(after)).toBe(USING);
   });
 
   it("needs a drawing for each robot that uses it", () => {
@@ -212,26 +209,17 @@ describe("any changes of parts in a row", () => {
     }
   }
 
-  it("lose no vertex that a person drew, and are undone to the very same mission", () => {
+  it("lose no vertex that a person drew, and leave the mission before as it was", () => {
     for (let seed = 0; seed < 60; seed++) {
       const roll = dice(seed);
-      const steps: { command: Command; before: string }[] = [];
       let mission: Mission = USING;
       for (let step = 0; step < 12; step++) {
-        const command = change(mission, roll);
-        if (command === null) continue;
-        steps.push({ command, before: JSON.stringify(mission) });
-        mission = command.execute(mission);
+        const [before, text] = [mission, JSON.stringify(mission)];
+        mission = change(before, roll)?.execute(before) ?? before;
+        expect(JSON.stringify(before)).toBe(text);
         const elements = mission.programs[0]?.vertices.map(({ element }) => element) ?? [];
         expect(elements).toEqual(expect.arrayContaining(["Start", "Run.IsTrue", "Lamp.LightOn", "Stop"]));
       }
-      for (const { command, before } of steps.reverse()) {
-        const after = JSON.stringify(mission);
-        mission = command.revert(mission);
-        expect(JSON.stringify(mission)).toBe(before);
-        expect(JSON.stringify(command.execute(mission))).toBe(after);
-      }
-      expect(mission).toEqual(USING);
     }
   });
 });

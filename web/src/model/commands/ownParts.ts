@@ -2,8 +2,8 @@
  * Parts of one's own where they are used: a selection becomes one, a changed part changes its vertices, and a part's
  * instructions take the place of its vertices.
  */
-import { t } from "../../words/words";
-import type { Command } from "../command";
+import { t } from "../../i18n/words";
+import { becomes, type Command } from "../command";
 import { blocksOf } from "../fragment";
 import { catalogueOf, ownConstructors, ownVariables } from "../own";
 import { fits, type Parts, partsOf, type Shape } from "../parts";
@@ -21,11 +21,9 @@ export function saveAsPart(
   const added = addConstructor(mission, made);
   if (added === null || inPlace === null) return added;
   const { program, vertex } = inPlace;
-  const execute = (before: Mission): Mission => {
-    const after = added.execute(before);
-    return { ...after, programs: after.programs.map((one) => (one.name === program.name ? program : one)) };
-  };
-  return { label: t("own.command-save", { name: made.name }), execute, revert: () => mission, selects: [vertex] };
+  const after = added.execute(mission);
+  const programs = after.programs.map((one) => (one.name === program.name ? program : one));
+  return becomes(t("own.command-save", { name: made.name }), { ...after, programs }, { selects: [vertex] });
 }
 
 /** Whether vertices of the one part are vertices of the other as they are. */
@@ -114,7 +112,7 @@ export function dissolvePart(mission: Mission, files: Catalogue, name: string, d
   });
   const rest = own.filter((one) => one.name !== name);
   const after = { ...withOwn(mission, rest, ownVariables(mission)), programs };
-  return { label: t("own.command-dissolve", { name }), execute: () => after, revert: () => mission };
+  return becomes(t("own.command-dissolve", { name }), after);
 }
 
 function dissolved(program: Program, parts: Parts, name: string, drawing: Program): Program {

@@ -1,5 +1,5 @@
 /** Puts the blocks of a piece, with ids of their own, where they are pasted. */
-import { t } from "../../words/words";
+import { t } from "../../i18n/words";
 import type { Command } from "../command";
 import { blocksOf } from "../fragment";
 import { type Parts, title } from "../parts";

@@ -1,10 +1,10 @@
-/** Puts agents that have no start in the world on starts where nobody is. */
-import { t } from "../../words/words";
-import type { Command } from "../command";
+/** Puts agents that have no start in the world on free starts. */
+import { t } from "../../i18n/words";
+import { becomes, type Command } from "../command";
 import type { Mission } from "../types";
 import { startOf } from "./changeAgents";
 
-/** `starts` are those of the world; null when nobody needs one, or none is free. */
+/** `starts` are those of the world; null when every agent has one, or none is free. */
 export function placeAgents(mission: Mission, starts: readonly string[]): Command | null {
   const taken = new Set(mission.agents.map(startOf));
   const free = starts.filter((start) => !taken.has(start));
@@ -13,6 +13,5 @@ export function placeAgents(mission: Mission, starts: readonly string[]): Comman
     return start === undefined ? agent : { ...agent, start: start === agent.name ? "" : start };
   });
   if (agents.every((agent, at) => agent === mission.agents[at])) return null;
-  const after = { ...mission, agents };
-  return { label: t("command.place"), execute: () => after, revert: () => mission };
+  return becomes(t("command.place"), { ...mission, agents });
 }

@@ -1,5 +1,5 @@
 /** Makes another part of the same role of a vertex: EqualTo of LessThan, LightOn of LightOff. */
-import { t } from "../../words/words";
+import { t } from "../../i18n/words";
 import type { Command } from "../command";
 import { fits, type Parts, title } from "../parts";
 import { findSpot, newBlock } from "../tree";

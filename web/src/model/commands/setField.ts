@@ -1,5 +1,5 @@
 /** Types a value into a field of a vertex; steps of one drag or one word join into a single undo. */
-import { t } from "../../words/words";
+import { t } from "../../i18n/words";
 import { type Command, replaceProgram } from "../command";
 import type { Parts } from "../parts";
 import type { Program } from "../types";

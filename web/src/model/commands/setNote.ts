@@ -1,5 +1,5 @@
 /** Writes the note above a vertex, the one that becomes comment lines above its instruction. */
-import { t } from "../../words/words";
+import { t } from "../../i18n/words";
 import { type Command, replaceProgram } from "../command";
 import { noteText } from "../notes";
 import type { Program } from "../types";

@@ -47,7 +47,6 @@ describe("moving a program's tab", () => {
     const command = moveProgram(mission, "a", 1);
     const after = command?.execute(mission);
     expect(names(after)).toEqual(["b", "a", "c"]);
-    expect(command?.revert(after ?? mission)).toBe(mission);
   });
 
   it("goes nowhere at the ends", () => {

@@ -4,7 +4,7 @@
  * A constructor wraps by its first slot that holds a chain; one that holds several gives up all of them, one after the
  * other, when it is unwrapped.
  */
-import { t } from "../../words/words";
+import { t } from "../../i18n/words";
 import type { Command } from "../command";
 import { isMark, type Parts, type Shape, shortTitle, standsInChain } from "../parts";
 import type { Block, Structure } from "../structure";

@@ -1,6 +1,6 @@
 /** A layout while it is being made: what has been placed so far, and how each thing is written down. */
 import type { Colour, Vertex } from "../types";
-import { Leaps } from "./leaps";
+import { Leaps } from "./break-edges";
 import { HALF_ROW, type Measured } from "./sizes";
 import type { ArcColour, ArcLabel, Layout, LayoutArc, LayoutFrame, LayoutNode, NodeKind, Point } from "./types";
 

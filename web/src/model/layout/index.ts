@@ -1,4 +1,4 @@
-/** The door of the layout: a structure in, places out, in one linear walk. */
+/** The layout's interface: from a structure to places, in one linear walk. */
 import type { Structure } from "../structure";
 import { Placer } from "./place";
 import type { Layout } from "./types";

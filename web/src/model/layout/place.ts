@@ -6,18 +6,18 @@
  * each other (the end of a body, then the arc that leaves its owner) and may stand on a lane: a loop's exit has gone to
  * the right edge of the loop's frame and only comes back to the middle where somebody needs it there.
  *
- * Rules (look.md): a loop is its own frame, its left edge the return and its right edge the exit; a legend box has its
+ * Rules: a loop is its own frame, its left edge the return and its right edge the exit; a legend box has its
  * vertex on the top edge; branches run between two bars; the columns of a choice meet again; a Break's arc has a lane of its
- * own (leaps.ts). Colours say who owns an arc.
+ * own (break-edges.ts). The colour of an arc is that of its owner.
  */
-import type { Block, Body, Structure } from "../structure";
+import { t } from "../../i18n/words";
 import { noteText } from "../notes";
+import type { Block, Body, Structure } from "../structure";
 import { text } from "../texts";
-import { t } from "../../words/words";
 import type { Colour, Vertex } from "../types";
-import { LEAP_ROW, leapsOut } from "./leaps";
-import { ceilTo, GAP, HALF_BAR, HALF_ROW, type Measured, NOTE, PITCH, Sizes, TO_BAR } from "./sizes";
+import { LEAP_ROW, leapsOut } from "./break-edges";
 import { Draft, NO_FACE, type Piece, startPiece } from "./draft";
+import { ceilTo, GAP, HALF_BAR, HALF_ROW, type Measured, NOTE, PITCH, Sizes, TO_BAR } from "./sizes";
 import type { ArcLabel, Layout, Point } from "./types";
 
 interface Tail {

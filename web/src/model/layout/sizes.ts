@@ -2,14 +2,14 @@
  * Widths: of each vertex, and of each block with all it holds. Everything is symmetric about its middle line, so one
  * number a block, its half width, is enough; halves are multiples of 8, which keeps middles on the grid.
  */
-import { chipOf, chipWidth, type Face, faceOf, faceWidth } from "../face";
+import { t } from "../../i18n/words";
 import { textWidth } from "../measure";
 import { noteText } from "../notes";
 import { isMark } from "../parts";
 import type { Block } from "../structure";
 import { verticesOf } from "../tree";
-import { t } from "../../words/words";
-import { leapsOut } from "./leaps";
+import { chipOf, chipWidth, type Face, faceOf, faceWidth } from "../vertex-content";
+import { leapsOut } from "./break-edges";
 import type { Inside } from "./types";
 
 export type Style = "simple" | "legend" | "loop" | "bars" | "columns" | "chip";

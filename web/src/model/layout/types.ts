@@ -1,7 +1,7 @@
 /** What the layout gives: where everything is, in px at zoom 1. The middle of Start is the origin; y grows downwards. */
-import type { Face } from "../face";
 import type { Block } from "../structure";
 import type { Colour } from "../types";
+import type { Face } from "../vertex-content";
 
 export interface Point {
   x: number;
@@ -36,7 +36,7 @@ export interface LayoutNode {
   parked: boolean;
   /** What is hidden in it, or null when it is not folded. */
   inside: Inside | null;
-  /** What somebody wrote above it ("" for nothing): a strip NOTE high on its top edge, `noteWidth` wide. */
+  /** The note above it ("" for none): a strip NOTE high on its top edge, `noteWidth` wide. */
   note: string;
   noteWidth: number;
 }

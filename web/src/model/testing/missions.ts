@@ -1,6 +1,6 @@
 /** Missions for tests, and programs grown at random from a seed. */
-import { insertPart } from "../commands/insertPart";
 import { emptyProgram } from "../commands/changePrograms";
+import { insertPart } from "../commands/insertPart";
 import { type Parts, partsOf } from "../parts";
 import { readStructure } from "../structure";
 import { everySpot, type Place } from "../tree";

@@ -161,7 +161,8 @@ function object(
   return {
     name,
     category,
-    device: "",
+    look: "",
+    hand: "",
     icon,
     label: {},
     help: {},

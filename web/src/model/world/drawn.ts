@@ -36,7 +36,7 @@ export function dockPlace(world: OwnWorld, dock: OwnWorld["docks"][number]): Pla
   return line === null ? null : placeAt(line, dock.at_mm);
 }
 
-/** Where somebody with this start stands; null where the world has no such place. */
+/** The place of a start; null where the world has no such place. */
 export function startPlace(world: OwnWorld, start: OwnWorld["starts"][number]): Place | null {
   switch (start.at) {
     case "pose":

@@ -1,7 +1,7 @@
 /**
  * What a thing of a mission's own world is: a kind and its number from 0, as the server's problems name it.
  *
- * What is done to things is in `things.ts`, which is fetched with the editor.
+ * What is done to things is in the files beside it, which are fetched with the editor.
  */
 import type { OwnWorld } from "../types";
 

@@ -1,6 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
 
-import { drawNew } from "../../world/make";
 import { bringWorld, changeOwnWorld, isFreeName, removeThings, renameThing } from "../commands/changeOwnWorld";
 import { changeWorld } from "../commands/changeWorld";
 import { useStudio } from "../studio";
@@ -8,24 +7,14 @@ import { fileOf, missionOf, CARRIER } from "../testing/missions";
 import held from "../testing/worlds.json";
 import type { Mission, OwnWorld, World } from "../types";
 import { drawnWorld, lineOf } from "./drawn";
+import { endsOf, snapped, thingAt } from "./finding";
+import { dragged, gripsOf } from "./grips";
 import { lineThrough, nearestOn, placeAt } from "./line";
+import { drawNew } from "./make";
+import { anchorOf, moved, startMoved } from "./moving";
+import { withCut, withPoints, withSections } from "./roads";
 import { KINDS, thingNamed, thingsOf, tidy } from "./thing";
-import {
-  added,
-  anchorOf,
-  dragged,
-  endsOf,
-  gripsOf,
-  moved,
-  removed,
-  snapped,
-  startMoved,
-  thingAt,
-  withCut,
-  withDependents,
-  withPoints,
-  withSections,
-} from "./things";
+import { added, removed, withDependents } from "./things";
 
 const WORLDS = held as unknown as { own: OwnWorld; drawn: World }[];
 const ring = WORLDS.find(({ own }) => own.name === "ring")?.own as OwnWorld;

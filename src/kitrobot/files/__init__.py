@@ -1,0 +1,177 @@
+"""Files of every kind on disk: found, read, written whole, locked, recovered; missions inside pictures.
+
+The door opens lazily, because whoever lays out a text needs no journals.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from kitrobot.files.disk import (
+        LARGEST_FILE_BYTES,
+        LOCK_NAME,
+        UNREADABLE,
+        FileError,
+        decode,
+        expect_unchanged,
+        look_alike,
+        read_bytes,
+        read_text,
+        replace_file,
+        replace_whole,
+        same_file,
+        saving_in,
+        sweep,
+        write_atomic,
+    )
+    from kitrobot.files.embedded_mission import CarriedError, carried_mission, is_picture, read_carried
+    from kitrobot.files.examples import examples_folder, first_example
+    from kitrobot.files.file_lock import FileLock
+    from kitrobot.files.folder import (
+        NAME_NO_TEXT,
+        RECORDING,
+        RENAME,
+        TUTORIAL_ENDING,
+        ConflictError,
+        MissionEntry,
+        MissionFolder,
+        MissionNameError,
+        ReadOnlyError,
+        name_as_text,
+        revision_of,
+    )
+    from kitrobot.files.forms import Form, FormError, form_of
+    from kitrobot.files.journal_file import Journal, JournalError, read_journal, write_journal
+    from kitrobot.files.layout import Layout, lay_out, lay_out_file
+    from kitrobot.files.places import Places
+    from kitrobot.files.recovery import Claimed, Journals, Left, News, state_folder
+
+_HOME = {
+    "disk": (
+        "LARGEST_FILE_BYTES",
+        "LOCK_NAME",
+        "UNREADABLE",
+        "FileError",
+        "decode",
+        "expect_unchanged",
+        "look_alike",
+        "read_bytes",
+        "read_text",
+        "replace_file",
+        "replace_whole",
+        "same_file",
+        "saving_in",
+        "sweep",
+        "write_atomic",
+    ),
+    "embedded_mission": (
+        "CarriedError",
+        "carried_mission",
+        "is_picture",
+        "read_carried",
+    ),
+    "examples": (
+        "examples_folder",
+        "first_example",
+    ),
+    "file_lock": ("FileLock",),
+    "folder": (
+        "NAME_NO_TEXT",
+        "RECORDING",
+        "RENAME",
+        "TUTORIAL_ENDING",
+        "ConflictError",
+        "MissionEntry",
+        "MissionFolder",
+        "MissionNameError",
+        "ReadOnlyError",
+        "name_as_text",
+        "revision_of",
+    ),
+    "forms": (
+        "Form",
+        "FormError",
+        "form_of",
+    ),
+    "journal_file": (
+        "Journal",
+        "JournalError",
+        "read_journal",
+        "write_journal",
+    ),
+    "layout": (
+        "Layout",
+        "lay_out",
+        "lay_out_file",
+    ),
+    "places": ("Places",),
+    "recovery": (
+        "Claimed",
+        "Journals",
+        "Left",
+        "News",
+        "state_folder",
+    ),
+}
+_MODULE_OF = {name: module for module, names in _HOME.items() for name in names}
+
+__all__ = [
+    "LARGEST_FILE_BYTES",
+    "LOCK_NAME",
+    "NAME_NO_TEXT",
+    "RECORDING",
+    "RENAME",
+    "TUTORIAL_ENDING",
+    "UNREADABLE",
+    "CarriedError",
+    "Claimed",
+    "ConflictError",
+    "FileError",
+    "FileLock",
+    "Form",
+    "FormError",
+    "Journal",
+    "JournalError",
+    "Journals",
+    "Layout",
+    "Left",
+    "MissionEntry",
+    "MissionFolder",
+    "MissionNameError",
+    "News",
+    "Places",
+    "ReadOnlyError",
+    "carried_mission",
+    "decode",
+    "examples_folder",
+    "expect_unchanged",
+    "first_example",
+    "form_of",
+    "is_picture",
+    "lay_out",
+    "lay_out_file",
+    "look_alike",
+    "name_as_text",
+    "read_bytes",
+    "read_carried",
+    "read_journal",
+    "read_text",
+    "replace_file",
+    "replace_whole",
+    "revision_of",
+    "same_file",
+    "saving_in",
+    "state_folder",
+    "sweep",
+    "write_atomic",
+    "write_journal",
+]
+
+
+def __getattr__(name: str) -> Any:
+    module = _MODULE_OF.get(name)
+    if module is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{module}"), name)

@@ -1,0 +1,150 @@
+"""A mission carried inside a picture: the studio's SVG, PNG and PDF of a graph hold the whole `.krt` and open like it.
+
+SVG: the text of `<metadata id="kitrobot-mission">`. PNG: an iTXt chunk, uncompressed, with the keyword
+`kitrobot-mission`. PDF: an attached file, found by `pdf_attachment`. Pictures come from anywhere: what is taken out is
+bounded, checked as far as the picture's own form can be checked, and read as carefully as any `.krt` after that. Left
+to others: reading the mission.
+"""
+
+from __future__ import annotations
+
+import re
+import zlib
+from pathlib import Path, PurePath
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.files.disk import FileError, read_bytes
+from kitrobot.files.pdf_attachment import MAGIC, PdfError, mission_in_pdf
+from kitrobot.files.recognition import recognised
+from kitrobot.xml import MAX_BYTES, DoctypeError, ExpatError, new_parser
+
+KEYWORD = "kitrobot-mission"
+PICTURES = (".pdf", ".png", ".svg")
+"""Endings of the pictures that the studio makes."""
+_PNG = b"\x89PNG\r\n\x1a\n"
+_SVG = re.compile(
+    rb"\A(?:\xef\xbb\xbf)?(?>\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>)*<svg[\s>/]", re.DOTALL
+)
+"""Atomic, so that a hostile file cannot make it try every way to split its comments."""
+_OURS = "a picture that KitRobot exported has its mission inside; so has a `.krt`"
+_LOOKED_AT = 4096
+"""Bytes at the beginning in which an SVG shows that it is one."""
+
+
+class CarriedError(KitRobotError):
+    """A picture or another file that holds no mission, or is damaged."""
+
+
+def is_picture(name: str) -> bool:
+    """Whether a file's name says that it is a picture which can carry a mission."""
+    return PurePath(name).suffix.lower() in PICTURES
+
+
+def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
+    """The `.krt` inside a picture, and its name as a mission; what may be a mission comes back as it is.
+
+    Raises:
+        CarriedError: it is a picture or of another kind that is known, and there is no mission to be had from it.
+    """
+    if data.startswith(_PNG):
+        found = _in_png(data, name)
+    elif data.startswith(MAGIC):
+        found = _in_pdf(data, name)
+    elif _SVG.match(data[:_LOOKED_AT]):
+        found = _in_svg(data, name)
+    elif (kind := recognised(data)) is not None:
+        raise CarriedError(f"`{name}` is {kind}: there is no mission inside", _OURS)
+    elif is_picture(name):
+        raise CarriedError(
+            f"`{name}` is not the picture that its name promises" if data else f"`{name}` is empty",
+            "get the picture once more, or open the mission's own `.krt`",
+        )
+    else:
+        return data, name
+    if not found:
+        raise CarriedError(f"`{name}` is a picture without a mission inside", _OURS)
+    return found, PurePath(name).stem + ".krt"
+
+
+def read_carried(path: Path) -> bytes:
+    """The bytes of a `.krt`: the file's own, or those that a picture carries.
+
+    Raises:
+        FileError: the file cannot be read, or is a picture without a mission.
+    """
+    try:
+        return carried_mission(read_bytes(path), str(path))[0]
+    except CarriedError as error:
+        raise FileError(error.message, error.help, path=path) from None
+
+
+def _in_png(data: bytes, name: str) -> bytes:
+    damaged = CarriedError(f"`{name}` is damaged, so no mission can be taken out of it", "get the picture once more")
+    at = len(_PNG)
+    while True:
+        head = data[at : at + 8]
+        if len(head) < 8:
+            raise damaged
+        length, kind = int.from_bytes(head[:4]), head[4:]
+        body, check = data[at + 8 : at + 8 + length], data[at + 8 + length : at + 12 + length]
+        if len(body) != length or int.from_bytes(check) != zlib.crc32(kind + body) or len(check) != 4:
+            raise damaged
+        if kind == b"IEND":
+            return b""
+        # keyword, 0, compressed 0, method 0, language, 0, translated keyword, 0, text
+        start = KEYWORD.encode() + b"\0\0\0\0\0"
+        if kind == b"iTXt" and body.startswith(start):
+            return body[len(start) :]
+        at += 12 + length
+
+
+_PDF_SENTENCES = {
+    "damaged": ("is damaged, so no mission can be taken out of it", "get the PDF once more"),
+    "locked": (
+        "is locked with a password, so no mission can be taken out of it",
+        "open the PDF as the studio exported it, before it was locked",
+    ),
+    "large": ("holds more than any PDF of the studio", "open the mission's own `.krt`"),
+}
+
+
+def _in_pdf(data: bytes, name: str) -> bytes:
+    try:
+        return mission_in_pdf(data)
+    except PdfError as error:
+        sentence, help = _PDF_SENTENCES[error.kind]
+        raise CarriedError(f"`{name}` {sentence}", help) from None
+
+
+class _Metadata:
+    """Keeps the text of the metadata that is ours."""
+
+    def __init__(self) -> None:
+        self.pieces: list[str] = []
+        self._inside = False
+
+    def start(self, name: str, attributes: dict[str, str]) -> None:
+        self._inside = name == "metadata" and attributes.get("id") == KEYWORD
+
+    def end(self, name: str) -> None:
+        self._inside = False
+
+    def characters(self, content: str) -> None:
+        if self._inside:
+            self.pieces.append(content)
+
+
+def _in_svg(data: bytes, name: str) -> bytes:
+    if len(data) > 4 * MAX_BYTES:
+        raise CarriedError(f"`{name}` is too large for a picture of the studio", "open the mission's own `.krt`")
+    metadata, parser = _Metadata(), new_parser()
+    parser.StartElementHandler = metadata.start
+    parser.EndElementHandler = metadata.end
+    parser.CharacterDataHandler = metadata.characters
+    try:
+        parser.Parse(data, True)
+    except (ExpatError, DoctypeError, LookupError, ValueError):
+        raise CarriedError(
+            f"`{name}` is damaged, so no mission can be taken out of it", "get the picture once more"
+        ) from None
+    return "".join(metadata.pieces).strip().encode()

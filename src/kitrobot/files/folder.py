@@ -1,0 +1,320 @@
+"""The missions of one folder, and the examples beside them: listed, read, saved; nothing outside can be reached.
+
+The tutorials of the folder and among the examples are named in the same way.
+
+A mission is named by its path relative to the folder, with `/` between the parts; an example by `example:` and its
+path among the examples, and it is read-only. A name is followed through links before it is used, and refused when it
+leads out of its folder. A *revision* names a file's content, so that a save which would overwrite what somebody else
+wrote meanwhile is noticed. Left to others: what a mission says.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import re
+import threading
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path, PurePosixPath
+
+from kitrobot.diagnostics import KitRobotError, open_regular
+from kitrobot.files.disk import read_bytes, saving_in, sweep
+from kitrobot.files.embedded_mission import is_picture
+from kitrobot.files.examples import examples_folder
+from kitrobot.trace import ENDING as TRACE_ENDING
+
+ENDING = ".krt"
+TUTORIAL_ENDING = ".tutorial.xml"
+EXAMPLE = "example:"
+RECORDING = "recording:"
+"""How the name of a mission that a recording brought along begins; the recording's name follows."""
+DEEPEST = 5
+MOST_LISTED = 500
+MOST_LOOKED_AT = 20_000
+"""Entries of folders that a listing looks at: the folder may be somebody's whole home."""
+
+NAME_NO_TEXT = "its name is not text in UTF-8"
+RENAME = "give the file another name"
+
+_ON_WINDOWS = re.compile(r"[\\:*?\"<>|\x00-\x1f\x7f]")
+
+
+class MissionNameError(KitRobotError):
+    """A name that leads to no mission of the folder."""
+
+
+class ReadOnlyError(KitRobotError):
+    """An example cannot be written to."""
+
+
+@dataclass(eq=False)
+class ConflictError(KitRobotError):
+    """The file is not what it was; `revision` is what it is now ("" when it is gone)."""
+
+    revision: str = ""
+
+
+@dataclass(frozen=True)
+class MissionEntry:
+    """A mission of the folder, or an example; `modified` is a moment in UTC (ISO 8601), `problem` why it cannot be
+    opened, "" where nothing is known against it.
+    """
+
+    path: str
+    name: str
+    title: str
+    example: bool
+    modified: str
+    problem: str = ""
+
+
+class MissionFolder:
+    """The missions of `root`. Safe to use from many threads: one save at a time."""
+
+    def __init__(self, root: Path, examples: Path | None = None) -> None:
+        self.root = root.resolve()
+        self.examples = (examples or examples_folder() or Path(os.devnull)).resolve()
+        self.recordings = Path(os.devnull).resolve()
+        """Where missions of opened recordings are unpacked, in a folder each."""
+        self._saving = threading.Lock()
+
+    def missions(self) -> list[MissionEntry]:
+        """The missions of the folder by path, then the examples."""
+        # Examples that lie below the folder, as in a checkout, are listed once: as examples.
+        own = [_entry(path, self.root, "") for path in _missions_below(self.root, self.examples)]
+        return own + [_entry(path, self.examples, EXAMPLE) for path in _missions_below(self.examples)]
+
+    def name_of(self, path: Path) -> str:
+        """The name of a file in the folder or among the examples.
+
+        Raises:
+            MissionNameError: it is in neither.
+        """
+        real = path.resolve()
+        ways = [(self.root, ""), (self.examples, EXAMPLE)]
+        if self.root in self.examples.parents:
+            ways.reverse()  # as they are listed
+        for root, prefix in ways:
+            if root in real.parents:
+                return prefix + real.relative_to(root).as_posix()
+        raise MissionNameError(f"`{path}` is not in the folder `{self.root.name}`", "open its own folder")
+
+    def tutorials(self) -> list[str]:
+        """The names of the tutorials: those among the examples by path, then those of the folder."""
+        shipped = [EXAMPLE + path.relative_to(self.examples).as_posix() for path in _tutorials_below(self.examples)]
+        own = [path.relative_to(self.root).as_posix() for path in _tutorials_below(self.root, self.examples)]
+        return shipped + own
+
+    def path_of(self, name: str, ending: str = ENDING) -> Path:
+        """The file that a name leads to; it need not exist.
+
+        Raises:
+            MissionNameError: the name is no name of a mission, or leads out of the folder.
+        """
+        root, inner = self.root, name
+        if name.startswith(EXAMPLE):
+            root, inner = self.examples, name.removeprefix(EXAMPLE)
+        elif name.startswith(RECORDING):
+            root, inner = self.recordings, name.removeprefix(RECORDING)
+        pure = PurePosixPath(inner)
+        wrong = not inner or pure.is_absolute() or ".." in pure.parts or _ON_WINDOWS.search(inner) or len(inner) > 1000
+        stem = pure.name[: -len(ending)] if pure.name.lower().endswith(ending) else ""
+        if wrong or not stem.strip("."):
+            known = {ENDING: "a mission", TUTORIAL_ENDING: "a tutorial", TRACE_ENDING: "a recording"}
+            what = known.get(ending, "a picture")
+            raise MissionNameError(
+                f"`{name[:80]}` is no name of {what}", f"give a name in this folder that ends with `{ending}`"
+            )
+        path = root / pure
+        try:
+            real = path.resolve()
+        except (OSError, RuntimeError):
+            raise MissionNameError(f"`{name[:80]}` leads nowhere", "") from None
+        if root not in real.parents:
+            raise MissionNameError(f"`{name[:80]}` leads out of the folder", "open the mission's own folder")
+        return path
+
+    def folder_of(self, name: str) -> Path:
+        """The folder that a mission's own robots, constructors and worlds are in; `root` for a mission without a
+        name.
+        """
+        return self.path_of(name).parent if name else self.root
+
+    def own_folder_of(self, name: str) -> Path:
+        """The folder that files for a mission may be put into: its own; `root` for what is read-only."""
+        return self.root if name.startswith((EXAMPLE, RECORDING)) else self.folder_of(name)
+
+    def folders_of(self, name: str) -> tuple[Path, ...]:
+        """Where robots, constructors and worlds of a mission are looked for; a later folder wins.
+
+        A recording's own come last: they are what was recorded.
+        """
+        folder, own = self.folder_of(name), self.own_folder_of(name)
+        if name.startswith(RECORDING):
+            return own, folder
+        return (folder,) if folder == own else (folder, own)
+
+    def root_of(self, name: str) -> Path:
+        """The folder that a mission's files must not lead out of: ours, or that of the examples."""
+        return self.examples if name.startswith(EXAMPLE) else self.root
+
+    def read(self, name: str) -> tuple[bytes, str]:
+        """The content of a mission's file, or of a picture, and its revision.
+
+        Raises:
+            MissionNameError: the name leads to no mission.
+            FileError: the file cannot be read.
+        """
+        ending = PurePosixPath(name).suffix.lower() if is_picture(name) else ENDING
+        data = read_bytes(self.path_of(name, ending))
+        return data, revision_of(data)
+
+    def traces(self) -> list[MissionEntry]:
+        """The recordings of the folder by path."""
+        return [_entry(path, self.root, "") for path in _found_below(self.root, self.examples, TRACE_ENDING)]
+
+    def sweep(self) -> int:
+        """Removes what killed saves left below the folder, and gives how many files that were."""
+        return sum(sweep(folder) for folder in _folders_below(self.root, self.examples))
+
+    def hold(self, name: str, revision: str) -> _Hold:
+        """For saving: a context in which nobody else saves, entered only when the file still has that revision.
+
+        Raises:
+            MissionNameError: the name is no name of a mission.
+            ReadOnlyError: it is an example.
+            ConflictError: the file is not what it was.
+        """
+        if name.startswith(EXAMPLE):
+            raise ReadOnlyError("an example cannot be changed", "save the mission under a name of your own")
+        if name.startswith(RECORDING):
+            raise ReadOnlyError("a recording cannot be changed", "save the mission under a name of your own")
+        return _Hold(self, self.path_of(name), f"a mission `{name}`", name, revision)
+
+    def hold_beside(self, name: str, file: str, revision: str) -> _Hold:
+        """The same for a file with parts for a mission, such as a robot's, in its `own_folder_of`.
+
+        Raises:
+            MissionNameError: the mission's name leads to no mission, or the file's out of its folder.
+            ConflictError: the file is not what it was.
+        """
+        folder = self.own_folder_of(name)
+        path = folder / file
+        if PurePosixPath(file).name != file or _ON_WINDOWS.search(file) or folder != path.resolve().parent:
+            raise MissionNameError(f"`{file[:80]}` is no name of a file in this folder", "give the file another name")
+        return _Hold(self, path, f"a file `{file}`", file, revision)
+
+
+class _Hold:
+    """The lock of a folder around one save. Where the system has none only this process is kept out."""
+
+    def __init__(self, folder: MissionFolder, path: Path, what: str, name: str, revision: str) -> None:
+        self._folder = folder
+        self._path = path
+        self._what = what
+        self._name = name
+        self._revision = revision
+        self._within = contextlib.ExitStack()
+        self.alone = False
+        """Whether nobody else at all can save meanwhile."""
+
+    def __enter__(self) -> Path:
+        with contextlib.ExitStack() as entered:
+            entered.enter_context(self._folder._saving)
+            self.alone = entered.enter_context(saving_in(self._path))
+            now = revision_of(read_bytes(self._path)) if self._path.exists() else ""
+            if now != self._revision:
+                raise _conflict(self._what, self._name, self._revision, now)
+            self._within = entered.pop_all()
+        return self._path
+
+    def __exit__(self, *reason: object) -> None:
+        self._within.close()
+
+
+def revision_of(data: bytes) -> str:
+    """The name of a content: the same for the same bytes."""
+    return hashlib.sha256(data).hexdigest()[:20]
+
+
+def _conflict(what: str, name: str, before: str, now: str) -> ConflictError:
+    if not before:
+        sentence, help = f"there is {what} already", "choose another name, or save again to replace it"
+    elif not now:
+        sentence, help = f"the file of `{name}` was removed meanwhile", "save again to write it anew"
+    else:
+        sentence, help = (
+            f"the file of `{name}` was changed by somebody else meanwhile",
+            "open it again, or save again to replace it",
+        )
+    return ConflictError(sentence, help, revision=now)
+
+
+def _missions_below(root: Path, without: Path | None = None) -> list[Path]:
+    return _found_below(root, without, ENDING)
+
+
+def _tutorials_below(root: Path, without: Path | None = None) -> list[Path]:
+    return _found_below(root, without, TUTORIAL_ENDING)
+
+
+def _found_below(root: Path, without: Path | None, ending: str) -> list[Path]:
+    found = _walk(root, without, ending)
+    return sorted(found, key=lambda path: path.relative_to(root).as_posix().casefold())[:MOST_LISTED]
+
+
+def _walk(root: Path, without: Path | None, ending: str) -> Iterator[Path]:
+    for folder, files in _looked_through(root, without):
+        yield from (folder / name for name in files if name.lower().endswith(ending) and not name.startswith("."))
+
+
+def _folders_below(root: Path, without: Path | None) -> list[Path]:
+    return [folder for folder, _ in _looked_through(root, without)] + [root / ".kitrobot" / "journal"]
+
+
+def _looked_through(root: Path, without: Path | None) -> Iterator[tuple[Path, list[str]]]:
+    """Each folder that missions are looked for in, and its files."""
+    looked_at = 0
+    for folder, folders, files in os.walk(root):
+        looked_at += len(folders) + len(files)
+        depth = len(Path(folder).relative_to(root).parts)
+        hidden = looked_at > MOST_LOOKED_AT or depth >= DEEPEST
+        inner = [name for name in folders if not name.startswith(".") and name != "node_modules"]
+        folders[:] = [] if hidden else sorted(name for name in inner if Path(folder, name) != without)
+        yield Path(folder), files
+
+
+def name_as_text(name: str) -> str:
+    """A file's name as text; what in it is no UTF-8 is replaced."""
+    return os.fsencode(name).decode(errors="replace")
+
+
+def _problem(path: Path, root: Path) -> str:
+    """Why a file of the folder cannot be opened; "" where nothing is known against it."""
+    try:
+        path.name.encode()
+        path.relative_to(root).as_posix().encode()
+        if root not in path.resolve().parents:
+            return "it is a link that leads out of the folder"
+        open_regular(path).close()
+    except UnicodeEncodeError:
+        return NAME_NO_TEXT
+    except (OSError, RuntimeError) as error:
+        return (getattr(error, "strerror", None) or "it leads nowhere").lower()
+    return ""
+
+
+def _entry(path: Path, root: Path, prefix: str) -> MissionEntry:
+    stem = name_as_text(path.stem)
+    words = stem.replace("-", " ").replace("_", " ").strip()
+    try:
+        seconds = path.stat().st_mtime
+    except OSError:
+        seconds = 0.0
+    modified = datetime.fromtimestamp(seconds, UTC).isoformat(timespec="seconds")
+    name = prefix + name_as_text(path.relative_to(root).as_posix())
+    title = words[:1].upper() + words[1:]
+    return MissionEntry(name, stem, title, bool(prefix), modified, _problem(path, root))

@@ -1,0 +1,90 @@
+"""Where the vertices, arcs and agents of a mission stand in the text of its `.krt`.
+
+The compiler speaks of vertices and arcs; a person with the file in an editor wants a line. The start tags of the file
+are looked up by one scan; what the file does not hold has no place. A mission with mistakes in its XML was refused
+before.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+
+from kitrobot.diagnostics import ArcName, Diagnostic, Place, Source
+from kitrobot.graph import IN, NEXT
+
+_TAG = re.compile(
+    r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)"
+    r"""|<(?P<name>program|vertex|arc|agent|goal|world)(?P<attributes>(?:\s+[^\s=/>]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*/?>""",
+    re.DOTALL,
+)
+_ATTRIBUTE = re.compile(r"""([^\s=]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+_ENTITIES = {"&gt;": ">", "&lt;": "<", "&quot;": '"', "&apos;": "'", "&amp;": "&"}
+"""In the order in which they are read; `&amp;` last, so that `&amp;lt;` is `&lt;`."""
+
+
+def _unescaped(text: str) -> str:
+    for entity, character in _ENTITIES.items():
+        text = text.replace(entity, character)
+    return text
+
+
+class Places:
+    """The places of one file; `source` is its text."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self._programs: dict[str, Place] = {}
+        self._vertices: dict[tuple[str, str], Place] = {}
+        self._arcs: dict[tuple[str, ArcName], Place] = {}
+        self._agents: dict[str, Place] = {}
+        self._goals: list[Place] = []
+        self.world: Place | None = None
+        program = ""
+        for match in _TAG.finditer(source.text):
+            name = match.group("name")
+            if not name:
+                continue
+            words = {key: _unescaped(one or other) for key, one, other in _ATTRIBUTE.findall(match["attributes"])}
+            place = source.place(match.start(), match.end())
+            match name:
+                case "program":
+                    program = words.get("name", "")
+                    self._programs.setdefault(program, place)
+                case "vertex":
+                    self._vertices.setdefault((program, words.get("id", "")), place)
+                case "arc":
+                    arc = (words.get("from", ""), words.get("out", NEXT), words.get("to", ""), words.get("at", IN))
+                    self._arcs.setdefault((program, arc), place)
+                case "agent":
+                    self._agents.setdefault(words.get("name", ""), place)
+                case "goal":
+                    self._goals.append(place)
+                case "world":
+                    self.world = self.world or place
+
+    def program(self, name: str) -> Place | None:
+        """Where a program begins."""
+        return self._programs.get(name)
+
+    def agent(self, name: str) -> Place | None:
+        """Where an agent of the team is named."""
+        return self._agents.get(name)
+
+    def goal(self, index: int) -> Place | None:
+        """Where the goal of that number, from 0, stands."""
+        return self._goals[index] if index < len(self._goals) else None
+
+    def placed(self, diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+        """The diagnostics, those about vertices and arcs with their place in this file instead of one in the LLL."""
+        return [self._placed(item) for item in diagnostics]
+
+    def _placed(self, item: Diagnostic) -> Diagnostic:
+        if not item.program or (item.place is not None and item.place.file == self.source.name):
+            return item
+        found: list[Place | None] = [self._vertices.get((item.program, vertex)) for vertex in item.vertices]
+        found += [self._arcs.get((item.program, arc)) for arc in item.arcs]
+        found.append(self._programs.get(item.program))
+        place = next((place for place in found if place is not None), Place(self.source.name))
+        return replace(item, place=place)

@@ -1,0 +1,56 @@
+"""The kinds of attributes that constructors, robots and tutorials share."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from kitrobot.lll import is_name
+from kitrobot.primitives.robot import LARGEST_VALUE
+from kitrobot.xml import LONGEST_NAME, Kind, one, optional, whole
+
+COLOURS = ("loop", "choice", "parallel", "action", "test", "team")
+"""The categories of the studio's colours."""
+
+COLOUR = one(*COLOURS, name="colour")
+
+IDENTIFIER = Kind(
+    longest=LONGEST_NAME,
+    pattern=r"[\p{L}_][\p{L}\p{M}\p{N}_]*",
+    fits=is_name,
+    words="a name of letters, digits and _ (not WAIT or BREAK)",
+    name="identifier",
+    about="Letters of any script, digits and _; not a digit first.",
+)
+"""A name of the language."""
+
+ROBOT_NUMBER = whole(
+    -LARGEST_VALUE, LARGEST_VALUE, "robot-number", about="A whole number that the smallest board can hold."
+)
+
+VALUE_TYPE = one("integer", "boolean", name="value-type")
+
+TRUTH = one("true", "false", "1", "0", name="truth")
+
+VALUE = Kind(options=TRUTH.options, least=ROBOT_NUMBER.least, most=ROBOT_NUMBER.most, either=(ROBOT_NUMBER, TRUTH))
+"""A number, or for a boolean whether it is true."""
+
+ROBOT_NAME = Kind(
+    longest=LONGEST_NAME,
+    pattern=r"\p{L}[\p{L}\p{M}\p{N}_\-]*",
+    fits=re.compile(r"[^\W\d_][\w-]*").fullmatch,
+    words="a name of letters, digits, _ and -",
+)
+"""What a robot may be called."""
+
+NAMED_ROBOT = replace(ROBOT_NAME, words="the name of a robot")
+"""What a robot is called, where another file names it."""
+
+USUAL_MAXIMUM = 100
+"""The top of a range that gives none: the paper's numbers go from 0 to 100."""
+
+RANGE = {
+    "min": optional(ROBOT_NUMBER, "0"),
+    "max": optional(ROBOT_NUMBER, str(USUAL_MAXIMUM)),
+}
+"""The ends of a range of numbers."""

@@ -1,0 +1,29 @@
+"""A robot's fault as an event of a trace."""
+
+from __future__ import annotations
+
+from kitrobot.deploy import Fault
+from kitrobot.robots.names import BoardNames
+from kitrobot.robots.state import RobotEvent
+from kitrobot.trace import LINK, PROGRAM, ROBOT
+
+_CAUSES = {3: PROGRAM, 4: PROGRAM, 6: LINK}
+"""What brings a fault about: a program that is too large or damaged, a link that was lost; else the robot itself."""
+
+
+def fault_said(fault: Fault, names: BoardNames | None) -> str:
+    """The text of a fault's event: its number, meaning, the robot's own text, vertex and line."""
+    said = (names.fault_text(fault.text) if names is not None else fault.text).strip()
+    vertex = names.vertex(fault.instruction) if names is not None else None
+    line = names.line(fault.instruction) if names is not None else 0
+    if not line:
+        return f"fault {fault.number}: {fault.meaning} ({said})" if said else f"fault {fault.number}: {fault.meaning}"
+    place = f"at the vertex {vertex}, line {line} of the code" if vertex else f"at line {line} of the code"
+    if said:
+        return f"fault {fault.number}: {fault.meaning} ({said}); {place}"
+    return f"fault {fault.number}: {fault.meaning}; {place}"
+
+
+def fault_event(fault: Fault, names: BoardNames | None) -> RobotEvent:
+    """A fault as an event."""
+    return RobotEvent("failure", fault_said(fault, names), _CAUSES.get(fault.number, ROBOT))

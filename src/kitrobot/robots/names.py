@@ -1,0 +1,120 @@
+"""Names for the numbers of a real robot: cells → sensors and variables, instructions → vertices and lines of the LLL.
+
+A robot sends numbers only. The names are made where the mission is at hand; `workspace.kept_programs` stores them under
+the name that the program has on the robot.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from kitrobot.compiler import Compiled
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.image import Layout
+from kitrobot.primitives import Robot
+from kitrobot.text import did_you_mean
+
+_DEVICE = re.compile(r"([as])(\d{1,3}) ?(.*)", re.DOTALL)
+NAME_ON_ROBOT = re.compile(r"[0-9a-f]{8}")
+"""What a robot calls a program."""
+
+
+class NoNameError(KitRobotError):
+    """A robot has no such sensor or variable."""
+
+
+@dataclass(frozen=True)
+class BoardNames:
+    """The names of one program on a robot. `places`: of each instruction the vertex, the line of the LLL, its text."""
+
+    program: str
+    robot: str
+    tick_ms: int
+    sensors: Mapping[str, int]
+    variables: Mapping[str, int]
+    actuators: tuple[str, ...]
+    arguments: tuple[int, ...]
+    """How many arguments each command has."""
+
+    places: tuple[tuple[str | None, int, str], ...]
+
+    def named(self, cells: Mapping[int, int]) -> tuple[dict[str, int], dict[str, int]]:
+        """Values of variables and of sensors, by their names; cells that are neither are left out."""
+        return (
+            {name: cells[cell] for name, cell in self.variables.items() if cell in cells},
+            {name: cells[cell] for name, cell in self.sensors.items() if cell in cells},
+        )
+
+    def input(self, name: str) -> int:
+        """The cell of a sensor.
+
+        Raises:
+            NoNameError: there is none of that name.
+        """
+        return _cell(self.sensors, name, f"the robot `{self.robot}` has no sensor `{name}`")
+
+    def variable(self, name: str) -> int:
+        """The cell of a variable.
+
+        Raises:
+            NoNameError: there is none of that name.
+        """
+        return _cell(self.variables, name, f"the robot `{self.robot}` has no variable `{name}`")
+
+    def vertex(self, instruction: int | None) -> str | None:
+        """The vertex that an instruction came from."""
+        return self._place(instruction)[0]
+
+    def line(self, instruction: int | None) -> int:
+        """The line of the LLL, from 1, that an instruction came from; 0 when nobody knows."""
+        return self._place(instruction)[1]
+
+    def text(self, instruction: int | None) -> str:
+        """That line."""
+        return self._place(instruction)[2]
+
+    def fault_text(self, text: str) -> str:
+        """What a fault says, with the device by its name instead of its number."""
+        found = _DEVICE.fullmatch(text)
+        if found is None:
+            return text
+        number = int(found[2])
+        if found[1] == "s":
+            name = next((name for name, cell in self.sensors.items() if cell == number), None)
+        else:
+            name = self.actuators[number] if number < len(self.actuators) else None
+        return f"{name}: {found[3]}" if name is not None else text
+
+    def _place(self, instruction: int | None) -> tuple[str | None, int, str]:
+        if instruction is None or not 0 <= instruction < len(self.places):
+            return None, 0, ""
+        return self.places[instruction]
+
+
+def names_of(program: str, robot: Robot, compiled: Compiled) -> BoardNames:
+    """The names of a program that was compiled without errors."""
+    layout = Layout(robot)
+    source = compiled.source
+    places = []
+    for origin in compiled.debug.origins:
+        line = source.position(origin.start)[0]
+        places.append((origin.vertex, line, source.line(line).strip()))
+    return BoardNames(
+        program,
+        robot.name,
+        robot.tick_ms,
+        layout.sensors,
+        layout.variables,
+        tuple(part.name for part in robot.actuators),
+        tuple(len(robot.calls[actuator, name][1].parameters) for _, actuator, name in layout.commands),
+        tuple(places),
+    )
+
+
+def _cell(cells: Mapping[str, int], name: str, message: str) -> int:
+    if name not in cells:
+        has = f"it has: {', '.join(cells)}" if cells else "it has none"
+        raise NoNameError(message, did_you_mean(name, cells) or has)
+    return cells[name]

@@ -1,0 +1,98 @@
+"""A program that can be put on a robot: its file, its drivers, and its names."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from kitrobot.compiler import Compiled
+from kitrobot.deploy import (
+    FAMILIES,
+    Package,
+    PackageError,
+    ProgramFile,
+    board_file,
+    make_program_file,
+    program_name,
+    refuse_what_fits_no_board,
+)
+from kitrobot.diagnostics import Diagnostic, Source
+from kitrobot.image import verify
+from kitrobot.primitives import Robot, config_folder
+from kitrobot.robots.carried import Carried
+from kitrobot.robots.names import BoardNames, names_of
+from kitrobot.robots.session import Known
+from kitrobot.robots.sharing import SHARED_ON_BOARD
+
+
+@dataclass(frozen=True)
+class BoardProgram:
+    """A program that can be sent, with its names; `package` knows where its drivers are looked for, `carried` is what
+    recordings of it bring along (None: it is of no mission).
+    """
+
+    names: BoardNames
+    file: ProgramFile
+    package: Package
+    diagnostics: tuple[Diagnostic, ...] = ()
+    sources: tuple[Source, ...] = ()
+    carried: Carried | None = None
+
+    @property
+    def warning(self) -> Diagnostic | None:
+        """What its person should know of it on a robot, beside its problems as a program."""
+        return next((item for item in self.diagnostics if item.code == SHARED_ON_BOARD.code), None)
+
+    @cached_property
+    def called(self) -> frozenset[str]:
+        """What robots of each kind call it, as far as it has drivers for them, and robots that know drivers by name."""
+        found = {program_name(self.file.to_bytes())[2:]}
+        for family in FAMILIES:
+            if not self.package.missing(self.file.drivers, family):
+                built = self.package.built(family, self.file.drivers)
+                found.add(program_name(board_file(self.file, built))[2:])
+        return frozenset(found)
+
+    @property
+    def known(self) -> Known:
+        """What a session needs to know of it."""
+        return Known(self.names, self.carried)
+
+    def is_called(self, installed: str) -> bool:
+        """Whether that is the program that a robot has, by the name that the robot gives."""
+        return installed in self.called
+
+
+def program_of(
+    name: str,
+    robot: Robot,
+    compiled: Compiled,
+    diagnostics: tuple[Diagnostic, ...] = (),
+    sources: tuple[Source, ...] = (),
+    folder: Path | None = None,
+) -> BoardProgram:
+    """A program that was compiled without errors, ready to be sent; `folder`: where a user's own drivers may lie.
+
+    Raises:
+        KitRobotError: a driver is missing, or the program fits no board.
+    """
+    assert compiled.image is not None
+    verify(compiled.image)
+    file = make_program_file(compiled.image, robot)
+    package = Package((config_folder(), *([folder] if folder is not None else [])))
+    missing = package.missing(file.drivers)
+    if missing:
+        raise no_driver(robot, missing[0], package)
+    refuse_what_fits_no_board(file, package)
+    return BoardProgram(names_of(name, robot, compiled), file, package, diagnostics, sources)
+
+
+def no_driver(robot: Robot, driver: str, package: Package) -> PackageError:
+    """The error of a driver that is there for no kind of board: which part wants it, and where it was looked for."""
+    parts = [part.name for part in (*robot.actuators, *robot.sensors) if (part.board.driver or part.device) == driver]
+    files = list(dict.fromkeys(path for family in FAMILIES for path in package.looked_for(driver, family)))
+    return PackageError(
+        f"`{parts[0]}` of the robot `{robot.name}` wants the driver `{driver}`, and there is none",
+        f"it was looked for as {', '.join(f'`{path}`' for path in files)}",
+    )

@@ -1,0 +1,98 @@
+"""Real robots as records of a trace: the header, and the numbers of one robot in a record.
+
+A robot's numbers are `BEFORE` and then the cells that it tells of, as its `Carried` names them. It has no numbers for
+its place: nobody knows where a real robot stands, and that is how one is told from a simulated one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.robots.carried import Carried
+from kitrobot.robots.faults import fault_said
+from kitrobot.robots.names import BoardNames
+from kitrobot.robots.state import RobotState
+from kitrobot.trace import TEAM, Column, Threads, TraceAgent, TraceHeader
+
+BEFORE = ("doing", "forced", "tick")
+"""Numbers that stand before the cells of each robot."""
+IDLE, RUNNING, FAILED, SILENT = 0, 2, 3, 4
+"""What a robot does, by the numbers of simulated ones."""
+_DOING = {"running": RUNNING, "fault": FAILED}
+
+
+class NoRecordingError(KitRobotError):
+    """What the robots run cannot be recorded."""
+
+
+@dataclass(frozen=True)
+class RecordedBoard:
+    """Who is recorded: what the robot is called, and its program."""
+
+    name: str
+    names: BoardNames
+    carried: Carried
+
+
+def header_of(boards: Sequence[RecordedBoard]) -> TraceHeader:
+    """The header of a recording of these robots.
+
+    Raises:
+        NoRecordingError: they run programs of several missions.
+    """
+    first = boards[0]
+    if any((one.carried.mission, one.carried.parts) != (first.carried.mission, first.carried.parts) for one in boards):
+        raise NoRecordingError(
+            "the robots run programs of different missions, and a recording holds one mission",
+            "record them one by one, each into a file of its own",
+        )
+    columns = [Column(one.name, name) for one in boards for name in (*BEFORE, *one.carried.cells)] + [
+        Column(TEAM, "collisions")
+    ]
+    return TraceHeader(
+        first.carried.mission,
+        0,
+        first.carried.world,
+        min(one.names.tick_ms for one in boards),
+        tuple(
+            TraceAgent(one.name, one.names.program, one.names.robot, number=number)
+            for number, one in enumerate(boards, 1)
+        ),
+        tuple(columns),
+        {one.names.program: tuple(vertex for vertex, _, _ in one.names.places) for one in boards},
+        first.carried.parts,
+    )
+
+
+def first_row(robot: RecordedBoard) -> list[int]:
+    """The numbers of a robot of which nothing was heard yet."""
+    return [0] * len(BEFORE) + list(robot.carried.first)
+
+
+def row_of(robot: RecordedBoard, state: RobotState) -> list[int]:
+    """The numbers of a robot."""
+    row, sensors = first_row(robot), robot.names.sensors
+    cells = {**state.cells, **{sensors[name]: value for name, value in state.forced.items()}}
+    for cell, value in cells.items():
+        if 0 <= cell < len(robot.carried.cells):
+            row[len(BEFORE) + cell] = value
+    forced = sum(1 << bit for bit, name in enumerate(sensors) if name in state.forced)
+    row[: len(BEFORE)] = SILENT if state.lost else _DOING.get(state.doing, IDLE), forced, state.tick
+    return row
+
+
+def active_of(state: RobotState) -> Threads:
+    """Where the threads of a robot stand; of one that failed, where that was."""
+    if state.doing == "fault" and not state.lost:
+        at = state.fault.instruction if state.fault is not None else None
+        return ((0, at),) if at is not None else ()
+    return tuple(sorted(state.threads.items()))
+
+
+def sentence_of(robot: RecordedBoard, state: RobotState) -> str:
+    """Why a robot goes on no more, "" while nothing is wrong."""
+    if state.lost or state.fault is None:
+        return state.lost
+    return fault_said(state.fault, robot.names)

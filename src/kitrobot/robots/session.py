@@ -1,0 +1,247 @@
+"""The session with one real robot: its link, polling, reboot detection, and its state from what it sends.
+
+Whoever shows, records or steers a robot subscribes to its session and gets each `Change`; nobody else reads its link.
+A session has no thread: its owner calls `poll` again and again, and everything is called from that one thread. The
+link may be lost and replaced; state and subscribers stay. Left to others: opening links (deploy), names (names), what a
+recording holds (records, recording).
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, replace
+
+from kitrobot.deploy import Fault, Hello, News, Text
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.robots.carried import Carried
+from kitrobot.robots.faults import fault_event
+from kitrobot.robots.link import Link
+from kitrobot.robots.names import BoardNames
+from kitrobot.robots.state import Change, Happening, RobotEvent, RobotState
+from kitrobot.trace import LINK, PERSON, PROGRAM, ROBOT
+
+LOOK_S = 0.5
+"""How often a robot's state is looked at; it is asked only while it does not report that itself."""
+
+Subscriber = Callable[[Change], None]
+_STOPPED = RobotEvent("outside", "it was stopped from here", PERSON)
+
+
+class NotConnectedError(KitRobotError):
+    """There is no link to the robot, or it has another program."""
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is known of the program on a robot: its names, and what recordings of it embed (None: of no mission)."""
+
+    names: BoardNames
+    carried: Carried | None = None
+
+    def first_values(self) -> dict[int, int]:
+        """The cells of variables with their first values, as far as these are known."""
+        if self.carried is None:
+            return {}
+        return {cell: self.carried.first[cell] for cell in self.names.variables.values()}
+
+
+class RobotSession:
+    """One robot. `state` is replaced as a whole with each change, and subscribers are called then."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self.state = RobotState()
+        self.known: Known | None = None
+        self.news: News | Fault | Text | None = None
+        """What `poll` read last, None for nothing."""
+        self._clock = clock
+        self._link: Link | None = None
+        self._subscribers: list[Subscriber] = []
+        self._looked = 0.0
+        self._period_ms = 0
+
+    def subscribe(self, subscriber: Subscriber) -> None:
+        """Is told of each change from now on."""
+        self._subscribers.append(subscriber)
+
+    # -- the link
+
+    @property
+    def is_open(self) -> bool:
+        """Whether there is a link."""
+        return self._link is not None
+
+    @property
+    def link(self) -> Link:
+        """The link.
+
+        Raises:
+            NotConnectedError: there is none.
+        """
+        if self._link is None:
+            raise NotConnectedError("nobody talks with this robot", "connect it first")
+        return self._link
+
+    def open(self, link: Link, hello: Hello, known: Known | None) -> None:
+        """Takes a link to a robot, with its greeting and what is known of its program."""
+        was, self._link, self.known = self.state, link, known
+        state = RobotState.greeted(hello)
+        self._looked = self._clock()
+        self._period_ms = 0
+        events = []
+        if was.lost and state.installed == was.installed:
+            events.append(RobotEvent("revival", "the link is back", LINK))
+        self._stands(state, was, events, Happening.GREETED)
+
+    def watch(self, period_ms: int) -> None:
+        """Has it send what changes, at most so often, also after a reboot; 0 ends it."""
+        self._period_ms = period_ms
+        self.link.watch(period_ms)
+
+    def lose(self, message: str) -> None:
+        """The link broke; `message` says so, and what becomes of the robot."""
+        self.close()
+        state = replace(self.state, threads={}, lost=message)
+        self._change(Happening.LOST, state, RobotEvent("failure", message, LINK))
+
+    def close(self) -> None:
+        """Ends the link, if there is one; the robot goes on, unless it is held."""
+        link, self._link = self._link, None
+        if link is not None:
+            with suppress(KitRobotError, OSError):
+                link.close()
+
+    # -- requests
+
+    def start(self, held: bool = False) -> None:
+        """Begins the program that it has. Held: it stops when it hears nothing from here."""
+        self.link.start(held=held)
+        first = self.known.first_values() if self.known is not None else {}
+        event = RobotEvent("outside", "its program was started from here", PERSON)
+        self._change(Happening.STARTED, self.state.started(held, first), event)
+
+    def stop(self) -> None:
+        """Stops it."""
+        self.link.stop()
+        self._change(Happening.STOPPED, self.state.stopped(), _STOPPED)
+
+    def replaced(self) -> None:
+        """Another program is being put on it, which stops it; nothing is known of it until it is opened again."""
+        self._change(Happening.STOPPED, self.state.stopped(), _STOPPED)
+        self.known = None
+        self._change(Happening.LOOKED, replace(self.state, fault=None))
+
+    def force(self, sensor: str, value: int | None) -> None:
+        """Holds a sensor at a value; None releases it.
+
+        Raises:
+            NoNameError: there is no such sensor.
+            NotConnectedError: there is no link, or its program is not known.
+        """
+        self.link.force(self._names().input(sensor), value)
+        forced = {name: held for name, held in self.state.forced.items() if name != sensor}
+        if value is None:
+            event = RobotEvent("outside", f"the sensor {sensor} measures again", PERSON)
+        else:
+            forced[sensor] = value
+            event = held_event(sensor, value)
+        self._change(Happening.FORCED, replace(self.state, forced=forced), event)
+
+    def set_variable(self, variable: str, value: int) -> None:
+        """Sets a variable.
+
+        Raises:
+            NoNameError: there is no such variable.
+            NotConnectedError: there is no link, or its program is not known.
+        """
+        cell = self._names().variable(variable)
+        self.link.set(cell, value)
+        state = replace(self.state, cells={**self.state.cells, cell: value})
+        event = RobotEvent("outside", f"the variable {variable} was set to {value}", PERSON)
+        self._change(Happening.SET, state, event)
+
+    def _names(self) -> BoardNames:
+        if self.known is None:
+            raise NotConnectedError(
+                "the robot has another program than the one that is open here", "send this one first"
+            )
+        return self.known.names
+
+    # -- what it sends
+
+    def poll(self, timeout_s: float) -> None:
+        """Looks at its state when that is due, then waits for news at most so long; `news` is what came.
+
+        Raises:
+            KitRobotError: the link broke, or the robot refused.
+        """
+        self.news = None
+        if self._clock() - self._looked >= LOOK_S:
+            self._look()
+        self.news = news = self.link.news(timeout_s)
+        if news is None:
+            self._change(Happening.QUIET, self.state)
+        elif isinstance(news, Text):
+            self._change(Happening.TEXT, self.state, RobotEvent("message", news.text.strip(), PROGRAM))
+        elif isinstance(news, Fault):
+            self._fails(news, Happening.FAULT)
+        else:
+            calls = self.known.carried.calls if self.known is not None and self.known.carried is not None else {}
+            commands = tuple(calls[at] for at in sorted(news.ran) if at in calls)
+            self._change(Happening.NEWS, self.state.heard(news), commands=commands)
+
+    def _look(self) -> None:
+        self._looked = self._clock()
+        hello, was = self.link.look(), self.state
+        now = was.looked(hello)
+        if now.doing == was.doing == "running" and now.tick < was.tick:
+            self._reboots()
+        elif now != was or (now.doing == "fault" and now.fault is None):
+            self._stands(now, was, [], Happening.LOOKED)
+
+    def _stands(self, now: RobotState, was: RobotState, events: list[RobotEvent], happening: Happening) -> None:
+        """Takes a state that was looked at; an end and a fault that were not reported are found then."""
+        if now.doing == "ended" != was.doing:
+            events.append(RobotEvent("end", "its program has ended", PROGRAM))
+        self._change(happening, now, *events)
+        if now.doing == "fault" and now.fault is None:
+            fault = self.link.last_fault()
+            if fault is not None:
+                self._fails(fault, Happening.FAULT)
+
+    def _fails(self, fault: Fault, happening: Happening) -> None:
+        if not fault.number or fault == self.state.fault:
+            return
+        event = fault_event(fault, self.known.names if self.known is not None else None)
+        self._change(happening, self.state.failed(fault), event)
+
+    def _reboots(self) -> None:
+        """It was without power for a moment, and runs by itself as it does when that comes back. One that is held is
+        stopped; another one is watched again, which it has forgotten.
+        """
+        event = RobotEvent("message", "it began anew by itself", ROBOT)
+        if self.state.held:
+            self.link.stop()
+            self._change(Happening.REBOOTED, self.state.rebooted().stopped(), event, _STOPPED)
+            return
+        if self._period_ms:
+            self.link.watch(self._period_ms)
+        self._change(Happening.REBOOTED, self.state.rebooted(), event)
+
+    def _change(
+        self,
+        happening: Happening,
+        state: RobotState,
+        *events: RobotEvent,
+        commands: tuple[tuple[str, str, tuple[int, ...]], ...] = (),
+    ) -> None:
+        self.state = state
+        change = Change(happening, state, events, commands)
+        for subscriber in self._subscribers:
+            subscriber(change)
+
+
+def held_event(sensor: str, value: int) -> RobotEvent:
+    """A sensor is held at a value from here."""
+    return RobotEvent("outside", f"the sensor {sensor} is held at {value}", PERSON)

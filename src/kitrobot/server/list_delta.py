@@ -1,0 +1,61 @@
+"""The difference of two lists: ranges of the old list that stay, and new items as they are.
+
+A row is a new thing, or a stretch (from, to) of the list before, `to` exclusive. So a list of a thousand vertices in
+which one was edited is two stretches and a vertex, whichever end sends it. Left to others: what the things are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Sequence
+from typing import Any, TypeVar
+
+from kitrobot.diagnostics import KitRobotError
+
+Thing = TypeVar("Thing")
+
+
+class StretchError(KitRobotError):
+    """Rows that do not fit the list that they are to be taken from."""
+
+
+def taken(rows: Sequence[Thing | tuple[int, int]], before: Sequence[Thing], most: int) -> list[Thing]:
+    """The list that rows say; what stayed is the same objects.
+
+    Raises:
+        StretchError: a stretch is not in the list before, or there would be more than `most` things.
+    """
+    found: list[Thing] = []
+    for row in rows:
+        if not isinstance(row, tuple):
+            found.append(row)
+            continue
+        start, end = row
+        if not 0 <= start < end <= len(before):
+            raise StretchError(f"a list of {len(before)} has no stretch from {start} to {end}", "load the page again")
+        found += before[start:end]
+        if len(found) > most:
+            raise StretchError(f"this program has a list of more than {most}", "make the program smaller")
+    return found
+
+
+def stretched(
+    before: Sequence[Thing], after: Sequence[Thing], name: Callable[[Thing], Hashable], written: Callable[[Thing], Any]
+) -> list[Any]:
+    """The rows that say `after`. What has one name and is equal stayed; `written` is how a new thing travels."""
+    places = {id(one): at for at, one in enumerate(before)}
+    named: dict[Hashable, int] | None = None
+    rows: list[Any] = []
+    for one in after:
+        at = places.get(id(one))
+        if at is None:
+            named = {name(was): at for at, was in enumerate(before)} if named is None else named
+            at = named.get(name(one))
+            if at is not None and before[at] != one:
+                at = None
+        if at is None:
+            rows.append(written(one))
+        elif rows and isinstance(rows[-1], list) and rows[-1][1] == at:
+            rows[-1][1] += 1
+        else:
+            rows.append([at, at + 1])
+    return rows

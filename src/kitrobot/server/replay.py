@@ -1,0 +1,63 @@
+"""A recording for the page: steered and told like a run that is on, from the records of its file.
+
+It pauses at breakpoints as far as the records show who came where (recorded_agents).
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterable
+from pathlib import Path
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.mission import Breakpoint
+from kitrobot.server.recorded_agents import recorded_agents, testable
+from kitrobot.server.watched_run import WatchedRun
+from kitrobot.trace import RecordingSource
+from kitrobot.workspace import OpenMission, OpenTrace
+
+
+class ReplayError(KitRobotError):
+    """Something that cannot be done to a recording."""
+
+
+class Replay(WatchedRun):
+    """Plays one recording. It closes the file when it is closed. `opened` is its mission with its robots, which
+    breakpoints need; what is open where it is played came with it.
+
+    Raises:
+        TraceError: the recording is damaged.
+    """
+
+    recording = True
+
+    def __init__(self, trace: OpenTrace, opened: OpenMission | None = None) -> None:
+        self._reader = trace.reader
+        self._robots = {} if opened is None else opened.catalogue.robots
+        programs = {} if opened is None else opened.compiled
+        self._recorded = recorded_agents(trace.reader.header, self._robots, programs)
+        super().__init__(RecordingSource(self._reader), trace.world, self._recorded)
+
+    def _observe(self) -> None:
+        record = self._source.record()
+        for agent in self._recorded:
+            agent.look(record)
+
+    def pause_at(self, breakpoints: Iterable[Breakpoint]) -> None:
+        """These are the breakpoints from now on; visits are counted anew.
+
+        Raises:
+            ConditionError: a condition cannot be understood.
+            ReplayError: a condition cannot be tested here; its breakpoint pauses at each visit.
+        """
+        sensible, all_of_them = testable(breakpoints, self._source.header, self._robots)
+        super().pause_at(sensible)
+        if not all_of_them:
+            raise ReplayError(
+                "a condition of a breakpoint cannot be tested in this recording: its robot is not known as it was",
+                "the recording pauses there at every visit",
+            )
+
+    def record_to(self, path: Path) -> None:
+        """Copies the recording."""
+        shutil.copyfile(self._reader.path, path)

@@ -1,0 +1,77 @@
+"""Access to real robots as an interface: ports, links, sending a program.
+
+Behind it stands `kitrobot.deploy`, which is read when the first page asks for robots; a test may put a twin here, where
+the real thing could not be made to fail at will.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Protocol
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.shapes import BoardWay
+
+if TYPE_CHECKING:
+    from kitrobot.deploy import Port
+    from kitrobot.robots import BoardProgram, Link
+
+Progress = Callable[[str, int, int], None]
+"""What is done now (`connect`, `compare`, `send`, `start`), and how many bytes of how many; what it raises breaks the
+sending off."""
+
+
+class RobotGateway(Protocol):
+    """The way to robots."""
+
+    def list_ports(self) -> list[Port]:
+        """The ports of this machine where robots may be."""
+
+    def connect(self, address: str) -> Link:
+        """Greets the robot there. Raises KitRobotError."""
+
+    def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
+        """Puts a program on the robot there. Raises KitRobotError, and what `progress` raises."""
+
+    def way(self, error: KitRobotError) -> BoardWay:
+        """With what a sending that failed so can be asked for again."""
+
+    def is_lost(self, error: KitRobotError) -> bool:
+        """Whether an error means that the link is gone, not only that the robot said no."""
+
+
+class SerialGateway:
+    """The way to robots that are plugged in or on the network."""
+
+    def list_ports(self) -> list[Port]:
+        """As `deploy.list_ports`."""
+        from kitrobot.deploy import list_ports
+
+        return list_ports()
+
+    def connect(self, address: str) -> Link:
+        """As `deploy.connect`."""
+        from kitrobot.deploy import connect
+
+        return connect(address)
+
+    def deploy(self, address: str, program: BoardProgram, progress: Progress, replace: bool, fresh: bool) -> None:
+        """As `deploy.deploy`."""
+        from kitrobot.deploy import deploy
+        from kitrobot.workspace.kept_programs import keep_program
+
+        done = deploy(address, program.file.to_bytes(), program.package, progress, replace=replace, fresh=fresh)
+        # Then `kitrobot watch` and `kitrobot log` know it too.
+        keep_program(program, [done.program])
+
+    def way(self, error: KitRobotError) -> BoardWay:
+        """Whether it was refused for somebody else's program, or for want of room."""
+        from kitrobot.deploy import ForeignError, FullError
+
+        return "replace" if isinstance(error, ForeignError) else "fresh" if isinstance(error, FullError) else ""
+
+    def is_lost(self, error: KitRobotError) -> bool:
+        """Whether the line is broken or silent."""
+        from kitrobot.deploy import LineError, SilentError
+
+        return isinstance(error, LineError | SilentError)

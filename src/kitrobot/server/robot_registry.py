@@ -1,0 +1,313 @@
+"""All real robots of one studio: who holds which, which ports there are, and telling the pages.
+
+A robot belongs to the page that connected it (its *holder*), for a serial port has room for one; every page is told of
+all of them and any may stop any. When a page goes away, its robots are let go: those that are held stop.
+
+Each subscriber (a page) has a task of its own that sends what changed since it last sent, at most every `FRAME_S`; a
+robot's message is encoded once for all pages of a language. Only the server's event loop touches anything here;
+robots' threads call it through `call_soon_threadsafe`. The ports are looked at only while some page shows them.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import itertools
+import logging
+from collections import deque
+from typing import TYPE_CHECKING, Protocol
+
+from fastapi import WebSocketDisconnect
+from pydantic import BaseModel
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.robot_gateway import RobotGateway
+from kitrobot.server.shapes import (
+    BoardGoneMessage,
+    BoardPortShape,
+    BoardPortsMessage,
+    BoardsWelcomeMessage,
+)
+from kitrobot.translation import said_in
+
+if TYPE_CHECKING:
+    from kitrobot.deploy import Port
+    from kitrobot.server.robot_recorder import LastRun
+    from kitrobot.server.robot_worker import RobotWorker
+
+MOST_BOARDS = 32
+MOST_TOLD = 1000
+"""So many messages wait for a page that does not take them; the oldest go first."""
+LOOK_S = 1.0
+"""How often the ports are looked at while a page shows them."""
+FRAME_S = 1 / 15
+CLOSE_WITHIN_S = 3.0
+"""How long a page that goes away waits for its robots to stop."""
+NETWORK = ("socket://", "rfc2217://")
+"""The only URLs that are opened: others of pySerial's open files."""
+
+_log = logging.getLogger("kitrobot.server")
+
+
+class AddressError(KitRobotError):
+    """There is no robot at such an address, or it may not be opened."""
+
+
+class HeldError(KitRobotError):
+    """Another page holds the robot."""
+
+
+class Line(Protocol):
+    """What a page is told through: a WebSocket, or its twin in a test."""
+
+    async def send_text(self, data: str) -> None:
+        """Sends a message; comes back when there is room for more."""
+
+
+class Subscriber:
+    """A page that is told of the robots. What it is to be told is collected until it has taken what came before."""
+
+    def __init__(self, room: RobotRegistry, line: Line, name: str) -> None:
+        self.name = name
+        self.looks = False
+        """Whether it shows the ports."""
+        self._room = room
+        self._line = line
+        self._due = asyncio.Event()
+        self._ports_due = False
+        self._boards_due: dict[str, None] = {}
+        self._own: deque[BaseModel] = deque([BoardsWelcomeMessage(you=name)], MOST_TOLD)
+        self._due.set()
+        self._task = asyncio.create_task(self._serve())
+
+    def tell(self, message: BaseModel) -> None:
+        """Tells this page alone."""
+        self._own.append(message)
+        self._due.set()
+
+    def tell_ports(self) -> None:
+        """The ports are others now."""
+        self._ports_due = True
+        self._due.set()
+
+    def tell_board(self, address: str) -> None:
+        """Something about that robot changed."""
+        self._boards_due[address] = None
+        self._due.set()
+
+    async def _serve(self) -> None:
+        with contextlib.suppress(WebSocketDisconnect, RuntimeError, OSError):
+            while True:
+                await self._due.wait()
+                self._due.clear()
+                own = tuple(self._own)
+                self._own.clear()
+                ports, self._ports_due = self._ports_due, False
+                boards, self._boards_due = self._boards_due, {}
+                for message in own:
+                    await self._line.send_text(message.model_dump_json())
+                if ports:
+                    await self._line.send_text(self._room.ports_text())
+                for address in boards:
+                    await self._line.send_text(self._room.board_text(address))
+                await asyncio.sleep(FRAME_S)
+
+    async def end(self) -> None:
+        """Tells no more."""
+        self._task.cancel()
+        await asyncio.gather(self._task, return_exceptions=True)
+
+
+class RobotRegistry:
+    """The robots of one studio."""
+
+    def __init__(self, links: RobotGateway) -> None:
+        self._links = links
+        self._sessions: dict[str, RobotWorker] = {}
+        self._subscribers: list[Subscriber] = []
+        self._names = itertools.count(1)
+        self._ports: list[Port] = []
+        self._looking: asyncio.Task[None] | None = None
+        self._leaving: set[asyncio.Task[None]] = set()
+        self._texts: dict[tuple[str, str], tuple[int, str]] = {}
+
+    # -- pages
+
+    def enter(self, line: Line) -> Subscriber:
+        """A page comes; it is told of all robots."""
+        subscriber = Subscriber(self, line, f"page-{next(self._names)}")
+        self._subscribers.append(subscriber)
+        for address in self._sessions:
+            subscriber.tell_board(address)
+        return subscriber
+
+    async def leave(self, subscriber: Subscriber) -> None:
+        """A page goes: what it holds is let go. Whoever waits for that may be cancelled; it is done all the same."""
+        self._subscribers.remove(subscriber)
+        self.look(subscriber, False)
+        mine = [session for session in self._sessions.values() if session.holder == subscriber.name]
+        for session in mine:
+            session.close()
+        task = asyncio.create_task(self._end(subscriber, mine))
+        self._leaving.add(task)
+        task.add_done_callback(self._leaving.discard)
+        await asyncio.shield(task)
+
+    async def _end(self, subscriber: Subscriber, sessions: list[RobotWorker]) -> None:
+        await subscriber.end()
+        for session in sessions:
+            await asyncio.to_thread(session.wait, CLOSE_WITHIN_S)
+            self._let_go(session)
+
+    # -- ports
+
+    def look(self, subscriber: Subscriber, on: bool) -> None:
+        """The page shows the ports from now on, or no more."""
+        subscriber.looks = on
+        if any(one.looks for one in self._subscribers):
+            if on:
+                subscriber.tell_ports()
+            if self._looking is None:
+                self._looking = asyncio.create_task(self._look_at_ports())
+        elif self._looking is not None:
+            self._looking.cancel()
+            self._looking = None
+
+    async def _look_at_ports(self) -> None:
+        while True:
+            await self._find_ports()
+            await asyncio.sleep(LOOK_S)
+
+    async def _find_ports(self) -> None:
+        try:
+            found = await asyncio.to_thread(self._links.list_ports)
+        except (KitRobotError, OSError) as error:
+            _log.debug("the ports cannot be listed: %s", error)
+            found = []
+        if found != self._ports:
+            self._ports = found
+            for subscriber in self._subscribers:
+                if subscriber.looks:
+                    subscriber.tell_ports()
+
+    def ports_text(self) -> str:
+        """All ports, encoded."""
+        ports = [
+            BoardPortShape(address=one.address, name=_shown(one.address, one.name), description=one.description)
+            for one in self._ports
+        ]
+        return BoardPortsMessage(ports=ports).model_dump_json()
+
+    # -- robots
+
+    async def session(self, subscriber: Subscriber, address: str) -> RobotWorker:
+        """The session of that page on the robot at an address, taken now if nobody has it.
+
+        Raises:
+            KitRobotError: there is no such port, another page has it, or there are too many.
+        """
+        name = await self._name_of(address)
+        while (found := self._sessions.get(address)) is not None and found.closing:
+            # Whoever had it is gone; a page that was loaded again asks before all is done.
+            await asyncio.to_thread(found.wait, CLOSE_WITHIN_S)
+            self._let_go(found)
+        if found is not None:
+            return self._mine(subscriber, found)
+        if len(self._sessions) >= MOST_BOARDS:
+            raise BoardsError(f"this studio talks with {MOST_BOARDS} robots already", "disconnect one of them first")
+        from kitrobot.server.robot_worker import RobotWorker
+
+        loop = asyncio.get_running_loop()
+
+        def changed() -> None:
+            with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
+                loop.call_soon_threadsafe(self._changed, address)
+
+        session = self._sessions[address] = RobotWorker(address, name, subscriber.name, self._links, changed)
+        self._changed(address)
+        return session
+
+    async def _name_of(self, address: str) -> str:
+        if address.lower().startswith(NETWORK):
+            return _shown(address, "")
+        known = {one.address: one.name for one in self._ports}
+        if address not in known:
+            await self._find_ports()
+            known = {one.address: one.name for one in self._ports}
+        if address not in known:
+            raise AddressError(
+                f"there is no robot at `{address}`", "choose one of the list, or write `socket://host:port`"
+            )
+        return _shown(address, known[address])
+
+    def _mine(self, subscriber: Subscriber, session: RobotWorker) -> RobotWorker:
+        if session.holder != subscriber.name:
+            raise HeldError(
+                f"another page of this studio has `{session.name}`", "disconnect it there; to stop it, press STOP here"
+            )
+        return session
+
+    def taken(self, subscriber: Subscriber, address: str) -> RobotWorker:
+        """The session that this page has on a robot already.
+
+        Raises:
+            KitRobotError: it has none.
+        """
+        found = self._sessions.get(address)
+        if found is None:
+            raise AddressError("nobody talks with this robot", "connect it first")
+        return self._mine(subscriber, found)
+
+    def recorder(self, address: str) -> LastRun:
+        """The recording of a robot that some page talks with.
+
+        Raises:
+            KitRobotError: there is none.
+        """
+        found = self._sessions.get(address)
+        if found is None:
+            raise AddressError("nobody talks with this robot", "connect it first")
+        return found.recorder
+
+    def stop(self, address: str) -> None:
+        """Stops a robot, or all of them with ""; whoever holds it."""
+        for session in [*self._sessions.values()]:
+            if address in ("", session.address):
+                session.stop()
+
+    async def forget(self, session: RobotWorker) -> None:
+        """Lets go of a robot."""
+        session.close()
+        await asyncio.to_thread(session.wait, CLOSE_WITHIN_S)
+        self._let_go(session)
+
+    def _let_go(self, session: RobotWorker) -> None:
+        if self._sessions.get(session.address) is session:
+            del self._sessions[session.address]
+        self._changed(session.address)
+
+    def _changed(self, address: str) -> None:
+        for subscriber in self._subscribers:
+            subscriber.tell_board(address)
+
+    def board_text(self, address: str) -> str:
+        """A robot as it stands, or that nobody talks with it, encoded in the language of who asks."""
+        session, language = self._sessions.get(address), said_in()
+        if session is None:
+            self._texts = {key: kept for key, kept in self._texts.items() if key[0] != address}
+            return BoardGoneMessage(address=address).model_dump_json()
+        version, kept = self._texts.get((address, language), (-1, ""))
+        if version != session.standing.version:
+            version = session.standing.version
+            kept = session.message().model_dump_json()
+            self._texts[address, language] = (version, kept)
+        return kept
+
+
+def _shown(address: str, name: str) -> str:
+    """What a robot is called on the page: one on the network by where it is."""
+    return address.split("://", 1)[1] if "://" in address else name or address
+
+
+class BoardsError(KitRobotError):
+    """There are more robots than one studio talks with."""

@@ -1,0 +1,368 @@
+"""Owns the session of one robot on a worker thread, and executes the requests of its page.
+
+The thread loops: STOP before anything else, then requests in their order, then the robot's news. Everything that waits
+for the robot waits here, so twelve robots never wait for one another. While a program runs *held*, the robot
+hears something every quarter of a second; it stops by itself within a second when it hears nothing, so a studio that
+dies, a cable that is pulled and a page that is closed all end in the same safe way. When the worker ends,
+what is held is stopped; what runs free runs on.
+
+What pages are told is one value that is replaced as a whole (`standing`), and `changed` is called from this thread each
+time. Left to others: the robot's state (kitrobot.robots), who may ask and who is told (robot_registry).
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import Any, get_args
+
+from kitrobot.deploy import Fault, ForeignError, FullError, LineError, SilentError
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.robots import BoardNames, BoardProgram, Change, Happening, RobotSession, RobotState
+from kitrobot.server.robot_gateway import RobotGateway
+from kitrobot.server.robot_recorder import LastRun
+from kitrobot.server.sentences import spoken
+from kitrobot.server.shapes import (
+    BoardFaultShape,
+    BoardMessage,
+    BoardPhase,
+    BoardProgressShape,
+    BoardStep,
+    BoardWay,
+)
+
+LISTEN_S = 0.05
+"""How long the robot is listened to before what was asked for meanwhile is looked at."""
+WATCH_MS = 100
+"""The robot tells what changed at most so often."""
+MOST_ORDERS = 64
+STEPS: tuple[BoardStep, ...] = get_args(BoardStep)
+LONGEST_TEXT = 500
+_KEPT = "the robot still has the program that it had"
+
+Order = Callable[[], None]
+_log = logging.getLogger("kitrobot.server")
+
+
+class BusyError(KitRobotError):
+    """The robot was asked for more than it can do."""
+
+
+class _Cancelled(Exception):
+    """The sending was broken off by the person."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """What pages are told of a robot; `version` grows with each change."""
+
+    version: int = 0
+    phase: BoardPhase = "closed"
+    robot: RobotState = field(default_factory=RobotState)
+    names: BoardNames | None = None
+    progress: BoardProgressShape | None = None
+    message: str = ""
+    help: str = ""
+    way: BoardWay = ""
+    recorded: bool = False
+
+
+class RobotWorker:
+    """Holds the robot at one address for one page. `changed` is called from the worker's thread."""
+
+    def __init__(
+        self,
+        address: str,
+        name: str,
+        holder: str,
+        links: RobotGateway,
+        changed: Callable[[], None],
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.address, self.name, self.holder = address, name, holder
+        self._links = links
+        self._changed = changed
+        self._orders: deque[Order] = deque()
+        self._wake = threading.Condition()
+        self._stopping = self._closing = self._cancelled = False
+        self.standing = Standing()
+        self._session = RobotSession(clock)
+        self.recorder = LastRun(name, self._session)
+        self._session.subscribe(self._robot_changed)
+        self._thread = threading.Thread(target=self._serve, name=f"board-{address}", daemon=True)
+        self._thread.start()
+
+    # -- what is asked for, from any thread
+
+    def connect(self, program: BoardProgram | None) -> None:
+        """Greets the robot; `program` gives names to what it does, if it has that."""
+        self._order(lambda: self._connect(program))
+
+    def send(self, program: BoardProgram, then: str, replace: bool = False, fresh: bool = False) -> None:
+        """Puts a program on the robot and lets it run: "held", "free", or "ready" for not yet. `replace`: also in the
+        place of what is not ours.
+        """
+        self._cancelled = False
+        self._order(lambda: self._send(program, then, replace, fresh))
+
+    def cancel(self) -> None:
+        """Breaks off the sending."""
+        self._cancelled = True
+
+    def start(self, held: bool) -> None:
+        """Begins the program that it has."""
+        self._order(lambda: self._start(held))
+
+    def stop(self) -> None:
+        """Stops it before anything else, and forgets what was asked for and not done."""
+        with self._wake:
+            self._stopping = self._cancelled = True
+            self._orders.clear()
+            self._wake.notify()
+
+    def identify(self) -> None:
+        """Lets it show which one it is."""
+        self._order(lambda: self._session.link.identify())
+
+    def force(self, sensor: str, value: int | None) -> None:
+        """Puts a value in the place of what a sensor measures; None gives the sensor back."""
+        self._order(lambda: self._session.force(sensor, value))
+
+    def set_variable(self, variable: str, value: int) -> None:
+        """Sets a variable."""
+        self._order(lambda: self._session.set_variable(variable, value))
+
+    @property
+    def closing(self) -> bool:
+        """Whether it lets go, or has."""
+        return self._closing
+
+    def close(self) -> None:
+        """Lets go of the robot: one that is held stops."""
+        with self._wake:
+            self._closing = self._cancelled = True
+            self._wake.notify()
+
+    def wait(self, within_s: float) -> None:
+        """Waits until it has let go, but not for ever."""
+        self._thread.join(within_s)
+
+    def _order(self, order: Order) -> None:
+        with self._wake:
+            if len(self._orders) >= MOST_ORDERS:
+                raise BusyError("the robot does not keep up with what it is asked for", "wait a moment")
+            self._orders.append(order)
+            self._wake.notify()
+
+    # -- the thread
+
+    def _serve(self) -> None:
+        while not self._closing:
+            order = self._next()
+            if self._stopping:
+                self._stopping = False
+                self._attempt(self._stop)
+            elif order is not None:
+                self._attempt(order)
+            elif self._session.is_open and not self._closing:
+                self._attempt(self._listen)
+        state = self._session.state
+        if state.held and state.doing == "running":
+            self._attempt(self._stop)
+        for sensor in state.forced:
+            self._attempt(lambda name=sensor: self._session.force(name, None))  # type: ignore[misc]
+        self._session.close()
+        self.recorder.close()
+        self._say(phase="closed")
+
+    def _next(self) -> Order | None:
+        """What is to be done now; waits for it while there is no robot to listen to."""
+        with self._wake:
+            while not (self._orders or self._stopping or self._closing or self._session.is_open):
+                self._wake.wait()
+            return self._orders.popleft() if self._orders and not self._stopping else None
+
+    def _attempt(self, work: Order) -> None:
+        """Does something with the robot; whatever goes wrong is said, and nothing is left half open."""
+        try:
+            work()
+        except KitRobotError as error:
+            if self._session.is_open and self._links.is_lost(error):
+                self._lose()
+            else:
+                self._say(message=error.message, help=_way_out(error))
+        except Exception as error:
+            # What a broken line or a strange robot brings about; the session goes on.
+            debugging = bool(os.environ.get("KITROBOT_DEBUG"))
+            _log.warning("the link to a robot broke: %s: %s", type(error).__name__, error, exc_info=debugging)
+            self._lose()
+
+    def _lose(self) -> None:
+        state = self._session.state
+        if state.doing != "running":
+            message = f"the link to `{self.name}` is lost"
+        elif state.held:
+            message = f"the link to `{self.name}` is lost: its motors stop within one second"
+        else:
+            message = f"the link to `{self.name}` is lost; it runs on by itself"
+        self._session.lose(message)
+        self._say(phase="lost", progress=None, message=message, help="look at its cable, then press Reconnect")
+
+    # -- the orders
+
+    def _connect(self, program: BoardProgram | None) -> None:
+        self._session.close()
+        self._say(phase="connecting", message="", help="", way="", progress=None)
+        try:
+            self._greet(program)
+        except (KitRobotError, OSError) as error:
+            self._session.close()
+            said = error if isinstance(error, KitRobotError) else _no_answer(self.name)
+            self._say(phase="closed", message=said.message, help=_way_out(said))
+
+    def _greet(self, program: BoardProgram | None) -> None:
+        link = self._links.connect(self.address)
+        try:
+            hello = link.greet()
+        except BaseException:
+            link.close()
+            raise
+        known = program.known if program is not None and program.is_called(hello.program) else None
+        self._session.open(link, hello, known)
+        self._say(phase="open")
+        if known is not None:
+            self._session.watch(WATCH_MS)
+
+    def _send(self, program: BoardProgram, then: str, replace: bool, fresh: bool) -> None:
+        self._session.close()
+        self._session.replaced()
+        self._say(phase="sending", message="", help="", way="")
+        try:
+            self._links.deploy(self.address, program, self._progress, replace, fresh)
+            self._say(progress=None)
+            self._greet(program)
+        except _Cancelled:
+            self._say(phase="closed", progress=None, message="the sending was broken off", help=_KEPT)
+            return
+        except (KitRobotError, OSError) as error:
+            self._session.close()
+            said = error if isinstance(error, KitRobotError) else _no_answer(self.name)
+            way = self._links.way(said)
+            self._say(phase="closed", progress=None, message=said.message, help=_way_out(said), way=way)
+            return
+        if then == "ready":
+            self._stop()
+        else:
+            self._start(then == "held")
+        if (warning := program.warning) is not None:
+            self._say(message=warning.message, help=warning.help)
+
+    def _progress(self, step: Any, done: int, total: int) -> None:
+        if self._cancelled:
+            raise _Cancelled
+        if step in STEPS:
+            self._say(progress=BoardProgressShape(step=step, done=done, total=total))
+
+    def _start(self, held: bool) -> None:
+        self._session.start(held)
+        self._say(message="", help="")
+
+    def _stop(self) -> None:
+        if self._session.is_open:
+            self._session.stop()
+
+    # -- what the robot says
+
+    def _listen(self) -> None:
+        self._session.poll(LISTEN_S)
+        error = self.recorder.error()
+        if error is not None:
+            self._say(message=error.message, help="what was recorded before can be saved")
+
+    def _robot_changed(self, change: Change) -> None:
+        if change.happening is not Happening.REBOOTED:
+            self._say()
+            return
+        help = "it may have lost its power for a moment: look at its battery and cable"
+        if change.state.doing != "running":
+            help = "it was stopped; it may have lost its power for a moment: look at its battery and cable"
+        self._say(message=f"`{self.name}` began anew by itself", help=help)
+
+    # -- telling
+
+    def _say(self, **changes: Any) -> None:
+        session, recorded = self._session, self.recorder.is_there
+        names = session.known.names if session.known is not None else None
+        now = replace(self.standing, robot=session.state, names=names, recorded=recorded, **changes)
+        if now == self.standing:
+            return
+        self.standing = replace(now, version=self.standing.version + 1)
+        self._changed()
+
+    def message(self) -> BoardMessage:
+        """What pages are told."""
+        now, state, names = self.standing, self.standing.robot, self.standing.names
+        values, inputs = names.named(state.cells) if names is not None else ({}, {})
+        places = ((slot, names.vertex(at)) for slot, at in sorted(state.threads.items())) if names is not None else ()
+        return BoardMessage(
+            address=self.address,
+            name=self.name,
+            holder=self.holder,
+            phase=now.phase,
+            state=state.doing,
+            held=state.held and now.phase != "closed",
+            free=state.free,
+            tick=state.tick,
+            seconds=state.tick * names.tick_ms / 1000 if names is not None else 0.0,
+            generation=state.generation,
+            package=state.package,
+            installed=state.installed,
+            program=names.program if names is not None else "",
+            robot=names.robot if names is not None else "",
+            active=[(slot, vertex) for slot, vertex in places if vertex is not None],
+            values=values,
+            # A robot tells nothing of a sensor that its program does not use.
+            inputs={**inputs, **state.forced},
+            forced=sorted(state.forced),
+            progress=now.progress,
+            fault=_fault_shape(state.fault, names) if state.fault is not None else None,
+            message=spoken(now.message),
+            help=spoken(now.help),
+            way=now.way,
+            recorded=now.recorded,
+        )
+
+
+def _fault_shape(fault: Fault, names: BoardNames | None) -> BoardFaultShape:
+    at = fault.instruction
+    return BoardFaultShape(
+        number=fault.number,
+        sentence=spoken(fault.meaning),
+        text=(names.fault_text(fault.text) if names is not None else fault.text)[:LONGEST_TEXT],
+        program=names.program if names is not None else "",
+        vertex=(names.vertex(at) or "") if names is not None else "",
+        line=names.line(at) if names is not None else 0,
+        tick=fault.tick,
+    )
+
+
+def _way_out(error: KitRobotError) -> str:
+    """The help of an error, for somebody who has a panel with buttons and not a terminal."""
+    if "`kitrobot " not in error.help and " --" not in error.help:
+        return error.help
+    if isinstance(error, ForeignError):
+        return "save it first if you need it, then press Replace it"
+    if isinstance(error, FullError):
+        return "press Make room: what KitRobot put there goes first, and until the new program is whole there is none"
+    if isinstance(error, SilentError):
+        return "press its reset button; when it holds no KitRobot yet, press Send"
+    return "look at its cable, then try again" if isinstance(error, LineError) else "send the program again"
+
+
+def _no_answer(name: str) -> KitRobotError:
+    return KitRobotError(f"`{name}` does not answer", "look at its cable, then try again")

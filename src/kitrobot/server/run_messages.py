@@ -1,0 +1,234 @@
+"""The records of a run as the page is told them: frames of poses, and messages of what changed since the last one.
+
+The one road from a trace to the page: a run that is on is recorded tick by tick and told from its records, a recording
+is told from those that were kept, so both look alike to the byte. A record speaks of instructions, the page of
+vertices: each agent's threads are brought to vertices through the header. What is told is remembered, so that an agent
+that did not change is not told again. Numbers of a recording may be anything; what no page could hold is cut to what it
+can. Texts are English here: who sends them says them in the reader's language.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from kitrobot.server.shapes import EVENT_CAUSES, EVENT_KINDS, StartedAgentShape, StartedMessage, world_shape
+from kitrobot.sim import DOING
+from kitrobot.trace import POSE_WORDS, PROGRAM, TEAM, Threads, TickRecord, TraceError, TraceEvent, TraceHeader
+from kitrobot.world import World
+
+MOST_EVENTS_TOLD = 5000
+"""Events that are told at once when all of them are told again."""
+MOST_REPORTED = 100
+"""In a run of more agents than this, only those that are looked at are reported; all are in the frames."""
+LONGEST_TEXT = 500
+_MOST = 2**53
+"""Numbers beyond it are no whole numbers of JavaScript."""
+_POSE = POSE_WORDS
+_NO_PLACE = ((None, 0.0),) * len(_POSE)
+"""Of an agent that nobody knows the place of: its robot was a real one."""
+
+
+def _bounded(number: int) -> int:
+    return number if -_MOST <= number <= _MOST else _MOST if number > 0 else -_MOST
+
+
+@dataclass(frozen=True)
+class _Told:
+    """Where an agent's numbers stand in a record. `values`, `inputs` and `shown` are names with their places."""
+
+    name: str
+    pose: tuple[tuple[int | None, float], ...]
+    doing: int
+    forced: int
+    fault: int
+    inputs: tuple[tuple[str, int], ...]
+    values: tuple[tuple[str, int], ...]
+    shown: tuple[tuple[str, tuple[int, ...]], ...]
+    vertices: tuple[str | None, ...]
+    watched: tuple[int, ...]
+
+    def vertex(self, instruction: int) -> str | None:
+        """The vertex of an instruction of its program."""
+        return self.vertices[instruction] if instruction < len(self.vertices) else None
+
+    def stands(self, threads: Threads) -> tuple[tuple[int, str], ...]:
+        """(slot, vertex) of each live thread."""
+        found = ((slot, self.vertex(instruction)) for slot, instruction in threads)
+        return tuple((slot, vertex) for slot, vertex in found if vertex is not None)
+
+
+class RunEncoder:
+    """Tells of one run, to one page.
+
+    Raises:
+        TraceError: the header lacks a number that the page needs.
+    """
+
+    def __init__(self, header: TraceHeader) -> None:
+        self._header = header
+        by_owner: dict[str, list[tuple[str, int]]] = {}
+        for at, column in enumerate(header.columns):
+            by_owner.setdefault(column.owner, []).append((column.name, at))
+        try:
+            self._agents = [self._plan(one.name, one.program, by_owner.get(one.name, [])) for one in header.agents]
+            self._collisions = dict(by_owner.get(TEAM, []))["collisions"]
+        except KeyError as error:
+            raise TraceError("the trace lacks numbers that every run has", "record the run once more") from error
+        self._poses = [place for agent in self._agents for place in agent.pose]
+        team = by_owner.get(TEAM, [])
+        self._stock = _named("stock ", team)
+        self._delivered = _named("delivered ", team)
+        self._looked_at = self._first_ones()
+        self._before: list[tuple[object, ...] | None] = [None] * len(self._agents)
+
+    def _plan(self, name: str, program: str, mine: Sequence[tuple[str, int]]) -> _Told:
+        at = dict(mine)
+        scales = self._header.columns
+        placed = any(word in at for word in _POSE)
+        pose = tuple((at[word], scales[at[word]].scale) for word in _POSE) if placed else _NO_PLACE
+        inputs, values = _named("input ", mine), _named("variable ", mine)
+        shown = _faces(mine)
+        watched = (at["doing"], at["forced"], at["fault"], *(place for _, place in (*inputs, *values)))
+        watched += tuple(place for _, places in shown for place in places)
+        vertices = self._header.vertices.get(program, ())
+        return _Told(name, pose, at["doing"], at["forced"], at["fault"], inputs, values, shown, vertices, watched)
+
+    def _first_ones(self) -> frozenset[int]:
+        """The first agent of each program."""
+        first: dict[str, int] = {}
+        for index, agent in enumerate(self._header.agents):
+            first.setdefault(agent.program, index)
+        return frozenset(first.values())
+
+    def look_at(self, agents: Iterable[str]) -> None:
+        """Of very many agents these are reported from now on; the first one of each program always is."""
+        wanted = frozenset(agents)
+        self._looked_at = self._first_ones() | {n for n, agent in enumerate(self._agents) if agent.name in wanted}
+
+    @property
+    def reported(self) -> Collection[int]:
+        """The places in the team of those whose values are told."""
+        return self._looked_at if len(self._agents) > MOST_REPORTED else range(len(self._agents))
+
+    def started(self, run: str, world: World, first: TickRecord, recording: bool) -> StartedMessage:
+        """The first message; `first` is the first record there is."""
+        header = self._header
+        return StartedMessage(
+            run=run,
+            tick_ms=header.tick_ms,
+            seed=header.seed,
+            world=world_shape(world),
+            agents=[
+                StartedAgentShape(
+                    name=one.name,
+                    program=one.program,
+                    robot=one.robot,
+                    number=one.number,
+                    kind=one.kind,
+                    placed=told.pose is not _NO_PLACE,
+                )
+                for one, told in zip(header.agents, self._agents, strict=True)
+            ],
+            stock=self.stock(first),
+            total=header.total,
+            recording=recording,
+            fail_rate=header.fail_rate,
+        )
+
+    def stock(self, record: TickRecord) -> dict[str, int]:
+        """Boxes by storehouse."""
+        return {name: _bounded(record.numbers[at]) for name, at in self._stock}
+
+    def frame(self, record: TickRecord) -> bytes:
+        """All poses: float32, little-endian: tick, how many, then x, y, heading, load, flags of each."""
+        row = record.numbers
+        if row and not (min(row) >= -_MOST and max(row) <= _MOST):
+            row = [_bounded(number) for number in row]
+        numbers = [0.0 if at is None else row[at] * scale for at, scale in self._poses]
+        return struct.pack(f"<{2 + len(numbers)}f", record.tick, len(self._agents), *numbers)
+
+    def standing(self, active: Sequence[Threads], agent: str) -> list[tuple[str, tuple[str | None, ...]]]:
+        """Where the agent stands, or everybody ("")."""
+        return [
+            (one.name, tuple(one.vertex(instruction) for _, instruction in threads))
+            for one, threads in zip(self._agents, active, strict=True)
+            if agent in ("", one.name)
+        ]
+
+    def news(self, record: TickRecord, latest: int, again: bool, happened: Iterable[TraceEvent]) -> dict[str, Any]:
+        """What changed since the last time, in the shape of a `TickMessage`.
+
+        `happened` is since the last time, or, with `again`, everything up to `latest`.
+        """
+        row = record.numbers
+        changed = {}
+        for index in sorted(self.reported):
+            agent = self._agents[index]
+            key = (record.active[index], *[row[at] for at in agent.watched])
+            if key != self._before[index]:
+                self._before[index] = key
+                changed[agent.name] = self._report(agent, record.active[index], row)
+        return self._tick(record, latest, again, happened, changed)
+
+    def whole(self, record: TickRecord, latest: int, happened: Iterable[TraceEvent]) -> dict[str, Any]:
+        """Everything, for somebody who was told nothing yet, in the shape of a `TickMessage`; `happened` is everything
+        up to `latest`. To the others nothing is told by this.
+        """
+        agents = {
+            self._agents[index].name: self._report(self._agents[index], record.active[index], record.numbers)
+            for index in sorted(self.reported)
+        }
+        return self._tick(record, latest, True, happened, agents)
+
+    def _tick(
+        self, record: TickRecord, latest: int, again: bool, happened: Iterable[TraceEvent], agents: dict[str, Any]
+    ) -> dict[str, Any]:
+        row = record.numbers
+        return {
+            "type": "tick",
+            "tick": record.tick,
+            "latest": latest,
+            "again": again,
+            "seconds": record.tick * self._header.tick_ms / 1000,
+            "agents": agents,
+            "stock": self.stock(record),
+            "delivered": {name: _bounded(row[at]) for name, at in self._delivered},
+            "collisions": _bounded(row[self._collisions]),
+            "events": [self._event(event) for event in happened],
+        }
+
+    def _report(self, agent: _Told, threads: Threads, row: list[int]) -> dict[str, Any]:
+        doing, forced = row[agent.doing], row[agent.forced]
+        return {
+            "active": [[slot, vertex] for slot, vertex in agent.stands(threads)],
+            "state": DOING[doing] if 0 <= doing < len(DOING) else DOING[0],
+            "values": {name: _bounded(row[at]) for name, at in agent.values},
+            "inputs": {name: _bounded(row[at]) for name, at in agent.inputs},
+            "fault": _bounded(row[agent.fault]),
+            "shown": {name: [_bounded(row[at]) for at in places] for name, places in agent.shown},
+            "forced": [name for bit, (name, _) in enumerate(agent.inputs) if forced >> bit & 1],
+        }
+
+    def _event(self, event: TraceEvent) -> dict[str, Any]:
+        return {
+            "tick": event.tick,
+            "kind": event.kind if event.kind in EVENT_KINDS else "message",
+            "agent": self._header.agents[event.agent].name if event.agent >= 0 else "",
+            "text": event.text[:LONGEST_TEXT],
+            "cause": event.cause if event.cause in EVENT_CAUSES else PROGRAM,
+        }
+
+
+def _faces(columns: Sequence[tuple[str, int]]) -> tuple[tuple[str, tuple[int, ...]], ...]:
+    """What actuators show: each one's numbers, in their order."""
+    found: dict[str, list[int]] = {}
+    for name, at in _named("shown ", columns):
+        found.setdefault(name.rpartition(" ")[0], []).append(at)
+    return tuple((name, tuple(places)) for name, places in found.items())
+
+
+def _named(start: str, columns: Sequence[tuple[str, int]]) -> tuple[tuple[str, int], ...]:
+    return tuple((name.removeprefix(start), at) for name, at in columns if name.startswith(start))

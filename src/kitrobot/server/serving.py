@@ -1,0 +1,68 @@
+"""The web server that the studio runs in: what it bounds, and how it begins and ends."""
+
+from __future__ import annotations
+
+import gc
+import socket
+from collections.abc import Callable
+from contextlib import suppress
+
+import uvicorn
+from starlette.types import ASGIApp
+
+from kitrobot.server.connections import LARGEST_HEAD_BYTES, MOST_CONNECTIONS, BoundedConnection
+from kitrobot.server.runs import LARGEST_MESSAGE_BYTES
+
+END_WITHIN_S = 2
+"""How long open connections may take to close after Ctrl-C."""
+
+
+def run_server(app: ASGIApp, listening: socket.socket, ready: Callable[[], None]) -> None:
+    """Serves until Ctrl-C; `ready` is called once it listens."""
+    config = server_config(app)
+    _calm_collector()
+    with suppress(KeyboardInterrupt):
+        _Server(config, ready).run(sockets=[listening])
+
+
+def server_config(app: ASGIApp) -> uvicorn.Config:
+    """How the studio is served. Nothing is compressed on a WebSocket: to the same machine that only costs time."""
+    return uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        server_header=False,
+        # Nobody stands between: a header that says who asks is somebody's invention.
+        proxy_headers=False,
+        http=BoundedConnection,
+        h11_max_incomplete_event_size=LARGEST_HEAD_BYTES,
+        limit_concurrency=MOST_CONNECTIONS,
+        ws="websockets-sansio",
+        ws_max_size=LARGEST_MESSAGE_BYTES,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=END_WITHIN_S,
+    )
+
+
+def _calm_collector() -> None:
+    """Has Python's garbage collector look at everything less often, and never at what is there now.
+
+    Hardly anything here is garbage that counting references does not find, and a look at a large mission's programs
+    takes longer than the answer that it delays.
+    """
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(100_000, 50, 100)
+
+
+class _Server(uvicorn.Server):
+    """A server that says when it listens."""
+
+    def __init__(self, config: uvicorn.Config, ready: Callable[[], None]) -> None:
+        super().__init__(config)
+        self._ready = ready
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        if self.started:
+            self._ready()

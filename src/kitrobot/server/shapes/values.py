@@ -1,0 +1,65 @@
+"""Our own dataclasses on the wire: pydantic reads and writes them as they are, where the page sees all of their fields.
+
+A view that differs, or has limits of its own, is a model; as a `View` it reads our values by the names of their fields.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, TypeVar
+
+from pydantic import AliasChoices, BaseModel, ConfigDict, Field, GetJsonSchemaHandler
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema
+
+from kitrobot.files import Claimed, Left
+from kitrobot.graph import Arc, Vertex
+from kitrobot.mission import Agent, Goal
+from kitrobot.sim.breakpoints import Hit
+from kitrobot.tutorial import Point
+from kitrobot.world import Section, Storehouse
+
+T = TypeVar("T")
+
+
+class View(BaseModel):
+    """What the page sees of a value of ours: `model_validate` takes that value as it is."""
+
+    model_config = ConfigDict(from_attributes=True)
+
+
+Least = Annotated[T, Field(validation_alias=AliasChoices("min", "minimum"))]
+Most = Annotated[T, Field(validation_alias=AliasChoices("max", "maximum"))]
+"""The ends of a range: the page says `min` and `max`, for `minimum` and `maximum`."""
+
+
+class Sent:
+    """Says in the schema of a dataclass that all fields travel, but the `optional` ones; also of those in its lists.
+
+    A default of a dataclass is for Python: the page always sends and gets the field.
+    """
+
+    def __init__(self, *optional: str) -> None:
+        self._optional = optional
+
+    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """The schema of the dataclass, with its fields required."""
+        made = handler(core)
+        inner: dict[str, Any] = handler.resolve_ref_schema(made)
+        inner["required"] = [name for name in inner["properties"] if name not in self._optional]
+        for field in inner["properties"].values():
+            if "$ref" in field.get("items", {}):
+                item = handler.resolve_ref_schema(field["items"])
+                item["required"] = list(item["properties"])
+        return made
+
+
+VertexValue = Annotated[Vertex, Sent("unknown")]
+ArcValue = Annotated[Arc, Sent()]
+AgentValue = Annotated[Agent, Sent()]
+GoalValue = Annotated[Goal, Sent()]
+HitValue = Annotated[Hit, Sent()]
+LeftValue = Annotated[Left, Sent()]
+ClaimedValue = Annotated[Claimed, Sent()]
+PointValue = Annotated[Point, Sent()]
+SectionValue = Annotated[Section, Sent()]
+StorehouseValue = Annotated[Storehouse, Sent()]

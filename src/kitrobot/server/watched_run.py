@@ -1,0 +1,204 @@
+"""A run as the page is told it: steered, paused at breakpoints, and told as frames and messages, whatever its source.
+
+What the page is told comes from records as a trace holds them (run_messages). Events are collected over all the ticks
+between two messages.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from kitrobot.diagnostics import Diagnostic
+from kitrobot.mission import Breakpoint, Mission
+from kitrobot.server.run_messages import MOST_EVENTS_TOLD, RunEncoder
+from kitrobot.server.shapes import StartedMessage
+from kitrobot.sim.breakpoints import Breakpoints, Hit, Observed
+from kitrobot.trace import RunSource
+from kitrobot.world import World
+
+_TICKS_BETWEEN_LOOKS = 8
+"""Ticks run between two looks at the clock; fewer of very many robots, so that Stop is obeyed soon."""
+_ROBOT_TICKS_BETWEEN_LOOKS = 4000
+
+
+class WatchedRun(ABC):
+    """One run. `agents` are what breakpoints ask of its members; `recording` says that all of it has happened.
+
+    Raises:
+        ConditionError: the condition of a breakpoint cannot be understood.
+        TraceError: the header lacks a number that the page needs.
+    """
+
+    recording = False
+
+    def __init__(
+        self, source: RunSource, world: World, agents: Sequence[Observed], breakpoints: Iterable[Breakpoint] = ()
+    ) -> None:
+        self._source = source
+        self._world = world
+        self._agents = agents
+        self._encoder = RunEncoder(source.header)
+        self._breakpoints = self._armed(breakpoints)
+        members = len(source.header.agents)
+        self._portion = max(1, min(_TICKS_BETWEEN_LOOKS, _ROBOT_TICKS_BETWEEN_LOOKS // max(1, members)))
+        self.hits: list[Hit] = []
+        """Why `advance` came to an end before its time: who came to a breakpoint."""
+
+    @property
+    def mission(self) -> Mission | None:
+        """What runs, where that is known here."""
+        return None
+
+    @property
+    def advice(self) -> list[Diagnostic]:
+        """Hints on a run that ended before anything could be seen."""
+        return []
+
+    @property
+    def tick(self) -> int:
+        """The tick that the run stands at."""
+        return self._source.tick
+
+    @property
+    def tick_s(self) -> float:
+        """Seconds of the run a tick."""
+        return self._source.header.tick_ms / 1000
+
+    @property
+    def seconds(self) -> float:
+        """Time of the run."""
+        return self._source.tick * self._source.header.tick_ms / 1000
+
+    @property
+    def outcome(self) -> str | None:
+        """How the run ended, if it stands at its end."""
+        return self._source.outcome
+
+    @property
+    def sentence(self) -> str:
+        """Why it ended."""
+        return self._source.sentence
+
+    # -- going on and back
+
+    def advance(self, most: int | None, until: float, clock: Callable[[], float]) -> None:
+        """Goes on: at most `most` ticks (None: as many as there is time for), none begun long after `until`, and none
+        after one in which somebody comes to a breakpoint.
+        """
+        run = looked = 0
+        self.hits = []
+        while self.outcome is None and not self.hits and (most is None or run < most):
+            portion = self._portion if most is None else min(self._portion, most - run)
+            made = self._advance(1 if self._breakpoints else portion)
+            run, looked = run + made, looked + 1
+            if made == 0 or ((not self._breakpoints or looked % self._portion == 0) and clock() >= until):
+                return
+
+    def _advance(self, ticks: int) -> int:
+        made = self._source.advance(ticks)
+        if self._breakpoints:
+            self._observe()
+            self.hits = self._breakpoints.after_step(self.tick)
+        return made
+
+    def _observe(self) -> None:  # noqa: B027 (members of a simulation always stand where it does)
+        """Brings the agents that breakpoints ask to the tick where the run stands."""
+
+    def seek(self, tick: int, stop: Callable[[], bool]) -> None:
+        """Goes to a tick."""
+        self._source.seek(tick, stop)
+        self._went()
+
+    def step(self, agent: str, stop: Callable[[], bool]) -> None:
+        """Goes on until the agent ("" for anybody) stands at another vertex, or somebody comes to a breakpoint."""
+        before = self._standing(agent)
+        self.hits = []
+        while self.outcome is None and not self.hits and not stop():
+            if self._advance(1) == 0 or self._standing(agent) != before:
+                return
+
+    def step_back(self, agent: str, stop: Callable[[], bool]) -> None:
+        """Goes back to the last tick at which the agent ("" for anybody) stood at another vertex, or to the first."""
+        before = self._standing(agent)
+        self._source.seek_back(lambda: self._standing(agent) != before, stop)
+        self._went()
+
+    def _standing(self, agent: str) -> list[tuple[str, tuple[str | None, ...]]]:
+        return self._encoder.standing(self._source.active(), agent)
+
+    def _went(self) -> None:
+        self._observe()
+        self._breakpoints.went_to(self.tick)
+        self.hits = []
+
+    # -- from outside
+
+    def force(self, agent: str, sensor: str, value: int | None) -> None:
+        """As `RunSource.force`."""
+        self._source.force(agent, sensor, value)
+
+    def set_variable(self, agent: str, variable: str, value: int) -> None:
+        """As `RunSource.set_variable`."""
+        self._source.set_variable(agent, variable, value)
+
+    def harm(self, agent: str, kind: str) -> None:
+        """As `RunSource.fail`."""
+        self._source.fail(agent, kind)
+
+    def stop(self) -> None:
+        """As `RunSource.stop`."""
+        self._source.stop()
+
+    def look_at(self, agents: Iterable[str]) -> None:
+        """As `RunEncoder.look_at`."""
+        self._encoder.look_at(agents)
+
+    def pause_at(self, breakpoints: Iterable[Breakpoint]) -> None:
+        """These are the breakpoints from now on; visits are counted anew.
+
+        Raises:
+            ConditionError: a condition cannot be understood.
+        """
+        self._breakpoints = self._armed(breakpoints)
+        self._observe()
+        self._breakpoints.went_to(self.tick)
+
+    def _armed(self, breakpoints: Iterable[Breakpoint]) -> Breakpoints:
+        return Breakpoints(breakpoints, self._agents, self._source.header.vertices)
+
+    # -- telling
+
+    def started(self, run: str) -> StartedMessage:
+        """The first message."""
+        return self._encoder.started(run, self._world, self._source.record(), self.recording)
+
+    def tell(self) -> tuple[bytes, dict[str, Any]]:
+        """All poses, as `RunEncoder.frame` gives them, and what changed since the last time, in the shape of a
+        `TickMessage`.
+        """
+        again, events = self._source.new_events(MOST_EVENTS_TOLD)
+        record = self._source.record(self._encoder.reported)
+        return self._encoder.frame(record), self._encoder.news(record, self._source.latest, again, events)
+
+    def tell_whole(self) -> tuple[bytes, dict[str, Any]]:
+        """All poses and everything that `tell` has told so far, for somebody who joins now."""
+        events = self._source.events(MOST_EVENTS_TOLD)
+        record = self._source.record(self._encoder.reported)
+        return self._encoder.frame(record), self._encoder.whole(record, self._source.latest, events)
+
+    # -- keeping
+
+    @abstractmethod
+    def record_to(self, path: Path) -> None:
+        """Writes its whole past into a file. It may go on meanwhile, in another thread.
+
+        Raises:
+            TraceError: the trace cannot be written.
+        """
+
+    def close(self) -> None:
+        """As `RunSource.close`."""
+        self._source.close()

@@ -1,0 +1,160 @@
+"""Deadlock detection: whether nothing in the run can ever change again.
+
+That is certain when the whole state of the run (machines, nothing moving, nothing on its way, and for so long that late
+sensors have nothing new to tell) comes back as it was, nothing in it is left to chance, and nobody is to be revived on
+schedule: from the same state follows the same future. States are compared with one that is kept and taken anew at ever
+longer distances (Brent's way to find a cycle), so a program that only polls is detected too, whatever its period.
+
+A robot that is held (its wheels turn, another one or a wall is in its way) moves nothing either: where it is and how
+fast, and what its devices count, come out of the step as they went into it, to the bit. Whether that is so is looked
+at now and then, and at each step once it was: comparing costs as much as moving.
+"""
+
+from __future__ import annotations
+
+from kitrobot.sim.columns import (
+    A_FRESH,
+    A_KIND,
+    A_P,
+    A_Q,
+    A_QUEUED,
+    A_R,
+    A_ROBOT,
+    A_S,
+    AT,
+    CHANCE,
+    CYCLE,
+    DISTANCE,
+    DOWN,
+    ENDED,
+    FAILED,
+    FAILS,
+    HEADING,
+    KEPT,
+    PATIENCE,
+    PLANNED,
+    QUIET,
+    REVIVALS,
+    ROLLING,
+    SPEED,
+    STUCK,
+    TARGET,
+    TICK,
+    TURN,
+    UNTIL,
+    X,
+    Y,
+)
+from kitrobot.sim.dispatch import DRIVES, is_busy
+from kitrobot.sim.rows import copy_row, same
+from kitrobot.sim.state import State
+
+QUIET_STEPS = 50
+"""Steps without motion or command, besides what the latest sensor needs, before it is worth while to look."""
+
+LOOK_EVERY = 32
+"""Steps in which robots roll between two looks at whether they get anywhere."""
+
+HELD_ROWS = 11
+"""Rows of `held`: seven numbers of each robot, four of each actuator."""
+
+
+def may_be_held(step: int, state: State) -> bool:
+    """Whether it is worth while to look in this step whether all that roll are held.
+
+    Never while a robot may still fail on schedule or by chance: who is held, and fails, lets go.
+    """
+    clock = state.clock
+    if clock[ROLLING] == 0 or clock[PLANNED] < len(state.faults.plan[0]):
+        return False
+    if state.fixed_floats[FAILS] > 0.0 or clock[CHANCE] > 0:
+        return False
+    return clock[QUIET] > 0 or step % LOOK_EVERY == 0
+
+
+def remember(state: State) -> None:
+    """Keeps how robots and devices are before a step."""
+    floats = state.robots.floats
+    actuator_floats = state.actuators.floats
+    held = state.held
+    copy_row(held[0], floats[X])
+    copy_row(held[1], floats[Y])
+    copy_row(held[2], floats[HEADING])
+    copy_row(held[3], floats[SPEED])
+    copy_row(held[4], floats[TARGET])
+    copy_row(held[5], floats[TURN])
+    copy_row(held[6], floats[AT])
+    copy_row(held[7], actuator_floats[A_P])
+    copy_row(held[8], actuator_floats[A_Q])
+    copy_row(held[9], actuator_floats[A_R])
+    copy_row(held[10], actuator_floats[A_S])
+
+
+def is_held(state: State) -> bool:
+    """Whether robots and devices are after a step as they were before it."""
+    floats = state.robots.floats
+    actuator_floats = state.actuators.floats
+    held = state.held
+    if not (same(floats[X], held[0]) and same(floats[Y], held[1]) and same(floats[HEADING], held[2])):
+        return False
+    if not (same(floats[SPEED], held[3]) and same(floats[TARGET], held[4]) and same(floats[TURN], held[5])):
+        return False
+    if not (same(floats[AT], held[6]) and same(actuator_floats[A_P], held[7]) and same(actuator_floats[A_Q], held[8])):
+        return False
+    return same(actuator_floats[A_R], held[9]) and same(actuator_floats[A_S], held[10])
+
+
+def is_at_work(step: int, state: State) -> bool:
+    """Whether a device was told something new in this step, has a command on its way, or does something that ends.
+
+    What wheels do is not asked: that is in the numbers that `is_held` compares.
+    """
+    actuator = state.actuators.ints
+    down = state.robots.ints[DOWN]
+    for k in range(len(actuator[A_FRESH])):
+        if actuator[A_FRESH][k] == step + 1:
+            return True
+        if down[actuator[A_ROBOT][k]] == FAILED:
+            continue
+        if actuator[A_QUEUED][k] > 0 or (DRIVES[actuator[A_KIND][k]] == 0 and is_busy(k, state)):
+            return True
+    return False
+
+
+def detect_deadlock(state: State) -> None:
+    """Called after a step in which nothing stirred; sets STUCK when the state has come back."""
+    clock = state.clock
+    clock[QUIET] += 1
+    if clock[QUIET] < clock[PATIENCE] or clock[TICK] % clock[CYCLE] != 0 or clock[CHANCE] > 0 or clock[REVIVALS] > 0:
+        return
+    machines = state.machines
+    cells = machines.cells
+    threads = machines.threads
+    pars = machines.pars
+    kept_cells = machines.kept_cells
+    kept_threads = machines.kept_threads
+    kept_pars = machines.kept_pars
+    ended = state.robots.ints[ENDED]
+    if clock[KEPT] == 0 or clock[DISTANCE] >= clock[UNTIL]:
+        clock[UNTIL] = 1 if clock[KEPT] == 0 else 2 * clock[UNTIL]
+        clock[DISTANCE] = 0
+        clock[KEPT] = 1
+        for i in range(len(ended)):
+            if ended[i] == 0:
+                copy_row(kept_cells[i], cells[i])
+                copy_row(kept_threads[i], threads[i])
+                copy_row(kept_pars[i], pars[i])
+        return
+    clock[DISTANCE] += 1
+    for i in range(len(ended)):
+        if ended[i] == 0 and not (
+            same(threads[i], kept_threads[i]) and same(cells[i], kept_cells[i]) and same(pars[i], kept_pars[i])
+        ):
+            return
+    clock[STUCK] = 1
+
+
+def stirred(clock: list[int]) -> None:
+    """Something moved or was said: the search begins anew."""
+    clock[QUIET] = 0
+    clock[KEPT] = 0

@@ -1,0 +1,26 @@
+"""A number that a person sets with a slider."""
+
+from __future__ import annotations
+
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Hand, Sensor, Setting, Values
+
+
+class Slider(Sensor):
+    """The number that a person sets with a slider in the arena, or that is put in its place."""
+
+    name = "slider"
+    by_hand = True
+    settings = (
+        LATENCY,
+        LOST_READINGS,
+        SPREAD,
+        Setting("initial", 0.0, "the number before anybody sets it", "", -1_000_000_000.0, 1_000_000_000.0),
+    )
+
+    @classmethod
+    def hand(cls, values: Values) -> Hand:
+        return "slider"
+
+    @classmethod
+    def resting(cls, values: Values) -> int:
+        return round(values.number("initial"))

@@ -1,0 +1,106 @@
+"""Events of a step as text: the numbers that it wrote, with the names of mission and world."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from kitrobot.primitives import RobotObject
+from kitrobot.sim import columns as c
+from kitrobot.sim.agents import Agent
+from kitrobot.sim.failures import said_of
+from kitrobot.sim.faults import REVIVE
+from kitrobot.sim.state import State, numbers
+from kitrobot.world import World
+
+Cause = Literal["program", "world", "person", "mission", "chance"]
+
+_CAUSES: tuple[Cause, ...] = ("person", "mission", "chance")
+"""Of the faults of a robot, in the order of their numbers in `faults`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that happened: `kind` is load, unload, message, collision, failure, revival or end.
+
+    `index` is the agent's number; `cause` says what brought it about: a program, the world, a person's hand during the
+    run, the mission's schedule, or chance.
+    """
+
+    tick: int
+    kind: str
+    agent: str
+    text: str
+    index: int
+    cause: Cause = "program"
+
+
+class EventText:
+    """Turns a run's numbers into sentences."""
+
+    def __init__(self, world: World, members: Sequence[Agent], variables: Sequence[RobotObject], state: State) -> None:
+        self._members = members
+        self._variables = variables
+        self._docks = [dock.name for dock in world.docks]
+        self._houses = [house.name for house in world.storehouses]
+        self._actuators = {
+            state.actuators.actuator_index[state.robots.ints[c.ACTUATOR_INDEX][agent.index] + number]: part.name
+            for agent in members
+            for number, part in enumerate(agent.robot.actuators)
+            if state.actuators.actuator_index
+        }
+
+    def events(self, state: State) -> list[Event]:
+        """What happened in the steps of the last call, in order."""
+        count = int(state.clock[c.EVENTS])
+        if count == 0:
+            return []
+        rows = numbers(state.events[: c.EVENT * count])
+        made = []
+        for at in range(0, len(rows), c.EVENT):
+            kind, agent, what, much, tick = rows[at : at + c.EVENT]
+            word, text = self._say(kind, what, much)
+            cause: Cause = _CAUSES[much] if kind == c.HARMED else "world" if kind == c.COLLISION else "program"
+            made.append(Event(tick, word, self._members[agent].name, text, agent, cause))
+        return made
+
+    def _say(self, kind: int, what: int, much: int) -> tuple[str, str]:
+        """The event's kind and text."""
+        if kind == c.END:
+            return "end", "its program has ended"
+        if kind == c.COLLISION:
+            return "collision", f"touches {self._members[what].name if what >= 0 else 'a wall'}"
+        if kind == c.LOADED:
+            return "load", f"a box from {self._houses[what]}"
+        if kind == c.UNLOADED:
+            return "unload", f"a box into {self._houses[what]}"
+        if kind == c.NO_EMPTY_CARRIER:
+            return "message", f"no empty carrier stands in dock {self._docks[what]}"
+        if kind == c.NO_LOADED_CARRIER:
+            return "message", f"no loaded carrier stands in dock {self._docks[what]}"
+        if kind == c.NO_BOX:
+            return "message", f"storehouse {self._houses[what]} has no box"
+        if kind == c.NO_ROOM:
+            return "message", f"storehouse {self._houses[what]} is full"
+        if kind == c.LEAVING:
+            return "message", "leaves the world: only walls hold robots at its edge"
+        if kind == c.LOST:
+            return "message", f"a command did not reach {self._actuators[what]}"
+        if kind == c.HARMED:
+            return "revival" if what == REVIVE else "failure", said_of(what, much)
+        assert kind == c.WRITTEN, f"nobody says {kind}"
+        variable = self._variables[what]
+        boolean = variable.minimum == 0 and variable.type.value == "boolean"
+        return "message", f"{variable.name} = {('false', 'true')[much] if boolean else much}"
+
+
+def sensor_names(state: State, members: Sequence[Agent]) -> dict[tuple[int, str], int]:
+    """(agent's number, sensor's name) → its number in the tables."""
+    sensor = state.sensors.ints
+    cells = {(robot, cell): k for k, (robot, cell) in enumerate(zip(sensor[c.S_ROBOT], sensor[c.S_CELL], strict=True))}
+    return {
+        (agent.index, name): cells[agent.index, cell]
+        for agent in members
+        for name, cell in agent.machine.layout.sensors.items()
+    }

@@ -1,0 +1,133 @@
+"""Fault injection: crash, stall, radio loss and recovery of robots, on schedule and by chance.
+
+*Failed*: it stops reacting for good. Its wheels brake as at `Stop()`, its other devices stand as they are, and it stays
+where it is, in everybody's way. *Stalled*: its program misses its ticks; the devices go on as they were told last.
+*Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (sharing). *Revived*: all of
+that is over; program and devices go on where they were.
+
+The schedule is rows of `plan`: step, robot and kind, in order of steps. By chance a robot fails with the same
+probability in every second of its own; the draws are counted by the step, so they need no state. From outside, between
+two steps, `Simulation.harm` calls `harm` here.
+"""
+
+from __future__ import annotations
+
+from kitrobot.sim.chance import happens
+from kitrobot.sim.columns import (
+    ASLEEP,
+    CAUSE,
+    DOWN,
+    ENDED,
+    FAILED,
+    FAILS,
+    FAILS_EVERY,
+    HARMED,
+    LIVING,
+    MUTED,
+    PLANNED,
+    REVIVALS,
+    SINCE,
+    SOUND,
+    STALLED,
+    TARGET,
+    TICK,
+    TOLD,
+    TURN,
+    WELL,
+    tell,
+)
+from kitrobot.sim.deadlock_detection import stirred
+from kitrobot.sim.sharing import leave, rejoin
+from kitrobot.sim.state import State
+
+FAIL, STALL, MUTE, REVIVE = range(4)
+"""What befalls a robot; the order of `FailureKind`."""
+
+BY_HAND, ON_SCHEDULE, BY_CHANCE = range(3)
+
+PLAN_STEP, PLAN_ROBOT, PLAN_KIND = range(3)
+PLAN_ROWS = 3
+
+
+def harm(i: int, kind: int, cause: int, state: State) -> None:
+    """Does it to robot i, and says so; what would change nothing is no news."""
+    floats = state.robots.floats
+    ints = state.robots.ints
+    clock = state.clock
+    down = ints[DOWN]
+    muted = ints[MUTED]
+    was_deaf = muted[i] != 0 or down[i] == FAILED
+    was_sound = muted[i] == 0 and down[i] == WELL
+    if kind == FAIL:
+        if down[i] == FAILED:
+            return
+        down[i] = FAILED
+        floats[TOLD][i] = floats[TARGET][i]
+        floats[TARGET][i] = 0.0
+        floats[TURN][i] = 0.0
+        if ints[ENDED][i] == 0:
+            clock[LIVING] -= 1
+    elif kind == STALL:
+        if down[i] != WELL:
+            return
+        down[i] = STALLED
+    elif kind == MUTE:
+        if muted[i]:
+            return
+        muted[i] = 1
+    else:
+        if down[i] == WELL and muted[i] == 0:
+            return
+        if down[i] == FAILED:
+            floats[TARGET][i] = floats[TOLD][i]
+            if ints[ENDED][i] == 0:
+                clock[LIVING] += 1
+        down[i] = WELL
+        muted[i] = 0
+        ints[ASLEEP][i] = 0
+    if kind != MUTE:
+        ints[SINCE][i] = clock[TICK]
+        ints[CAUSE][i] = cause
+    stirred(clock)
+    tell(state.events, clock, HARMED, i, kind, cause)
+    if ints[ENDED][i] == 0:
+        if was_sound:
+            clock[SOUND] -= 1
+        if muted[i] == 0 and down[i] == WELL:
+            clock[SOUND] += 1
+    is_deaf = muted[i] != 0 or down[i] == FAILED
+    if is_deaf and not was_deaf:
+        leave(i, state.shared)
+    elif was_deaf and not is_deaf:
+        rejoin(i, state)
+
+
+def harm_on_schedule(step: int, state: State) -> None:
+    """Does what is planned for this step."""
+    clock = state.clock
+    plan = state.faults.plan
+    steps = plan[PLAN_STEP]
+    while clock[PLANNED] < len(steps) and steps[clock[PLANNED]] <= step:
+        n = clock[PLANNED]
+        clock[PLANNED] = n + 1
+        kind = plan[PLAN_KIND][n]
+        if kind == REVIVE:
+            clock[REVIVALS] -= 1
+        harm(plan[PLAN_ROBOT][n], kind, ON_SCHEDULE, state)
+
+
+def harm_by_chance(step: int, state: State) -> None:
+    """Lets the robots whose turn it is fail by chance; each has its turn in one of FAILS_EVERY steps.
+
+    `fate` is two rows: the two keys of each robot.
+    """
+    every = state.fixed[FAILS_EVERY]
+    probability = state.fixed_floats[FAILS]
+    fate = state.faults.fate
+    ints = state.robots.ints
+    down = ints[DOWN]
+    ended = ints[ENDED]
+    for i in range(step % every, len(down), every):
+        if down[i] == FAILED or ended[i] or not happens(fate[0][i], fate[1][i], step, probability):
+            continue
+        harm(i, FAIL, BY_CHANCE, state)

@@ -1,0 +1,56 @@
+"""When a run uses the compiled step: after enough work to be worth it, and once it is there.
+
+The step is compiled, or loaded from the cache, on another thread; until then the run takes plain steps, which give the
+same numbers. For a large team it is worth it from the first steps, and `expect_run` starts before such a run begins.
+"""
+
+from __future__ import annotations
+
+from kitrobot.sim import compiling
+
+WORTH = 100_000
+"""Steps of one robot in a run after which it asks for the compiled step: a second or two of plain work."""
+
+CROWD = 100
+"""Robots of a run that is worth it nearly at once: plain, some hundreds are slower than real time."""
+
+CROWD_WORTH = 2000
+"""As `WORTH`, of a crowd."""
+
+AT_ONCE = 10_000
+"""Steps of one robot that are run plain before it is asked again whether the compiled one is there."""
+
+
+def expect_run(robots: int) -> None:
+    """A run of so many robots may begin soon: has the compiled step made or loaded, if it is worth it for them."""
+    if robots >= CROWD:
+        compiling.ask()
+
+
+class JitPolicy:
+    """Counts the work of one run. `most` is how many steps to run plain at once."""
+
+    def __init__(self, robots: int) -> None:
+        self._robots = max(1, robots)
+        self._work = 0
+        self._asked = False
+        self._advance: compiling.Advance | None = None
+        self.most = max(1, AT_ONCE // self._robots)
+
+    def worked(self, steps: int) -> None:
+        """So many steps were run plain."""
+        self._work += steps * self._robots
+
+    def compiled(self) -> compiling.Advance | None:
+        """The compiled step, if it is worth it and there; None: go on plain."""
+        if self._advance is None and self._work >= (WORTH if self._robots < CROWD else CROWD_WORTH):
+            if not self._asked:
+                self._asked = True
+                compiling.ask()
+            self._advance = compiling.compiled()
+        return self._advance
+
+    def wait(self) -> bool:
+        """Takes the compiled step, waiting for it; False where there is none."""
+        self._advance = compiling.wait()
+        return self._advance is not None

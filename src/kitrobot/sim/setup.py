@@ -1,0 +1,302 @@
+"""Setup of a run: places agents and their devices in the world and fills the tables.
+
+All mistakes are collected and raised together. Left to others: what the tables look like (tables), and what
+happens then (simulation).
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter, defaultdict
+from collections.abc import Collection, Mapping, Sequence
+from functools import reduce
+
+from kitrobot.compiler import Compiled
+from kitrobot.diagnostics import Diagnostic, KitRobotError
+from kitrobot.image import Machine
+from kitrobot.mission import ALL, Mission
+from kitrobot.mission import Agent as Member
+from kitrobot.primitives import Catalogue, Robot, RobotObject
+from kitrobot.sim import rules
+from kitrobot.sim.agents import Agent
+from kitrobot.sim.columns import AT, BED, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
+from kitrobot.sim.devices import Device, Standing, Values
+from kitrobot.sim.devices.base import COUNTS_BOXES, MOVES_BOXES
+from kitrobot.sim.failures import fault_plan
+from kitrobot.sim.grids import cell_at, fixed
+from kitrobot.sim.settings import find_device, place_problems, read_conflicts, read_settings
+from kitrobot.sim.shared import SharedTables
+from kitrobot.sim.tables import Tables
+from kitrobot.sim.world_tables import wall_rows
+from kitrobot.text import Suggestions, collection_paused, did_you_mean, shown
+from kitrobot.world import LOAD, Start, World, distance_to_stretch
+
+MAX_AGENTS = 100_000
+"""Agents in one run at most."""
+
+MAX_OVERLAPS = 100
+"""So many robots in one another's way are told at most; there may be millions of pairs."""
+
+
+def free_start(name: str, free: Sequence[str], suggestions: Suggestions) -> str:
+    """The help for an agent whose start a world has not: the free one that was meant, or those there are."""
+    if free:
+        return suggestions.did_you_mean(name, free) or f"starts that are free there: {', '.join(free[:20])}"
+    return "no start of this world is free: add one to it, or take an agent out of the team"
+
+
+class SimulationError(KitRobotError):
+    """A mission cannot be run in its world; `diagnostics` says everything that is in the way."""
+
+
+class Setup:
+    """Builds the tables and the agents of a run; with `looks_only` no more of it than says whether it can be run.
+
+    Raises:
+        SimulationError: the mission cannot be run.
+    """
+
+    def __init__(
+        self,
+        mission: Mission,
+        world: World,
+        images: Mapping[str, Compiled],
+        catalogue: Catalogue,
+        seed: int,
+        fail_rate: float = 0.0,
+        looks_only: bool = False,
+    ) -> None:
+        self.mission = mission
+        self.world = world
+        self.images = images
+        self.catalogue = catalogue
+        self.seed = seed
+        self.fail_rate = fail_rate
+        self._looks_only = looks_only
+        self.agents: list[Agent] = []
+        self.problems: list[Diagnostic] = []
+        self.step_ms = 1
+        self.tables = Tables(world, 1, seed)
+        self._machines: dict[str, Machine] = {}
+        self._standings: dict[tuple[str, str, str], Standing] = {}
+        self._checked: dict[tuple[str, str, str], tuple[type[Device] | None, Values | None]] = {}
+        self._starts = {start.name: start for start in world.starts}
+        self._free_starts = mission.team.free(self._starts)
+        self._suggestions = Suggestions()
+        self._kinds: Counter[str] = Counter()
+        self._build()
+        if self.problems:
+            first = self.problems[0]
+            raise SimulationError(first.message, first.help, tuple(self.problems))
+
+    def _build(self) -> None:
+        members = self.mission.team.agents
+        if not members:
+            help = 'add one in the studio, or write <agent name="robot-1" program="…"/> into its <team>'
+            self.problems.append(rules.NO_AGENT("this mission has no agents, so there is nobody to run", help=help))
+            return
+        if len(members) > MAX_AGENTS:
+            message = f"expected at most {MAX_AGENTS} agents in a run, found {len(members)}"
+            self.problems.append(rules.TOO_MANY(message, help="take some out of the team"))
+            return
+        robots = {name: self._robot(name) for name in dict.fromkeys(member.program for member in members)}
+        for kind in {robot.name: robot for robot in robots.values() if robot is not None}.values():
+            self.problems += read_conflicts(kind)
+        if self.problems:
+            return
+        self.step_ms = reduce(math.gcd, (robot.tick_ms for robot in robots.values() if robot is not None))
+        self.tables = Tables(self.world, self.step_ms, self.seed)
+        for member in members:
+            robot = robots[member.program]
+            if robot is not None:
+                self._member(member, robot)
+        houses = [house.name for house in self.world.storehouses]
+        total = sum(house.stock for house in self.world.storehouses)
+        for goal in self.mission.team.goals:
+            if goal.storehouse in houses:
+                self.tables.goals[0].append(houses.index(goal.storehouse))
+                self.tables.goals[1].append(total if goal.stock == ALL else int(goal.stock))
+            else:
+                message = f"the goal's storehouse {shown(goal.storehouse)} is not in the world {self.world.name}"
+                self.problems.append(rules.GOAL(message, help=did_you_mean(goal.storehouse, houses)))
+        if not self.problems:
+            self._nobody_overlaps()
+        if self._looks_only:
+            return
+        names = [agent.name for agent in self.agents]
+        self.tables.fault_plan = fault_plan(self.mission.failures, names, self.step_ms, self.fail_rate, self.seed)
+
+    def _robot(self, program_name: str) -> Robot | None:
+        program = self.mission.program(program_name)
+        compiled = self.images.get(program_name)
+        if program is None or compiled is None or compiled.image is None:
+            what = "is not in this mission" if program is None else "has errors"
+            self.problems.append(rules.NO_PROGRAM(f"the program {shown(program_name)} {what}", program=program_name))
+            return None
+        robot = self.catalogue.robots.get(program.target)
+        if robot is None:
+            message = f"the program {program_name} is for the robot {shown(program.target)}, which is not at hand"
+            help = did_you_mean(program.target, self.catalogue.robots)
+            self.problems.append(rules.NO_PROGRAM(message, help=help, program=program_name))
+        return robot
+
+    def _member(self, member: Member, robot: Robot) -> None:
+        start = self._starts.get(member.start_name)
+        if start is None:
+            message = f"{member.name} has no start {shown(member.start_name)} in the world {self.world.name}"
+            help = free_start(member.start_name, self._free_starts, self._suggestions)
+            self.problems.append(rules.START(message, help=help))
+            return
+        tables = self.tables
+        machine = self._machine(member.program, robot)
+        period = robot.tick_ms // self.step_ms
+        index = tables.add_robot(self.world.start_pose(start), robot, machine, period)
+        agent = Agent(index, member.name, member.program, robot, machine, period)
+        self.agents.append(agent)
+        standing = self._standing(start)
+        if start.road:
+            tables.ints[ROAD][index] = standing.road
+            tables.floats[AT][index] = self.world.roads[standing.road].line.wrapped(start.at_mm)
+        handles: set[str] = set()
+        for parts in (robot.actuators, robot.sensors):
+            for number, part in enumerate(parts):
+                device, values = self._device(agent, part, standing, start)
+                if device is None or values is None:
+                    continue
+                handles.add(device.handles)
+                if self._looks_only:
+                    device.fit(index, tables.floats, tables.ints, values)
+                else:
+                    tables.add_device(index, number, part, device, values, standing, agent.name)
+        agent.kind = self._kind(index, handles, standing)
+        self._kinds[agent.kind] += 1
+        agent.number = self._kinds[agent.kind]
+
+    def _machine(self, program: str, robot: Robot) -> Machine:
+        """A machine at the beginning of a program; those of one program share what does not change."""
+        first = self._machines.get(program)
+        if first is None:
+            image = self.images[program].image
+            assert image is not None, "checked before"
+            first = self._machines[program] = Machine(image, robot)
+        return first if self._looks_only else first.twin()
+
+    def _standing(self, start: Start) -> Standing:
+        key = (start.dock, start.road, start.storehouse)
+        if key not in self._standings:
+            docks, roads, houses = self.world.docks, self.world.roads, self.world.storehouses
+            dock = next((number for number, dock in enumerate(docks) if dock.name == start.dock), -1)
+            road_name = docks[dock].road if dock >= 0 else start.road
+            house_name = docks[dock].storehouse if dock >= 0 else start.storehouse
+            road = next((number for number, road in enumerate(roads) if road.name == road_name), -1)
+            house = next((number for number, house in enumerate(houses) if house.name == house_name), -1)
+            self._standings[key] = Standing(road, dock, house)
+        return self._standings[key]
+
+    def _device(
+        self, agent: Agent, part: RobotObject, standing: Standing, start: Start
+    ) -> tuple[type[Device] | None, Values | None]:
+        """What simulates an actuator or sensor of an agent, and its settings; None for what is wrong."""
+        robot = agent.robot
+        key = (robot.name, part.category.value, part.name)
+        if key not in self._checked:
+            device, problems = find_device(robot, part)
+            values = None
+            if device is not None:
+                values, wrong = read_settings(part, device, f"{robot.name}.{part.name}")
+                problems = problems + (wrong or place_problems(robot, part, device, values, self.world))
+            self.problems += problems
+            self._checked[key] = (None, None) if problems else (device, values)
+        device, values = self._checked[key]
+        if device is None or values is None:
+            return None, None
+        needs = "road" if values.says("guide", "road") else device.needs
+        has = {"road": bool(start.road), "dock": standing.dock >= 0, "storehouse": standing.storehouse >= 0}
+        if needs and not has[needs]:
+            message = (
+                f"{agent.name} has {robot.name}.{part.name}, which needs a {needs}, and the start {start.name} has none"
+            )
+            self.problems.append(rules.START(message, help=f'give the <start> of this agent a {needs}="…"'))
+            return None, None
+        return device, values
+
+    def _kind(self, robot: int, handles: Collection[str], standing: Standing) -> str:
+        """How to draw it: carrier, loader, unloader, store-manager, or any other robot."""
+        solid = self.tables.ints[SOLID][robot]
+        if solid and self.tables.ints[BED][robot]:
+            return "carrier"
+        if MOVES_BOXES in handles and standing.dock >= 0:
+            return "loader" if self.world.docks[standing.dock].kind == LOAD else "unloader"
+        return "store-manager" if COUNTS_BOXES in handles and not solid else "robot"
+
+    def _nobody_overlaps(self) -> None:
+        """Robots start apart from one another and from the walls."""
+        floats, ints, world = self.tables.floats, self.tables.ints, self.world
+        solid = [robot for robot in range(len(self.agents)) if ints[SOLID][robot]]
+        walls = wall_rows(world)
+        grid = fixed(walls, max((floats[RADIUS][robot] for robot in solid), default=0.0))
+        for robot in solid if world.walls else ():
+            x, y = floats[X][robot], floats[Y][robot]
+            cell = cell_at(x, y, grid)
+            if ints[ROAD][robot] != FREE or cell < 0:
+                continue
+            for wall in grid.items[grid.starts[cell] : grid.starts[cell + 1]]:
+                away, _ = distance_to_stretch(x, y, *(row[wall] for row in walls))
+                if away < floats[RADIUS][robot]:
+                    message = f"{self.agents[robot].name} starts in a wall"
+                    self.problems.append(rules.START(message, help="move its start away from the wall"))
+                    break
+        size = max((floats[LENGTH][robot] for robot in solid), default=0.0)
+        cells: defaultdict[tuple[int, int], list[int]] = defaultdict(list)
+        found = 0
+        for robot in solid:
+            column, row = math.floor(floats[X][robot] / size), math.floor(floats[Y][robot] / size)
+            for near in ((column + dx, row + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)):
+                for other in cells.get(near, ()):
+                    if self._overlap(robot, other):
+                        message = f"{self.agents[other].name} and {self.agents[robot].name} start in the same place"
+                        self.problems.append(rules.START(message, help=self._apart()))
+                        found += 1
+                        if found == MAX_OVERLAPS:
+                            return
+            cells[column, row].append(robot)
+
+    def _apart(self) -> str:
+        free = self._free_starts
+        if not free:
+            return "every start of this world is taken: add one to it, or take an agent out of the team"
+        return f"give one of them a start that is free: {', '.join(free[:20])}"
+
+    def _overlap(self, robot: int, other: int) -> bool:
+        floats, road = self.tables.floats, self.tables.ints[ROAD]
+        if road[robot] != FREE and road[robot] == road[other]:
+            line = self.world.roads[road[robot]].line
+            way = abs(floats[AT][robot] - floats[AT][other])
+            if line.closed:
+                way = min(way, line.length_mm - way)
+            return way < (floats[LENGTH][robot] + floats[LENGTH][other]) / 2
+        away = math.hypot(floats[X][robot] - floats[X][other], floats[Y][robot] - floats[Y][other])
+        return away < floats[RADIUS][robot] + floats[RADIUS][other]
+
+
+def shared_by(agents: Sequence[Agent]) -> SharedTables:
+    """The variables that the agents share.
+
+    Raises:
+        SimulationError: one of them has two meanings.
+    """
+    shared = SharedTables(agents)
+    if shared.problems:
+        first = shared.problems[0]
+        raise SimulationError(first.message, first.help, tuple(shared.problems))
+    return shared
+
+
+def look_over(mission: Mission, world: World, images: Mapping[str, Compiled], catalogue: Catalogue) -> None:
+    """Looks whether a mission can be run in its world, without making the run: quicker where agents are very many.
+
+    Raises:
+        SimulationError: it cannot; its diagnostics say everything that is in the way.
+    """
+    with collection_paused():
+        shared_by(Setup(mission, world, images, catalogue, 0, looks_only=True).agents)

@@ -1,0 +1,18 @@
+"""What every reader of a text needs: lines and columns, words that were meant, values as sentences repeat them."""
+
+from kitrobot.text.collection import collection_paused
+from kitrobot.text.positions import BytePositions, TextPositions
+from kitrobot.text.suggestions import Suggestions, did_you_mean, nearest
+from kitrobot.text.wording import listed, one_of, shown
+
+__all__ = [
+    "BytePositions",
+    "Suggestions",
+    "TextPositions",
+    "collection_paused",
+    "did_you_mean",
+    "listed",
+    "nearest",
+    "one_of",
+    "shown",
+]

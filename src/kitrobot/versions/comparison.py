@@ -1,0 +1,377 @@
+"""What is different between two missions, or two LLL texts, in words.
+
+Programs are found again by name, or by what they hold when they were renamed; vertices by their id. What stands in a
+chain is held against the same chain, so one instruction put in is one difference and not one for each that follows.
+Nothing different is ever left out: where no words fit better, the part that differs is named.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections import deque
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any
+
+from kitrobot.compiler.common_order import common_order
+from kitrobot.diagnostics import KitRobotError, ProblemsError, Source
+from kitrobot.files import lay_out_file, read_carried
+from kitrobot.graph import START, STOP, Note, Program, Vertex
+from kitrobot.mission import NO_PROGRAM, Agent, Goal, Mission, read_mission
+from kitrobot.versions.outline import PARKED, Outline
+from kitrobot.versions.own_parts import TOLD_HERE, own_part_differences
+from kitrobot.versions.own_worlds import world_differences
+
+_LONGEST_QUOTE = 60
+_ALIKE = 0.6
+"""So much of two programs' vertices must be the same for one to be the other renamed."""
+
+_MOST_COMPARED = 1_000_000
+"""Vertices that are held against others to find renamed programs; where it would be more, only equal ones are found."""
+
+
+class CompareError(KitRobotError):
+    """Two files that cannot be held against each other."""
+
+
+@dataclass(frozen=True)
+class Difference:
+    """One difference. `kind` is one of a few words for programs to read; `vertex` is "" when it is about none."""
+
+    kind: str
+    words: str
+    program: str = ""
+    vertex: str = ""
+
+    @property
+    def sentence(self) -> str:
+        """The words, after the program that they are about."""
+        return f"{self.program}: {self.words}" if self.program else self.words
+
+
+def differences(before: Mission, after: Mission) -> list[Difference]:
+    """What makes `after` of `before`; empty when they are equal."""
+    found = list(_programs(before, after))
+    found += _agents(before.team.agents, after.team.agents)
+    found += _goals(before.team.goals, after.team.goals)
+    found += [Difference(kind, words) for kind, words in world_differences(before, after)]
+    found += [Difference(kind, words) for kind, words in own_part_differences(before, after)]
+    for field in fields(Mission):
+        one, other = getattr(before, field.name), getattr(after, field.name)
+        if field.name not in ("programs", "team", "world_href", "own_world", *TOLD_HERE) and one != other:
+            found.append(Difference("mission", f"the {field.name} of the mission: {_short(one)} → {_short(other)}"))
+    return found
+
+
+def text_differences(before: str, after: str) -> list[Difference]:
+    """What is different between two LLL texts, both in the true layout, by their lines."""
+    old, new = before.splitlines(), after.splitlines()
+    found = []
+    i = k = 0
+    for j, m in (*common_order(old, new), (len(old), len(new))):
+        pairs = min(j - i, m - k)
+        for step in range(pairs):
+            words = f"line {k + step + 1}: `{old[i + step].strip()}` → `{new[k + step].strip()}`"
+            found.append(Difference("line-changed", words))
+        found += [
+            Difference("line-removed", f"line {at + 1} removed: `{old[at].strip()}`") for at in range(i + pairs, j)
+        ]
+        found += [Difference("line-added", f"line {at + 1} added: `{new[at].strip()}`") for at in range(k + pairs, m)]
+        i, k = j + 1, m + 1
+    return found
+
+
+def renamed_programs(before: Mission, after: Mission) -> dict[str, str]:
+    """Old name → new name of the programs that only go by another name, as far as what they hold tells."""
+    old_names = {program.name for program in before.programs}
+    new_names = {program.name for program in after.programs}
+    gone = [_marks(program) for program in before.programs if program.name not in new_names]
+    free = [_marks(program) for program in after.programs if program.name not in old_names]
+    if sum(len(one.marks) for one in gone) * len(free) + len(gone) * len(free) > _MOST_COMPARED:
+        return _renamed_as_they_are(gone, free)
+    found: dict[str, str] = {}
+    for one in gone:
+        if not free:
+            break
+        best = max(free, key=one.likeness)
+        if one.likeness(best) >= _ALIKE:
+            found[one.name] = best.name
+            free.remove(best)
+    return found
+
+
+def _renamed_as_they_are(gone: Sequence[_Marks], free: Sequence[_Marks]) -> dict[str, str]:
+    """Of very many programs only those that hold the very same."""
+    names: dict[object, deque[str]] = {}
+    for one in free:
+        names.setdefault(one.key, deque()).append(one.name)
+    return {one.name: names[one.key].popleft() for one in gone if names.get(one.key)}
+
+
+@dataclass(frozen=True, eq=False)
+class _Marks:
+    """A program by what it holds: the ids and elements of its vertices."""
+
+    name: str
+    robot: str
+    marks: frozenset[tuple[str, str]]
+
+    @property
+    def key(self) -> object:
+        """Equal for programs that are wholly alike."""
+        return self.marks or self.robot
+
+    def likeness(self, other: _Marks) -> float:
+        """How alike two programs are, 0 to 1."""
+        if not self.marks and not other.marks:
+            return float(self.robot == other.robot)
+        return len(self.marks & other.marks) / max(len(self.marks), len(other.marks))
+
+
+def _marks(program: Program) -> _Marks:
+    marks = ((vertex.id, vertex.element) for vertex in program.vertices if vertex.element not in (START, STOP))
+    return _Marks(program.name, program.target, frozenset(marks))
+
+
+def _programs(before: Mission, after: Mission) -> Iterator[Difference]:
+    renamed = renamed_programs(before, after)
+    came_from = {new: old for old, new in renamed.items()}
+    kept = {renamed.get(program.name, program.name) for program in before.programs}
+    was = {program.name: program for program in reversed(before.programs)}
+    now = {program.name for program in after.programs}
+    for program in before.programs:
+        name = renamed.get(program.name, program.name)
+        if name not in now:
+            yield Difference("program-removed", f"the program {program.name} removed")
+    for program in after.programs:
+        old = was.get(came_from.get(program.name, program.name))
+        if old is None:
+            yield Difference("program-added", f"the program {program.name} added, for the robot {program.target}")
+            continue
+        if old.name != program.name:
+            yield Difference("program-renamed", f"the program {old.name} renamed to {program.name}")
+        yield from _program(old, program)
+    order = [name for name in (renamed.get(one.name, one.name) for one in before.programs) if name in now]
+    if order != [program.name for program in after.programs if program.name in kept]:
+        yield Difference("order", "the programs stand in another order")
+
+
+def _program(before: Program, after: Program) -> Iterator[Difference]:
+    name = after.name
+    if before.target != after.target:
+        yield Difference("robot", f"the robot: {before.target} → {after.target}", name)
+    old, new = Outline(before), Outline(after)
+    told = False
+    for found in _vertices(old, new, name):
+        told = told or found.kind in ("added", "removed", "moved")
+        yield found
+    if told or (before.arcs == after.arcs and [v.id for v in before.vertices] == [v.id for v in after.vertices]):
+        return
+    arcs = [{(arc.source, arc.out, arc.target, arc.at) for arc in program.arcs} for program in (before, after)]
+    for source, out, target, at in sorted(arcs[0] - arcs[1]):
+        yield Difference("arc-removed", f"the arc {source}.{out} → {target}.{at} removed", name, source)
+    for source, out, target, at in sorted(arcs[1] - arcs[0]):
+        yield Difference("arc-added", f"the arc {source}.{out} → {target}.{at} added", name, source)
+    if arcs[0] == arcs[1]:
+        yield Difference("order", "the same vertices and arcs in another order of the file", name)
+
+
+def _vertices(old: Outline, new: Outline, name: str) -> Iterator[Difference]:
+    for id, vertex in old.vertices.items():
+        if id not in new.vertices:
+            yield Difference("removed", f"{_named(vertex)} removed, it stood{_where(old, id)}", name, id)
+    moved = _moved(old, new)
+    for id, vertex in new.vertices.items():
+        before = old.vertices.get(id)
+        if before is None:
+            yield Difference("added", f"{_named(vertex)} added{_where(new, id)}", name, id)
+            yield from _inside(Vertex(id, vertex.element, vertex.settings), vertex, name)
+            continue
+        if id in moved:
+            yield Difference("moved", f"{_named(vertex)} moved{_where(new, id)}", name, id)
+        yield from _inside(before, vertex, name)
+
+
+def _inside(before: Vertex, after: Vertex, name: str) -> Iterator[Difference]:
+    """What is different in a vertex itself."""
+    what = _named(after)
+    if before.element != after.element:
+        yield Difference("element", f"{_named(before)} became {after.element}", name, after.id)
+    for setting in dict.fromkeys((*before.settings, *after.settings)):
+        one, other = before.settings.get(setting), after.settings.get(setting)
+        if one != other:
+            words = f"the {setting} of {what}: {_value(one)} → {_value(other)}"
+            yield Difference("setting", words, name, after.id)
+    for old_note, new_note in _note_pairs(before.notes, after.notes):
+        if old_note is None and new_note is not None:
+            yield Difference("note-added", f"a note at {what} added: {_quoted(new_note.text)}", name, after.id)
+        elif old_note is not None and new_note is None:
+            yield Difference("note-removed", f"the note {_quoted(old_note.text)} at {what} removed", name, after.id)
+        elif old_note is not None and new_note is not None:
+            words = f"the note at {what}: {_quoted(old_note.text)} → {_quoted(new_note.text)}"
+            yield Difference("note", words, name, after.id)
+    for field in fields(Vertex):
+        one_value, other_value = getattr(before, field.name), getattr(after, field.name)
+        if field.name not in ("id", "element", "settings", "notes") and one_value != other_value:
+            words = f"the {field.name} of {what}: {_short(one_value)} → {_short(other_value)}"
+            yield Difference("vertex", words, name, after.id)
+    if before.settings == after.settings and list(before.settings) != list(after.settings):
+        yield Difference("order", f"the settings of {what} stand in another order", name, after.id)
+
+
+def _note_pairs(before: Sequence[Note], after: Sequence[Note]) -> list[tuple[Note | None, Note | None]]:
+    """The notes that differ, old beside new where they stand at one place."""
+    had, has = {(note.at, note.text) for note in before}, {(note.at, note.text) for note in after}
+    old = [note for note in before if (note.at, note.text) not in has]
+    new: dict[str, deque[Note]] = {}
+    for note in after:
+        if (note.at, note.text) not in had:
+            new.setdefault(note.at, deque()).append(note)
+    pairs: list[tuple[Note | None, Note | None]] = [
+        (note, new[note.at].popleft() if new.get(note.at) else None) for note in old
+    ]
+    pairs += [(None, note) for notes in new.values() for note in notes]
+    if not pairs and list(before) != list(after):
+        pairs = [(note, None) for note in before] + [(None, note) for note in after]
+    return pairs
+
+
+def _moved(old: Outline, new: Outline) -> set[str]:
+    """Vertices that stand in another chain now, or before or behind others than they did; as few as explain it."""
+    both = old.spots.keys() & new.spots.keys()
+    home = {id: _home(old, id) for id in both}
+    moved = {id for id in both if home[id] != _home(new, id)}
+    for members in new.chains.values():
+        stayed = [id for id in members if id in both and id not in moved]
+        places = [old.spots[id].index for id in stayed]
+        if len({old.spots[id].chain for id in stayed}) == 1:
+            keep = _longest_rising(places)
+            moved |= {id for at, id in enumerate(stayed) if at not in keep}
+    return moved
+
+
+def _home(outline: Outline, id: str) -> tuple[str, str]:
+    holder, slot = outline.spots[id].chain
+    return ("", PARKED) if slot == PARKED else (holder, slot)
+
+
+def _longest_rising(places: Sequence[int]) -> set[int]:
+    """The indices of a longest rising selection."""
+    ends: list[int] = []
+    values: list[int] = []
+    before: list[int] = []
+    for at, place in enumerate(places):
+        length = bisect_left(values, place)
+        before.append(ends[length - 1] if length else -1)
+        ends[length : length + 1] = [at]
+        values[length : length + 1] = [place]
+    found: set[int] = set()
+    at = ends[-1] if ends else -1
+    while at >= 0:
+        found.add(at)
+        at = before[at]
+    return found
+
+
+def _agents(before: Sequence[Agent], after: Sequence[Agent]) -> Iterator[Difference]:
+    old, new = {agent.name: agent for agent in before}, {agent.name: agent for agent in after}
+    for name in old:
+        if name not in new:
+            yield Difference("agent-removed", f"the team: {name} removed")
+    for name, agent in new.items():
+        was = old.get(name)
+        if was is None:
+            yield Difference("agent-added", f"the team: {name} added, runs {agent.program}")
+            continue
+        for field in fields(Agent):
+            one, other = getattr(was, field.name), getattr(agent, field.name)
+            if one != other:
+                yield Difference("agent", f"the team: the {field.name} of {name}: {one or 'none'} → {other or 'none'}")
+    if list(before) != list(after) and old == new:
+        yield Difference("order", "the team: its agents stand in another order")
+
+
+def _goals(before: Sequence[Goal], after: Sequence[Goal]) -> Iterator[Difference]:
+    had, has = {(goal.storehouse, goal.stock) for goal in before}, {(goal.storehouse, goal.stock) for goal in after}
+    for goal in before:
+        if (goal.storehouse, goal.stock) not in has:
+            yield Difference("goal-removed", f"the goals: {goal.storehouse} holds {goal.stock} removed")
+    for goal in after:
+        if (goal.storehouse, goal.stock) not in had:
+            yield Difference("goal-added", f"the goals: {goal.storehouse} holds {goal.stock} added")
+    if list(before) != list(after) and had == has:
+        yield Difference("order", "the goals stand in another order")
+
+
+def _where(outline: Outline, id: str) -> str:
+    """Where a vertex stands, as the end of a sentence."""
+    spot = outline.spots.get(id)
+    if spot is None:
+        return ""
+    holder, slot = spot.chain
+    after = f" after {_named(outline.vertices[spot.after])}" if spot.after else ""
+    if slot == PARKED:
+        return f"{after}, parked"
+    if not holder:
+        return after or " after Start"
+    if not after and len(outline.chains[spot.chain]) > 1:
+        after = " first"
+    return f"{after} in the {slot} of {_named(outline.vertices[holder])}"
+
+
+def _named(vertex: Vertex) -> str:
+    return vertex.element if vertex.element in (START, STOP) else f"{vertex.element} ({vertex.id})"
+
+
+def _value(value: str | None) -> str:
+    return "nothing" if value is None else _quoted(value) if value == "" or " " in value else value[:_LONGEST_QUOTE]
+
+
+def _quoted(text: str) -> str:
+    line = " ".join(text.split())
+    return f"“{line if len(line) <= _LONGEST_QUOTE else line[: _LONGEST_QUOTE - 1] + '…'}”"
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, dict):
+        value = value.get("") or next(iter(value.values()), "")
+    if isinstance(value, list):
+        value = " ".join(map(str, value))
+    return _quoted(str(value)) if value else "nothing"
+
+
+def compare_files(before: Path, after: Path) -> list[Difference]:
+    """What is different between two `.krt` (or pictures that carry one), or two `.lll` by their true layout.
+
+    Raises:
+        CompareError: they are not two of a kind.
+        ProblemsError: what one of them says cannot be used.
+        FileError: one of them cannot be read.
+    """
+    kinds = {before.suffix.lower(), after.suffix.lower()}
+    if kinds == {".lll"}:
+        return text_differences(_laid_out(before), _laid_out(after))
+    if ".lll" in kinds:
+        raise CompareError("expected two missions or two LLL texts, found one of each", "convert one of them first")
+    return differences(mission_whole(read_carried(before), before), mission_whole(read_carried(after), after))
+
+
+def mission_whole(data: bytes, path: Path) -> Mission:
+    """The mission in the bytes of a file, all of which can be used.
+
+    Raises:
+        ProblemsError: some of it cannot.
+    """
+    mission, diagnostics = read_mission(data, str(path))
+    if mission is None or any(item.is_error and item.code != NO_PROGRAM.code for item in diagnostics):
+        source = Source(str(path), data.decode("utf-8-sig", errors="replace"))
+        raise ProblemsError(f"`{path}` cannot be used", "mend it first", tuple(diagnostics), (source,))
+    return mission
+
+
+def _laid_out(path: Path) -> str:
+    layout = lay_out_file(path)
+    if layout.text is None:
+        raise ProblemsError(f"`{path}` cannot be used", "mend it first", layout.diagnostics, (layout.source,))
+    return layout.text

@@ -1,0 +1,356 @@
+"""Two people's edits of one mission brought together: a three-way merge by programs, vertices and arcs.
+
+What only one side changed is taken from it. In a program each out-port leads to one place, so two edits of different
+places change different ports and both stand; ids that both sides gave to different new vertices are made fresh first.
+Where both changed the same thing differently ours stays and a sentence says so. A program whose merged graph would not
+hang together as both sides' graphs do stays whole as ours, and that is said too. So the result is always a mission
+that opens. Left to others: what the sentences are written to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from typing import Any, TypeVar
+
+from kitrobot.files import expect_unchanged, read_bytes, same_file, saving_in
+from kitrobot.graph import IN, RETURN, START, STOP, Arc, Program, Vertex
+from kitrobot.mission import Agent, Breakpoint, Failure, Goal, Mission, Team, save
+from kitrobot.primitives import Constructor, OwnVariable
+from kitrobot.versions.comparison import mission_whole, renamed_programs
+from kitrobot.versions.outline import Outline
+from kitrobot.versions.own_worlds import merge_places
+
+T = TypeVar("T")
+Port = tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Merged:
+    """What became of it, and a sentence for each conflict, in which ours was kept."""
+
+    mission: Mission
+    conflicts: tuple[str, ...]
+
+
+def merge_files(base: Path, ours: Path, theirs: Path, out: Path) -> Merged:
+    """Merges three `.krt` files into `out`; an empty base is none (both sides added the file).
+
+    Raises:
+        ProblemsError: one of them cannot be used; nothing is written.
+        FileError: one of them cannot be read, or `out` is one of them and was changed meanwhile; nothing is written.
+        SaveError: the result could not be written.
+    """
+    paths = (base, ours, theirs)
+    data = [read_bytes(path) for path in paths]
+    ancestor = mission_whole(data[0], base) if data[0].strip() else Mission()
+    merged = merge_missions(ancestor, mission_whole(data[1], ours), mission_whole(data[2], theirs))
+    with saving_in(out):
+        for path, before in zip(paths, data, strict=True):
+            if same_file(path, out):
+                expect_unchanged(path, before)
+        save(out, merged.mission)
+    return merged
+
+
+def merge_missions(base: Mission, ours: Mission, theirs: Mission) -> Merged:
+    """The mission with both sides' edits of `base`."""
+    if theirs in (base, ours):
+        return Merged(ours, ())
+    if ours == base:
+        return Merged(theirs, ())
+    conflicts: list[str] = []
+
+    def choose(what: str, one: T, mine: T, other: T) -> T:
+        """The side that changed it; ours where both did, with a word."""
+        if other in (one, mine):
+            return mine
+        if mine == one:
+            return other
+        conflicts.append(f"{what} was changed in both: ours is kept")
+        return mine
+
+    programs = _programs(base, ours, theirs, conflicts)
+    agents = _by_name(*_with_new_names(base, ours, theirs), _agent_name, "the agent", choose)
+    _bring_back(programs, agents, (ours, theirs), conflicts)
+    goals = _by_name(base.team.goals, ours.team.goals, theirs.team.goals, _goal_name, "the goal of", choose)
+    own: dict[str, Any] = {
+        "constructors": _by_name(
+            base.constructors, ours.constructors, theirs.constructors, _own_name, "the own part", choose
+        ),
+        "breakpoints": _by_name(
+            base.breakpoints, ours.breakpoints, theirs.breakpoints, _breakpoint_name, "the breakpoint at", choose
+        ),
+        "failures": _by_name(base.failures, ours.failures, theirs.failures, _failure_name, "the failure of", choose),
+        "variables": _by_name(base.variables, ours.variables, theirs.variables, _own_name, "the variable", choose),
+    }
+    rest = {
+        field.name: choose(
+            f"the {field.name} of the mission",
+            getattr(base, field.name),
+            getattr(ours, field.name),
+            getattr(theirs, field.name),
+        )
+        for field in fields(Mission)
+        if field.name not in ("programs", "team", "world_href", "own_world", *own)
+    }
+    href, own["own_world"] = merge_places(base, ours, theirs, _by_name, choose)
+    mission = Mission(programs=programs, team=Team(agents, goals), world_href=href, **own, **rest)
+    return Merged(mission, tuple(conflicts))
+
+
+def _with_new_names(base: Mission, ours: Mission, theirs: Mission) -> tuple[list[Agent], list[Agent], list[Agent]]:
+    """The three teams, each agent with the newest name of its program."""
+    names = {**renamed_programs(base, theirs), **renamed_programs(base, ours)}
+    old, mine, other = (
+        [replace(agent, program=names.get(agent.program, agent.program)) for agent in side.team.agents]
+        for side in (base, ours, theirs)
+    )
+    return old, mine, other
+
+
+def _bring_back(
+    programs: list[Program], agents: Sequence[Agent], sides: Iterable[Mission], conflicts: list[str]
+) -> None:
+    """Programs that one side removed and that the other's agents run."""
+    have = {program.name for program in programs}
+    for side in sides:
+        known = {program.name: program for program in reversed(side.programs)}
+        for name in dict.fromkeys(agent.program for agent in agents):
+            found = known.get(name)
+            if found is not None and name not in have:
+                programs.append(found)
+                have.add(name)
+                conflicts.append(f"the program {name} was removed in one and runs on an agent of the other: it is kept")
+
+
+def _agent_name(agent: Agent) -> Hashable:
+    return agent.name
+
+
+def _goal_name(goal: Goal) -> Hashable:
+    return goal.storehouse
+
+
+def _breakpoint_name(breakpoint: Breakpoint) -> Hashable:
+    return (breakpoint.program, breakpoint.vertex, breakpoint.agents)
+
+
+def _failure_name(failure: Failure) -> Hashable:
+    return (failure.agent, failure.at_s)
+
+
+def _own_name(own: Constructor | OwnVariable) -> str:
+    return own.name if isinstance(own, Constructor) else f"{own.robot}.{own.variable.name}"
+
+
+def _by_name(
+    base: Sequence[T],
+    ours: Sequence[T],
+    theirs: Sequence[T],
+    name_of: Callable[[T], Hashable],
+    what: str,
+    choose: Callable[[str, Any, Any, Any], Any],
+) -> list[T]:
+    """Lists of things with names; as a whole where a name stands twice."""
+    sides = [{name_of(item): item for item in side} for side in (base, ours, theirs)]
+    if any(len(side) != len(list_) for side, list_ in zip(sides, (base, ours, theirs), strict=True)):
+        found: list[T] = choose(f"the list with {what} …", list(base), list(ours), list(theirs))
+        return found
+    old, mine, other = sides
+    kept = {
+        name: choose(f"{what} {name}", old.get(name), mine.get(name), other.get(name)) for name in {**mine, **other}
+    }
+    return [kept[name] for name in _order(old, mine, other) if kept[name] is not None]
+
+
+def _order(base: Iterable[Any], ours: Iterable[Any], theirs: Iterable[Any]) -> list[Any]:
+    """Everybody's names: in our order, what only they have behind what it follows with them."""
+    old, mine, other = list(base), list(ours), list(theirs)
+    if mine == old:
+        theirs_too = set(other)
+        return [*other, *(name for name in mine if name not in theirs_too)]
+    have = set(mine)
+    behind: dict[Any, list[Any]] = {}  # what only they have, by the name before it; None at the end
+    before: Any = None
+    for name in other:
+        if name not in have:
+            behind.setdefault(before, []).append(name)
+        else:
+            before = name
+    return [one for name in (*mine, None) for one in (*([] if name is None else [name]), *behind.get(name, ()))]
+
+
+def _programs(base: Mission, ours: Mission, theirs: Mission, conflicts: list[str]) -> list[Program]:
+    our_names, their_names = renamed_programs(base, ours), renamed_programs(base, theirs)
+    old = {program.name: program for program in base.programs}
+    mine = _by_old_name(ours, our_names)
+    other = _by_old_name(theirs, their_names)
+    found: list[Program] = []
+    for name in _order(old, mine, other):
+        one, two, three = old.get(name), mine.get(name), other.get(name)
+        if two is not None and three is not None:
+            merged = _program(one or Program(two.name, two.target), two, three, conflicts)
+            found.append(replace(merged, name=_side(name, two.name, three.name)))
+        elif two is not None and (one is None or three != one):
+            if one is not None and two != one:
+                conflicts.append(f"the program {two.name} was removed by them and changed by us: ours is kept")
+            if one is None or two != one:
+                found.append(two)
+        elif three is not None and (one is None or three != one):
+            if one is None:
+                found.append(three)
+            else:
+                conflicts.append(f"the program {name} was removed by us and changed by them: ours is kept")
+    return list({program.name: program for program in reversed(found)}.values())[::-1]
+
+
+def _by_old_name(mission: Mission, renamed: Mapping[str, str]) -> dict[str, Program]:
+    was = {new: old for old, new in renamed.items()}
+    return {was.get(program.name, program.name): program for program in mission.programs}
+
+
+def _side(base: str, ours: str, theirs: str) -> str:
+    return theirs if ours == base else ours
+
+
+def _program(base: Program, ours: Program, theirs: Program, conflicts: list[str]) -> Program:
+    """Both sides' edits of one program; its name is ours."""
+    same = replace(theirs, name=base.name)
+    if same in (base, replace(ours, name=base.name)):
+        return ours
+    if replace(ours, name=base.name) == base:
+        return replace(theirs, name=ours.name)
+    merge = _ProgramMerge(base, ours, _fresh(base, ours, theirs))
+    merged = merge.whole()
+    if merged is None:
+        conflicts.append(f"{ours.name}: both changed how its instructions hang together: ours is kept as a whole")
+        return ours
+    conflicts += [f"{ours.name}: {words}" for words in merge.conflicts]
+    return merged
+
+
+def _fresh(base: Program, ours: Program, theirs: Program) -> Program:
+    """Theirs, with other ids for its new vertices where ours gave the same ids to new vertices."""
+    old = {vertex.id for vertex in base.vertices}
+    mine = {vertex.id for vertex in ours.vertices} - old
+    taken = mine | old | {vertex.id for vertex in theirs.vertices}
+    names: dict[str, str] = {}
+    number = 1
+    for vertex in theirs.vertices:
+        if vertex.id not in mine or vertex.element in (START, STOP):
+            continue
+        while f"v{number}" in taken:
+            number += 1
+        names[vertex.id] = f"v{number}"
+        taken.add(names[vertex.id])
+    vertices = [replace(vertex, id=names.get(vertex.id, vertex.id)) for vertex in theirs.vertices]
+    arcs = [
+        replace(arc, source=names.get(arc.source, arc.source), target=names.get(arc.target, arc.target))
+        for arc in theirs.arcs
+    ]
+    return replace(theirs, vertices=vertices, arcs=arcs)
+
+
+class _ProgramMerge:
+    def __init__(self, base: Program, ours: Program, theirs: Program) -> None:
+        self.sides = (base, ours, theirs)
+        self.conflicts: list[str] = []
+
+    def choose(self, what: str, one: T, mine: T, other: T) -> T:
+        if other in (one, mine):
+            return mine
+        if mine == one:
+            return other
+        self.conflicts.append(f"{what} was changed in both: ours is kept")
+        return mine
+
+    def whole(self) -> Program | None:
+        """The merged program; None when it would not hang together."""
+        base, ours, theirs = self.sides
+        ports = [_ports(program) for program in self.sides]
+        if any(found is None for found in ports):
+            return None
+        vertices = self.vertices()
+        if vertices is None:
+            return None
+        known = {vertex.id for vertex in vertices}
+        arcs = self.arcs([found or {} for found in ports], known)
+        if arcs is None:
+            return None
+        robot = self.choose("the robot", base.target, ours.target, theirs.target)
+        merged = Program(ours.name, robot, vertices, arcs)
+        return merged if _hangs_together(merged, ours, theirs) else None
+
+    def vertices(self) -> list[Vertex] | None:
+        old, mine, other = ({vertex.id: vertex for vertex in side.vertices} for side in self.sides)
+        found: dict[str, Vertex] = {}
+        for id in _order(old, mine, other):
+            one, two, three = old.get(id), mine.get(id), other.get(id)
+            if two is not None and three is not None:
+                found[id] = self.vertex(one or Vertex(id, two.element), two, three)
+            elif one is None:
+                found[id] = two or three  # type: ignore[assignment]
+            elif (two or three) != one:
+                return None  # removed by one, changed by the other
+        return list(found.values())
+
+    def vertex(self, one: Vertex, two: Vertex, three: Vertex) -> Vertex:
+        what = f"{two.element} ({two.id})"
+        settings: dict[str, str] = {}
+        for name in _order(one.settings, two.settings, three.settings):
+            values = (one.settings.get(name), two.settings.get(name), three.settings.get(name))
+            value = self.choose(f"the {name} of {what}", *values)
+            if value is not None:
+                settings[name] = value
+        return Vertex(
+            two.id,
+            self.choose(f"the element of {what}", one.element, two.element, three.element),
+            settings,
+            self.choose(f"the notes of {what}", one.notes, two.notes, three.notes),
+            self.choose(f"what is inside {what}", one.unknown, two.unknown, three.unknown),
+        )
+
+    def arcs(self, ports: Sequence[Mapping[Port, Arc]], known: set[str]) -> list[Arc] | None:
+        old, mine, other = ports
+        found: list[Arc] = []
+        for port in _order(old, mine, other):
+            one, two, three = old.get(port), mine.get(port), other.get(port)
+            if two != one and three not in (one, two):
+                return None  # both put something else here
+            arc = three if two == one else two
+            if arc is not None:
+                if arc.source not in known or arc.target not in known:
+                    return None
+                found.append(arc)
+        return found
+
+
+def _ports(program: Program) -> dict[Port, Arc] | None:
+    """Each out-port's arc; None when two leave one."""
+    found = {(arc.source, arc.out): arc for arc in program.arcs}
+    return found if len(found) == len(program.arcs) else None
+
+
+def _hangs_together(merged: Program, ours: Program, theirs: Program) -> bool:
+    """Whether nothing came loose, every in-port is entered once, and no chain ends where both sides' went on."""
+    into = [(arc.target, arc.at) for arc in merged.arcs if arc.at != RETURN]
+    stops = _ids(merged, STOP)
+    single = [(target, at) for target, at in into if at != IN or target not in stops]
+    if len(single) != len(set(single)):
+        return False
+    now, mine, other = Outline(merged), Outline(ours), Outline(theirs)
+    for vertex in now.spots:
+        if now.is_parked(vertex) and not any(vertex in side.spots and side.is_parked(vertex) for side in (mine, other)):
+            return False
+    return _loose(merged) - stops <= _loose(ours) | _loose(theirs)
+
+
+def _loose(program: Program) -> set[str]:
+    """The vertices that no arc leaves."""
+    return _ids(program) - {arc.source for arc in program.arcs}
+
+
+def _ids(program: Program, element: str | None = None) -> set[str]:
+    return {vertex.id for vertex in program.vertices if element in (None, vertex.element)}

@@ -1,0 +1,190 @@
+"""A cache of compiled programs, for the next question about the same mission.
+
+Between two edits most of a mission stays as it was, and a typed text is compared with the very graph whose report was
+asked for a moment ago. A program is found again only when it is the same to the letter and everything it is compiled
+with is the same object: robots and constructors that were read anew are other ones. So nothing kept is ever out of
+date; it may only be gone, and is then made again. Each has a name, which no other store gives, so that who asks about
+an edit need not say the whole program again. Safe to use from many threads; nothing that was kept may be changed.
+"""
+
+from __future__ import annotations
+
+import itertools
+import secrets
+import threading
+from collections import OrderedDict
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll
+from kitrobot.graph import Program
+from kitrobot.primitives import Catalogue, Constructor, OwnVariable
+from kitrobot.workspace.program_report import ProgramReport, program_report
+
+MOST_VERTICES = 20_000
+"""Of all programs that are kept together: some 50 MB."""
+MOST_STATES = 2
+"""Of one program: as it is, and as it was before the last edit. More would only be further away in memory."""
+MOST_NAMED = 10
+"""Times `MOST_VERTICES`, of all programs that have a name: states of a program share what did not change in them."""
+MOST_CATALOGUES = 16
+
+_Key = tuple[object, int]
+"""All that a program says, and the id of its catalogue."""
+
+
+class KeptProgram:
+    """A program, the catalogue it is for, and what became of it, each made when it is first asked for."""
+
+    def __init__(
+        self, program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
+    ) -> None:
+        self.program = program
+        self.catalogue = catalogue
+        self.name = ""
+        """By which the program is found again for some time."""
+        self._given = translation
+        self._sound = sound
+
+    @cached_property
+    def translation(self) -> Translation:
+        """The program as LLL. Raises KitRobotError when its robot is not at hand."""
+        return self._given if self._given is not None else graph_to_lll(self.program, self.catalogue)
+
+    @cached_property
+    def compiled(self) -> Compiled:
+        """The program compiled. Raises KitRobotError when its robot is not at hand."""
+        return compile_program(self.program, self.catalogue, self.translation, sound=self._sound)
+
+    @cached_property
+    def report(self) -> ProgramReport:
+        """What is shown of it. Raises KitRobotError when its robot is not at hand."""
+        return program_report(self.program.name, self.compiled)
+
+
+@dataclass(frozen=True)
+class _Extended:
+    common: Catalogue
+    constructors: tuple[Constructor, ...]
+    variables: tuple[OwnVariable, ...]
+    catalogue: Catalogue
+
+    def is_of(self, common: Catalogue, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]) -> bool:
+        return self.common is common and _same(self.constructors, constructors) and _same(self.variables, variables)
+
+
+class KeptPrograms:
+    """The newest states of the newest programs, up to `most_vertices` in all."""
+
+    def __init__(self, most_vertices: int = MOST_VERTICES) -> None:
+        self._most_vertices = most_vertices
+        self._lock = threading.Lock()
+        self._programs: OrderedDict[_Key, KeptProgram] = OrderedDict()
+        self._keys: dict[tuple[int, int], _Key] = {}
+        """Of the very objects that are kept, by their ids: these cannot come again before the objects are gone."""
+        self._named: OrderedDict[str, Program] = OrderedDict()
+        """They outlive what became of them, so that several windows may edit programs of one name."""
+        self._named_vertices = 0
+        self._names = (f"{secrets.token_hex(4)}-{number}" for number in itertools.count())
+        self._vertices = 0
+        self._catalogues: list[_Extended] = []
+
+    def catalogue(
+        self, common: Catalogue, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]
+    ) -> Catalogue:
+        """`common.extended(…)`: the same object for the same parts."""
+        with self._lock:
+            for kept in self._catalogues:
+                if kept.is_of(common, constructors, variables):
+                    return kept.catalogue
+        made = common.extended(constructors, variables)
+        with self._lock:
+            del self._catalogues[: -MOST_CATALOGUES + 1]
+            self._catalogues.append(_Extended(common, tuple(constructors), tuple(variables), made))
+        return made
+
+    def of(
+        self, program: Program, catalogue: Catalogue, translation: Translation | None = None, *, sound: bool = False
+    ) -> KeptProgram:
+        """A program as it is kept, or from now on is; `translation` and `sound` as for `compile_program`."""
+        same = (id(program), id(catalogue))
+        with self._lock:
+            key = self._keys.get(same)
+            if key is not None:
+                self._programs.move_to_end(key)
+                return self._programs[key]
+        key = (_all_of(program), id(catalogue))
+        with self._lock:
+            kept = self._programs.get(key)
+            if kept is not None:
+                self._programs.move_to_end(key)
+                return kept
+            kept = self._programs[key] = KeptProgram(program, catalogue, translation, sound=sound)
+            self._keys[same] = key
+            self._give_name(kept)
+            self._vertices += len(program.vertices)
+            states = [one for one, other in self._programs.items() if other.program.name == program.name]
+            for old in states[:-MOST_STATES]:
+                self._forget(old)
+            while self._vertices > self._most_vertices:
+                self._forget(next(iter(self._programs)))
+        return kept
+
+    def named(self, name: str) -> Program | None:
+        """The program of that name; None when it is not kept any more."""
+        with self._lock:
+            found = self._named.get(name)
+            if found is not None:
+                self._named.move_to_end(name)
+        return found
+
+    def reports(self, programs: Sequence[Program], catalogue: Catalogue) -> list[ProgramReport]:
+        """What is shown of each program, with the names of those that can be found again."""
+        kept = [self.of(one, catalogue) if one.target in catalogue.robots else None for one in programs]
+        made = [
+            program_report(one.name, None) if found is None else found.report
+            for one, found in zip(programs, kept, strict=True)
+        ]
+        with self._lock:
+            return [
+                one if found is None or found.name not in self._named else replace(one, known=found.name)
+                for one, found in zip(made, kept, strict=True)
+            ]
+
+    def _give_name(self, kept: KeptProgram) -> None:
+        kept.name = next(self._names)
+        self._named[kept.name] = kept.program
+        self._named_vertices += len(kept.program.vertices)
+        while self._named_vertices > MOST_NAMED * self._most_vertices:
+            self._named_vertices -= len(self._named.popitem(last=False)[1].vertices)
+
+    def _forget(self, key: _Key) -> None:
+        gone = self._programs.pop(key)
+        del self._keys[id(gone.program), id(gone.catalogue)]
+        self._vertices -= len(gone.program.vertices)
+
+
+def _all_of(program: Program) -> object:
+    """Everything a program says, in its order: that of settings counts too, where nobody knows the element."""
+    return (
+        program.name,
+        program.target,
+        tuple(
+            [
+                (
+                    one.id,
+                    one.element,
+                    tuple(one.settings.items()),
+                    tuple([(n.text, n.at) for n in one.notes]),
+                    one.unknown,
+                )
+                for one in program.vertices
+            ]
+        ),
+        tuple([(arc.source, arc.target, arc.out, arc.at) for arc in program.arcs]),
+    )
+
+
+def _same(kept: Sequence[object], given: Sequence[object]) -> bool:
+    return len(kept) == len(given) and all(one is other for one, other in zip(kept, given, strict=True))

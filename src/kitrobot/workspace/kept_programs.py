@@ -1,0 +1,110 @@
+"""The names and embedded files of programs that were sent to robots from here, in the user's state folder.
+
+They are stored under the name that the program has on the robot, so that `kitrobot watch` and `kitrobot log` know them
+later without the mission.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import asdict
+from typing import Any
+
+from kitrobot.files import FileError, state_folder, write_atomic
+from kitrobot.robots import NAME_ON_ROBOT, BoardNames, BoardProgram, Carried, Known
+from kitrobot.trace import TracePart
+
+_KEPT = 200
+"""Programs whose names are kept; the oldest go."""
+
+_ENDING = ".carried"
+_MOST_BYTES = 20_000_000
+"""Of what is kept of one program: more is no mission that a board runs."""
+
+
+def kept_program(called: str) -> Known | None:
+    """What was kept of a program, by what a robot calls it; None when it was not sent from here."""
+    names = kept_names(called)
+    return Known(names, kept_carried(called)) if names is not None else None
+
+
+def keep_program(program: BoardProgram, called: Iterable[str]) -> None:
+    """Keeps the names of a program and what recordings of it embed, for later; `called`: what robots call it."""
+    names = tuple(called)
+    if names:
+        keep_names(program.names, names)
+        keep_carried(program.carried, names)
+
+
+def keep_names(names: BoardNames, called: Iterable[str]) -> None:
+    """Keeps the names of a program for later, where that can be; `called`: what robots call it."""
+    folder = state_folder() / "boards"
+    text = json.dumps(asdict(names), ensure_ascii=False)
+    with suppress(OSError, FileError):
+        folder.mkdir(parents=True, exist_ok=True)
+        for one in called:
+            write_atomic(folder / f"{one}.json", text.encode())
+        old = sorted(folder.glob("*.json"), key=lambda path: path.stat().st_mtime, reverse=True)
+        for path in old[_KEPT:]:
+            path.unlink(missing_ok=True)
+
+
+def kept_names(called: str) -> BoardNames | None:
+    """The names of a program by what a robot calls it; None when it was not sent from here."""
+    if not NAME_ON_ROBOT.fullmatch(called):
+        return None
+    try:
+        found = json.loads((state_folder() / "boards" / f"{called}.json").read_text(encoding="utf-8"))
+        return BoardNames(
+            str(found["program"]),
+            str(found["robot"]),
+            int(found["tick_ms"]),
+            {str(name): int(cell) for name, cell in found["sensors"].items()},
+            {str(name): int(cell) for name, cell in found["variables"].items()},
+            tuple(map(str, found["actuators"])),
+            tuple(map(int, found["arguments"])),
+            tuple((vertex, int(line), str(text)) for vertex, line, text in found["places"]),
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+def keep_carried(carried: Carried | None, called: Iterable[str]) -> None:
+    """Keeps it for later, where that can be, beside the names; `called`: what robots call the program."""
+    folder = state_folder() / "boards"
+    text = json.dumps(asdict(carried), ensure_ascii=False) if carried is not None else ""
+    with suppress(OSError, FileError):
+        for one in called:
+            path = folder / f"{one}{_ENDING}"
+            if text and len(text) <= _MOST_BYTES:
+                write_atomic(path, text.encode())
+            else:
+                # What was sent last counts, also when it came from no mission.
+                path.unlink(missing_ok=True)
+        for path in folder.glob(f"*{_ENDING}"):
+            if not path.with_suffix(".json").exists():
+                path.unlink(missing_ok=True)
+
+
+def kept_carried(called: str) -> Carried | None:
+    """What was kept of a program, by what a robot calls it; None when nothing was."""
+    if not NAME_ON_ROBOT.fullmatch(called):
+        return None
+    try:
+        path = state_folder() / "boards" / f"{called}{_ENDING}"
+        found: Any = json.loads(path.read_text(encoding="utf-8"))
+        return Carried(
+            str(found["mission"]),
+            str(found["world"]),
+            tuple(TracePart(str(part["file"]), str(part["text"])) for part in found["parts"]),
+            tuple(map(str, found["cells"])),
+            tuple(map(int, found["first"])),
+            {
+                int(number): (str(actuator), str(procedure), tuple(map(int, arguments)))
+                for number, (actuator, procedure, arguments) in found["calls"].items()
+            },
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None

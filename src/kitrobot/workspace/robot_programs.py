@@ -1,0 +1,112 @@
+"""Programs for real robots: made from missions, sent, and their names when robots are listed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from kitrobot import robots
+from kitrobot.compiler import Compiled, compile_program, compile_text
+from kitrobot.diagnostics import Diagnostic, ProblemsError, Source
+from kitrobot.files import Form, form_of, is_picture, read_text
+from kitrobot.primitives import Robot
+from kitrobot.robots import (
+    BoardProgram,
+    Progress,
+    Seen,
+    Sent,
+    Waits,
+    carried_by,
+    program_of,
+    warn_of_sharing,
+)
+from kitrobot.workspace.executables import NoRobotError
+from kitrobot.workspace.kept_programs import keep_program, kept_names
+from kitrobot.workspace.opening import OpenMission, open_mission
+from kitrobot.workspace.robots import find_robot
+from kitrobot.workspace.traces import parts_of
+
+_FORMS = (Form.TEXT, Form.MISSION)
+
+
+def load_board_program(path: Path, *, robot: str | None = None, program: str | None = None) -> BoardProgram:
+    """A program of a file, made ready to be sent.
+
+    Args:
+        path: a `.krt`, a picture that carries one, or an `.lll`.
+        robot: the robot's name or file; needed unless a mission names it.
+        program: which program of a mission with several.
+
+    Raises:
+        ProblemsError: the program has errors, with all that is to be said of it.
+        KitRobotError: a file cannot be read, the robot or the program is not there, a driver is missing.
+    """
+    form = Form.MISSION if is_picture(path.name) else form_of(path, _FORMS)
+    if form is Form.MISSION:
+        return board_program(open_mission(path, robot=robot), program, path.parent)
+    if robot is None:
+        raise NoRobotError(
+            f"`{path}` does not say which robot it is for", "name the robot with --robot, a name or a `.robot.xml`"
+        )
+    meant = find_robot(robot, path.parent)
+    source = Source(str(path), read_text(path))
+    compiled = compile_text(source.text, meant, source.name)
+    found = (*compiled.diagnostics, *warn_of_sharing(path.stem, meant, compiled))
+    return _ready(path.stem, meant, compiled, found, (source,), path.parent)
+
+
+def board_program(opened: OpenMission, program: str | None = None, folder: Path | None = None) -> BoardProgram:
+    """A program of an open mission, made ready to be sent; `folder`: where drivers of the user's own may lie.
+
+    Raises:
+        ProblemsError: the program has errors, with all that is to be said of it.
+        KitRobotError: the program is not there, its robot is none that is real, a driver is missing.
+    """
+    meant = opened.program(program)
+    compiled = opened.compiled.get(meant.name) or compile_program(meant, opened.catalogue)
+    robot = opened.catalogue.robot(meant.target)
+    shared = warn_of_sharing(meant.name, robot, compiled)
+    found = tuple(opened.placed([*opened.diagnostics, *compiled.diagnostics, *shared]))
+    beside = folder or (opened.path.parent if opened.path is not None else None)
+    ready = _ready(meant.name, robot, compiled, found, opened.sources, beside)
+    if opened.world is None:
+        return ready  # a recording would embed the world
+    return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
+
+
+def _ready(
+    name: str,
+    robot: Robot,
+    compiled: Compiled,
+    found: tuple[Diagnostic, ...],
+    sources: tuple[Source, ...],
+    folder: Path | None,
+) -> BoardProgram:
+    if compiled.image is None or any(item.is_error for item in found):
+        raise ProblemsError(f"the program `{name}` has errors", "mend them, then send it", found, sources)
+    return program_of(name, robot, compiled, found, sources, folder)
+
+
+def send_program(
+    program: BoardProgram,
+    addresses: Sequence[str],
+    progress: Progress = lambda address, stage, done, total: None,
+    *,
+    replace: bool = False,
+    fresh: bool = False,
+) -> list[Sent]:
+    """As `robots.send_program`; what was sent is kept, so that its names are known later."""
+    sent = robots.send_program(program, addresses, progress, replace=replace, fresh=fresh)
+    keep_program(program, {one.deployed.program for one in sent if one.deployed is not None})
+    return sent
+
+
+def look_at_boards(addresses: Sequence[str] = (), waits: Waits = lambda address: None) -> list[Seen]:
+    """As `robots.look_at_boards`, with the names of programs that were sent from here."""
+
+    def name_of(installed: str) -> str:
+        names = kept_names(installed)
+        return names.program if names is not None else ""
+
+    return robots.look_at_boards(addresses, waits, name_of)

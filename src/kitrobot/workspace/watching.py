@@ -1,0 +1,78 @@
+"""Watching real robots from a terminal, and recording several into one file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+
+from kitrobot.deploy import Hello, connect
+from kitrobot.files import same_file
+from kitrobot.robots import Known, NoBoardError, NoRecordingError, RecordedBoard, RobotRecorder, WatchedRobot
+from kitrobot.workspace.kept_programs import kept_program
+from kitrobot.workspace.robot_programs import load_board_program
+from kitrobot.workspace.running import TracePlaceError
+
+
+def known_program(
+    hello: Hello, mission: Path | None = None, program: str | None = None, robot: str | None = None
+) -> Known | None:
+    """What runs on a robot: a program of the mission that is named, else what was kept when it was sent.
+
+    `robot`: what an `.lll` is for, which does not say so itself.
+
+    Raises:
+        NoBoardError: the robot runs something else than that mission holds now.
+        KitRobotError: the mission cannot be used.
+    """
+    if mission is None:
+        return kept_program(hello.program)
+    ready = load_board_program(mission, robot=robot, program=program)
+    if not ready.is_called(hello.program):
+        raise NoBoardError(
+            f"the robot runs another program than `{ready.names.program}` of `{mission}` as it is now",
+            "send it with `kitrobot deploy`, or name the mission as it was sent",
+        )
+    return ready.known
+
+
+@contextmanager
+def watched_robot(
+    address: str,
+    mission: Path | None = None,
+    program: str | None = None,
+    robot: str | None = None,
+    waits: Callable[[], None] = lambda: None,
+) -> Iterator[WatchedRobot]:
+    """A robot to be watched, with names as `known_program` finds them. `waits` is told when it takes a while.
+
+    Raises:
+        KitRobotError: it does not answer, or runs something else than that mission holds now.
+    """
+    with connect(address, waits=waits) as board:
+        yield WatchedRobot(address, board, board.hello, known_program(board.hello, mission, program, robot))
+
+
+def record_robots(path: Path, watched: Sequence[WatchedRobot], mission: Path | None = None) -> RobotRecorder:
+    """Records these robots into a file from their beginning on; whoever asked closes it.
+
+    Raises:
+        NoRecordingError: of a robot it is not known which mission it runs, or they are of different ones.
+        TracePlaceError: the recording would be written over the mission.
+        TraceError: the file cannot be made.
+    """
+    if mission is not None and same_file(path, mission):
+        raise TracePlaceError(f"the trace would be written over `{path}`", "give it a name of its own")
+    boards = []
+    for one in watched:
+        if one.known is None or one.known.carried is None:
+            raise NoRecordingError(
+                f"a recording brings its mission along, and of what `{one.address}` runs none is known here",
+                "name the mission with --mission; a program that is no mission yet, `kitrobot convert` makes one",
+            )
+        boards.append(RecordedBoard(one.address.rpartition("://")[2], one.known.names, one.known.carried))
+    recorder = RobotRecorder(path, boards)
+    for number, one in enumerate(watched):
+        one.session.subscribe(partial(recorder.robot_changed, number))
+    return recorder

@@ -1,0 +1,52 @@
+"""XML files: reading them through tables of tags, with limits and places; writing them."""
+
+from kitrobot.xml.attributes import (
+    ICON,
+    NAME,
+    TEXT_VALUE,
+    YES_NO,
+    Attribute,
+    Kind,
+    decimal,
+    needed,
+    one,
+    optional,
+    version,
+    whole,
+)
+from kitrobot.xml.decoding import MAX_BYTES
+from kitrobot.xml.element import LONGEST_NAME, Element, Tag
+from kitrobot.xml.parsing import DoctypeError, ExpatError, new_parser
+from kitrobot.xml.reading import LANGUAGE, MAX_DEPTH, TEXT, TEXTS, Reader
+from kitrobot.xml.writing import attributes, escape_text, escape_value, text_element
+
+__all__ = [
+    "ICON",
+    "LANGUAGE",
+    "LONGEST_NAME",
+    "MAX_BYTES",
+    "MAX_DEPTH",
+    "NAME",
+    "TEXT",
+    "TEXTS",
+    "TEXT_VALUE",
+    "YES_NO",
+    "Attribute",
+    "DoctypeError",
+    "Element",
+    "ExpatError",
+    "Kind",
+    "Reader",
+    "Tag",
+    "attributes",
+    "decimal",
+    "escape_text",
+    "escape_value",
+    "needed",
+    "new_parser",
+    "one",
+    "optional",
+    "text_element",
+    "version",
+    "whole",
+]

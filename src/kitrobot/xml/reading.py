@@ -1,0 +1,282 @@
+"""Reading XML: the one way in which every file of the house (constructors, robots, missions, worlds) is read.
+
+The parser's events go through a table of `Tag`s, which says for each element what it may hold and which function turns
+it into a value; see `element`. So a reader is a table and a handful of short functions, and all of them treat bad input
+alike: documents with a DTD, too deep, too large, cut off, malformed or in another encoding give exactly one error,
+with its line and column, and nothing else; unknown elements, attributes and text are reported and the rest stays
+usable.
+
+What is parsed is UTF-8 with line feeds only as line breaks, as XML asks of every reader. Places are kept as offsets of
+bytes into it, where the parser says that an event begins; they become lines and columns when something is reported.
+Only an attribute's place is searched for, in its start tag, because the parser does not tell it. Left to others: what
+a file means.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Mapping
+from dataclasses import replace
+from typing import NoReturn
+
+from kitrobot.diagnostics import Diagnostic, Place, Source
+from kitrobot.text import BytePositions, Suggestions, collection_paused, one_of, shown
+from kitrobot.xml import rules
+from kitrobot.xml.attributes import optional
+from kitrobot.xml.decoding import decode
+from kitrobot.xml.element import Element, Tag
+from kitrobot.xml.mistakes import explain
+from kitrobot.xml.parsing import DoctypeError, ExpatError, error_text, new_parser
+
+MAX_DEPTH = 64
+"""Elements inside one another, at most."""
+
+MAX_PROBLEMS = 100
+"""Diagnostics kept of one file; the rest is counted."""
+
+_WINDOW = 65_536
+"""Bytes of a start tag that are searched for an attribute's place, at most."""
+
+_ATTRIBUTE = re.compile(rb"""\s([^\s=<>"']+)\s*=\s*("[^"]*"|'[^']*')""")
+_DOCTYPE = b"<!DOCTYPE"
+
+
+class _Stop(Exception):
+    """Reading cannot go on; the diagnostic is in the reader."""
+
+
+class Reader:
+    """Reads one XML file. `read` is called once; afterwards `diagnostics` holds everything found wrong."""
+
+    def __init__(self, data: bytes, name: str) -> None:
+        self.name = name
+        self.suggestions = Suggestions()
+        self.own: dict[str, set[Hashable]] = {}
+        """What tells a mission's own parts apart, by the name of their element, as far as they were read."""
+        self._data = data
+        self._positions = BytePositions(b"")
+        self._problems: list[Diagnostic] = []
+        self._left_out = 0
+
+    @property
+    def diagnostics(self) -> list[Diagnostic]:
+        """What was found wrong, in the order in which it was found."""
+        if not self._left_out:
+            return list(self._problems)
+        last = self._problems[-1].place
+        return [*self._problems, rules.TOO_MANY(f"{self._left_out} more problems are not shown", last)]
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """Keeps a diagnostic."""
+        if len(self._problems) < MAX_PROBLEMS:
+            self._problems.append(diagnostic)
+        else:
+            self._left_out += 1
+
+    def stop(self, diagnostic: Diagnostic) -> NoReturn:
+        """Ends the reading with the one diagnostic that matters."""
+        self._problems, self._left_out = [diagnostic], 0
+        raise _Stop
+
+    def read(self, roots: Mapping[str, Tag]) -> Element | None:
+        """The file's first element, which must be one of `roots`; None when the file cannot be used at all."""
+        try:
+            text = decode(self._data, self.name)
+            if isinstance(text, Diagnostic):
+                self.stop(text)
+            self._data = text.encode()
+            self._positions = BytePositions(self._data)
+            events = _Events(self, roots)
+            with collection_paused():
+                events.parse(self._data)
+        except _Stop:
+            return None
+        return events.root
+
+    # -- places
+
+    def place(self, start: int, length: int = 1) -> Place:
+        """The place of so many characters on one line."""
+        line, column = self._positions.position(start)
+        return Place(self.name, line, column, line, column + length)
+
+    def span(self, start: int, end: int) -> Place:
+        """The place between two offsets."""
+        return Place(self.name, *self._positions.position(start), *self._positions.position(end))
+
+    def place_of(self, element: Element, attribute: str | None = None) -> Place:
+        """The start of an element's start tag, or the value of one of its attributes."""
+        if attribute in element.attributes and len(self._problems) < MAX_PROBLEMS:
+            wanted = attribute.encode()
+            for found in _ATTRIBUTE.finditer(self._data, element.start, element.start + _WINDOW):
+                if found.group(1) == wanted:
+                    value = found.start(2) + 1
+                    return self.span(value, max(found.end(2) - 1, value + 1))
+        return self.place(element.start, len(element.name) + 1)
+
+    def offsets_of_text(self, element: Element) -> list[int]:
+        """For each character of an element's text, and its end, its offset (entities and CDATA are followed)."""
+        offsets: list[int] = []
+        for start, piece in zip(element.starts, element.pieces, strict=True):
+            at = start
+            for character in piece:
+                offsets.append(at)
+                at += len(character.encode())
+        return [*offsets, element.end]
+
+    def raw(self, start: int, end: int, *, holds_more: bool) -> str:
+        """An element word for word, by where it starts and where its end tag begins, or where it ends: `<a/>`.
+
+        `holds_more`: it has elements inside, so `/>` before its end tag is not its own.
+        """
+        if holds_more or not self._data.endswith(b"/>", start, end):
+            end = self._data.index(b">", end) + 1
+        return self._data[start:end].decode()
+
+
+class _Events:
+    """The parser's events, walked through the table of tags."""
+
+    def __init__(self, reader: Reader, roots: Mapping[str, Tag]) -> None:
+        self.reader = reader
+        self.roots = roots
+        self.root: Element | None = None
+        self.open: list[Element] = []
+        self.names: list[tuple[str, int]] = []
+        """Name and start of each element that is open, the unknown ones too."""
+        self.skipping: int | None = None
+        """How many elements are open around what is skipped, itself counted."""
+        self.started = 0
+        """Where the element began that was opened last."""
+        self.parser = new_parser("utf-8")
+        self.parser.StartElementHandler = self.start
+        self.parser.EndElementHandler = self.end
+        self.parser.CharacterDataHandler = self.characters
+
+    def parse(self, data: bytes) -> None:
+        try:
+            self.parser.Parse(data, True)
+        except ExpatError as error:
+            self.reader.stop(self.mistake(error, data))
+        except DoctypeError:
+            at = max(0, data.rfind(_DOCTYPE, 0, self.parser.CurrentByteIndex + 1))
+            self.reader.stop(
+                rules.FORBIDDEN(
+                    "expected no document type and no entities, found a <!DOCTYPE …>",
+                    self.reader.span(at, at + len(_DOCTYPE)),
+                    help="take the whole <!DOCTYPE …> away; write the characters themselves, or &#number;",
+                )
+            )
+
+    def mistake(self, error: ExpatError, data: bytes) -> Diagnostic:
+        source = Source(self.reader.name, data.decode())
+        offset = len(data[: max(0, self.parser.ErrorByteIndex)].decode())
+        opened = [(name, self.reader.place(start).line) for name, start in self.names]
+        found = explain(error_text(error), source.text, offset, opened)
+        return rules.NOT_WELL_FORMED(found.message, source.place(found.start, found.start + 1), help=found.help)
+
+    def start(self, name: str, attributes: dict[str, str]) -> None:
+        start = self.started = self.parser.CurrentByteIndex
+        self.names.append((name, start))
+        if len(self.names) > MAX_DEPTH:
+            self.reader.stop(
+                rules.TOO_DEEP(
+                    f"expected at most {MAX_DEPTH} elements inside one another, found one more",
+                    self.reader.place(start, len(name) + 1),
+                )
+            )
+        if self.skipping is not None:
+            return
+        parent = self.open[-1] if self.open else None
+        known = parent.tag.children if parent is not None else self.roots
+        tag = known.get(name)
+        if tag is None:
+            self.unknown(name, parent, start)
+            return
+        element = Element(self.reader, tag, name, attributes, parent, start)
+        if not tag.free_attributes:
+            for attribute in attributes:
+                if attribute not in tag.attributes and not attribute.startswith(("xmlns", "xsi:")):
+                    help = element.did_you_mean(attribute, tag.attributes)
+                    message = f"<{name}> has no attribute {shown(attribute)}; it is left out"
+                    element.report(rules.UNKNOWN_ATTRIBUTE, message, attribute, help)
+        self.open.append(element)
+        if tag.open is not None:
+            tag.open(element)
+
+    def unknown(self, name: str, parent: Element | None, start: int) -> None:
+        place = self.reader.place(start, len(name) + 1)
+        if parent is None:
+            expected = one_of(f"<{root}>" for root in self.roots)
+            self.reader.stop(
+                rules.WRONG_ROOT(f"expected {expected} as the first element, found <{shown(name)[1:-1]}>", place)
+            )
+        fate = "left out" if parent.tag.keep is None else "kept as it is"
+        message = f"<{parent.name}> has no element <{shown(name)[1:-1]}>; it is {fate}"
+        self.reader.add(rules.UNKNOWN_ELEMENT(message, place, help=parent.did_you_mean(name, parent.tag.children)))
+        self.skipping = len(self.names)
+
+    def end(self, name: str) -> None:
+        depth = len(self.names)
+        _, start = self.names.pop()
+        if self.skipping is not None:
+            if depth == self.skipping:
+                self.skipping = None
+                self.keep(self.open[-1], start)
+            return
+        element = self.open.pop()
+        element.end = self.parser.CurrentByteIndex
+        value = element.tag.close(element) if element.tag.close is not None else None
+        if element.parent is None:
+            self.root = element
+        if value is not None:
+            (element.parent or element).values.append((value, element))
+        elif element.faulty and element.tag.kept_whole and element.parent is not None:
+            self.keep(element.parent, start)
+
+    def keep(self, parent: Element, start: int) -> None:
+        """Gives the element that ends here, word for word, to the `keep` of the one around it."""
+        if parent.tag.keep is not None:
+            end = self.parser.CurrentByteIndex
+            parent.tag.keep(parent, self.reader.raw(start, end, holds_more=start != self.started))
+
+    def characters(self, content: str) -> None:
+        if self.skipping is not None or not self.open:
+            return
+        element = self.open[-1]
+        if element.tag.text:
+            element.pieces.append(content)
+            element.starts.append(self.parser.CurrentByteIndex)
+        elif not content.isspace() and not element.pieces:
+            element.pieces.append(content)
+            message = f"<{element.name}> holds no text of its own, found {shown(content)}; it is left out"
+            before = content[: len(content) - len(content.lstrip())]
+            start = self.parser.CurrentByteIndex + len(before.encode())
+            element.add(rules.STRAY_TEXT(message, self.reader.place(start, len(content.strip()))))
+
+
+def _keep_text(element: Element) -> None:
+    assert element.parent is not None
+    language = element.optional(LANGUAGE).lower()
+    texts = element.parent.texts.setdefault(element.name, {})
+    key = "" if language == "en" else language
+    if key in texts:
+        element.report(rules.DUPLICATE, f"there is a <{element.name}> in this language already")
+    texts.setdefault(key, element.words)
+
+
+LANGUAGE = "xml:lang"
+TEXT = Tag(
+    close=_keep_text,
+    attributes={LANGUAGE: optional()},
+    text=True,
+    about="A text for people. Without xml:lang it is English; give it once for each language.",
+    type_name="text",
+)
+"""A text for people, once for each language: ends up in `texts` of the element around it."""
+
+TEXTS: Mapping[str, Tag] = {
+    "help": replace(TEXT, about="One or two sentences that a twelve-year-old understands."),
+    "label": replace(TEXT, about="The word shown instead of the name."),
+}
+"""What everything that people see may have."""

@@ -1,8 +1,0 @@
-# From now on, news are told; `telling` says how.
-
-from kitrobot_onboard.state import DATA, EVERY, SINCE, TELL, TICKS, TOLD
-
-robot[SINCE] = robot[TICKS]()
-robot[EVERY] = struct.unpack("<H", robot[DATA])[0]
-robot[TELL].append(tell_news)
-robot[TOLD] = 0

@@ -1,0 +1,16 @@
+# Forces inputs, before a tick on request.
+
+from kitrobot_onboard.state import CELLS, DATA, FORCED, INPUTS, TOLD
+
+if len(robot[DATA]) % 5:
+    robot[TOLD] = 3
+for at in range(0, len(robot[DATA]), 5):
+    number = robot[DATA][at]
+    if not 0 < number <= robot[INPUTS]:
+        robot[TOLD] = 2
+for at in range(0, len(robot[DATA]), 5):
+    number = robot[DATA][at]
+    at = robot[DATA][at + 1 : at + 5]
+    robot[CELLS][number] = struct.unpack("<i", at)[0]
+    if number not in robot[FORCED]:
+        robot[FORCED].append(number)

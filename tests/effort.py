@@ -1,0 +1,16 @@
+"""How much is tried at random: little by default, much where it is asked for (`CONTRIBUTING.md`, make test)."""
+
+from __future__ import annotations
+
+import os
+
+import hypothesis
+
+THOROUGH = bool(os.environ.get("KITROBOT_THOROUGH"))
+"""Whether all of a sweep is tried, not only a sample of it."""
+
+
+def examples(few: int, many: int = 0) -> int:
+    """`max_examples` of a test whose examples are dear: `few`, or in the thorough profile `many` or that profile's."""
+    usual = hypothesis.settings().max_examples
+    return few if usual < 100 else many or usual

@@ -1,0 +1,111 @@
+"""A watcher that reads slowly: it misses frames, and nothing that lasts."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from typing import Any
+
+import orjson
+
+from kitrobot.server.broadcast import Telling, Watcher
+from kitrobot.server.shapes import ErrorMessage, StateMessage
+from kitrobot.translation import reading_in
+
+
+class SlowLine:
+    """A line that has no room until it is given some."""
+
+    def __init__(self) -> None:
+        self.sent: list[Any] = []
+        self.room = asyncio.Event()
+
+    async def send_bytes(self, data: bytes) -> None:
+        await self.room.wait()
+        self.sent.append(data)
+
+    async def send_text(self, data: str) -> None:
+        await self.room.wait()
+        self.sent.append(json.loads(data))
+
+
+def news(tick: int, agents: dict[str, Any], texts: list[str], again: bool = False) -> dict[str, Any]:
+    return {"type": "tick", "tick": tick, "again": again, "agents": agents, "events": [{"text": one} for one in texts]}
+
+
+def told_late(told: list[Any]) -> list[Any]:
+    """What a watcher is sent that had no room while it was told all that."""
+
+    async def scene() -> list[Any]:
+        line = SlowLine()
+        watcher = Watcher(line)
+        task = asyncio.create_task(watcher.serve())
+        for one in told:
+            if isinstance(one, Telling):
+                watcher.tell(one)
+            elif isinstance(one, StateMessage):
+                watcher.state(one)
+            else:
+                watcher.end(one)
+            await asyncio.sleep(0)
+        line.room.set()
+        await task
+        return line.sent
+
+    return asyncio.run(scene())
+
+
+LAST = ErrorMessage(message="Over.", help="", ended=True)
+
+
+def test_a_slow_watcher_misses_frames_but_nothing_that_lasts():
+    told = [Telling(b"0", news(0, {"a": 0, "b": 0}, ["zero"], again=True))]
+    told += [Telling(b"%d" % n, news(n, {"a": n}, [f"at {n}"])) for n in range(1, 100)]
+    sent = told_late([*told, LAST])
+    assert [one for one in sent if isinstance(one, bytes)] == [b"0", b"99"]
+    last = sent[3]
+    assert (last["tick"], last["agents"], last["again"]) == (99, {"a": 99}, False)
+    assert [event["text"] for event in last["events"]] == [f"at {n}" for n in range(1, 100)]
+    assert sent[-1]["message"] == "Over."
+
+
+def test_of_a_slow_watchers_states_the_newest_is_told_after_the_news():
+    states = [StateMessage(status="paused", tick=n, seconds=0, sentence="") for n in range(3)]
+    sent = told_late([Telling(b"0", news(0, {}, [])), *states, Telling(b"1", news(1, {}, [])), LAST])
+    assert [one if isinstance(one, bytes) else one["type"] for one in sent] == [
+        b"0",
+        "tick",
+        b"1",
+        "tick",
+        "state",
+        "error",
+    ]
+    assert sent[-2]["tick"] == 2
+
+
+def test_all_events_again_take_the_place_of_those_that_wait():
+    first, second = Telling(b"1", news(1, {"a": 1}, ["gone"])), Telling(b"2", news(2, {}, ["again"], again=True))
+    third = Telling(b"3", news(3, {}, ["more"]))
+    both = json.loads(third.after(second.after(first)).text())
+    assert ([event["text"] for event in both["events"]], both["again"]) == (["again", "more"], True)
+    assert both["agents"] == {"a": 1}
+
+
+def test_news_are_encoded_once_for_all_who_read_them(monkeypatch):
+    made = []
+    dumps = orjson.dumps
+
+    def counted(what: Any) -> bytes:
+        made.append(what)
+        return dumps(what)
+
+    monkeypatch.setattr(orjson, "dumps", counted)
+    silent, spoken = Telling(b"", news(1, {}, [])), Telling(b"", news(1, {}, ["its program has ended"]))
+    for language in ("en", "fr", "ur", "fr"):
+        with reading_in(language):
+            silent.text()
+    assert len(made) == 1, "without words one text is for every language"
+    for language in ("en", "fr", "ur", "fr"):
+        with reading_in(language):
+            spoken.text()
+    assert len(made) == 4

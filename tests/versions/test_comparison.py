@@ -1,0 +1,50 @@
+"""Differences in words: none for equal missions, at least one for others, whatever was edited."""
+
+from __future__ import annotations
+
+import copy
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kitrobot.graph import Arc, Vertex
+from kitrobot.versions import differences
+from tests.versions.test_merging import base, edited
+
+
+@given(st.integers(0, 10**6), st.integers(0, 6))
+def test_missions_differ_in_words_exactly_when_they_differ(seed, count):
+    side = edited(base(), seed, count)
+    assert bool(differences(base(), side)) == (side != base())
+    assert differences(side, copy.deepcopy(side)) == []
+
+
+def test_a_graph_that_makes_no_sense_is_compared_all_the_same():
+    odd = base()
+    program = odd.programs[0]
+    program.arcs += [
+        Arc("v3", "v3"),
+        Arc("none", "v1"),
+        Arc("v4", "none", "x", "y"),
+        Arc("v8", "v1", "next", "condition"),
+    ]
+    program.vertices.append(Vertex("v3", "Wait"))
+    assert differences(base(), odd)
+    assert differences(odd, base())
+    assert differences(odd, copy.deepcopy(odd)) == []
+
+
+def test_the_order_of_arcs_alone_is_told_as_that():
+    other = base()
+    other.programs[0].arcs.reverse()
+    assert [found.kind for found in differences(base(), other)] == ["order"]
+
+
+def test_one_instruction_put_in_is_one_difference():
+    other = base()
+    program = other.programs[0]
+    program.vertices.insert(-1, Vertex("v9", "Wait", {"duration": "3"}))
+    program.arcs[2].target = "v9"
+    program.arcs.append(Arc("v9", "v3"))
+    words = [found.sentence for found in differences(base(), other)]
+    assert words == ["p: Wait (v9) added first in the body of While (v1)"]

@@ -1,0 +1,216 @@
+/**
+ * The whole page: menus and tools, parts, graph, the right column, the bottom bar, and what lies over them.
+ *
+ * Sizes of panels are in `session/layout.ts`. Features do not depend on where they are placed.
+ */
+import { type CSSProperties, type DragEvent, useEffect } from "react";
+
+import { PanelSlot, Slot } from "../components/Slot";
+import { t } from "../i18n/words";
+import { useStudio } from "../model/studio";
+import { checkAgain, keepChecking } from "../session/checking";
+import { hearOfDisk, watchDisk } from "../session/disk";
+import { useDocument } from "../session/document";
+import { isKept, keepJournal } from "../session/journal";
+import { complainOfJournal, sayReturned, sayStranger } from "../session/journal-notices";
+import { useLayout } from "../session/layout";
+import { useNarrow } from "../session/narrow";
+import { keepTeamView, useTeam } from "../session/team-view";
+import { useView } from "../session/view";
+import { keepWorld } from "../session/world-files";
+import { Banner } from "./Banner";
+import { begin } from "./beginning";
+import { Brand } from "./Brand";
+import { FEATURES } from "./features";
+import { useKeys } from "./keys";
+import { MenuBar } from "./MenuBar";
+import { useMenus } from "./menus";
+import { Separator } from "./Separator";
+import { Tabs } from "./Tabs";
+import { Title } from "./Title";
+import { TeamStop, Toolbar } from "./Toolbar";
+import "./chrome.css";
+import "./layout.css";
+import "../ui/menus.css";
+import "./tabs.css";
+
+let begun = false;
+
+/** Opens the first mission once, and keeps the report fresh while the page is there. */
+function useDocumentFlow(): void {
+  useEffect(() => {
+    const onReturn = () => {
+      sayReturned();
+      checkAgain();
+    };
+    const offJournal = keepJournal(complainOfJournal, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
+    const offDisk = watchDisk();
+    const offWorld = keepWorld();
+    const offTeam = keepTeamView();
+    return () => {
+      offWorld();
+      offTeam();
+      offJournal();
+      offDisk();
+    };
+  }, []);
+  useEffect(() => {
+    if (!begun) {
+      begun = true;
+      void begin();
+    }
+    return keepChecking();
+  }, []);
+  // What had the focus may be gone with the mission before: keys go to the graph then.
+  const opening = useDocument((document) => document.opening);
+  useEffect(() => {
+    if (!opening && document.activeElement === document.body) useView.getState().viewport?.focus();
+  }, [opening]);
+  useEffect(() => {
+    const ends = FEATURES.flatMap(({ start }) => start?.() ?? []);
+    return () => {
+      for (const end of ends) end();
+    };
+  }, []);
+  useEffect(() => {
+    const ask = (event: BeforeUnloadEvent) => {
+      if (useStudio.getState().dirty && !isKept()) event.preventDefault();
+    };
+    window.addEventListener("beforeunload", ask);
+    return () => window.removeEventListener("beforeunload", ask);
+  }, []);
+}
+
+function carriesFile(event: DragEvent): boolean {
+  return event.dataTransfer.types.includes("Files");
+}
+
+function Side() {
+  const { sizes, folded } = useLayout();
+  // The last open panel of the column takes what the others leave.
+  const last = !folded.arena ? "arena" : !folded.code ? "code" : "inspector";
+  const height = (panel: "inspector" | "code"): CSSProperties =>
+    panel === last ? { flex: "1 1 0" } : { flex: `0 1 ${String(sizes[panel])}px` };
+  return (
+    <div className="side" style={{ width: sizes.side }}>
+      {folded.inspector ? null : (
+        <section className="side-part side-inspector" style={height("inspector")} aria-label={t("view.inspector")}>
+          <PanelSlot place="inspector" />
+        </section>
+      )}
+      {folded.inspector || last === "inspector" ? null : (
+        <Separator edge="inspector" label={t("view.inspector")} along="y" />
+      )}
+      {folded.code ? null : (
+        <section className="side-part side-code" style={height("code")} aria-label={t("view.code")}>
+          <PanelSlot place="code" />
+        </section>
+      )}
+      {folded.code || last === "code" ? null : <Separator edge="code" label={t("view.code")} along="y" />}
+      {folded.arena ? null : (
+        <section className="side-part side-arena" aria-label={t("view.arena")}>
+          <PanelSlot place="arena" />
+        </section>
+      )}
+    </div>
+  );
+}
+
+/** The sheet that is open. */
+function Sheet() {
+  const overlay = useDocument((document) => document.overlay);
+  if (overlay === null) return null;
+  return FEATURES.map(({ name, sheets }) => {
+    const Open = sheets?.[overlay];
+    return Open === undefined ? null : <Open key={name} />;
+  });
+}
+
+function Studio() {
+  useDocumentFlow();
+  useKeys();
+  const menus = useMenus();
+  const { sizes, folded } = useLayout();
+  const ready = useDocument((document) => document.ready);
+  const opening = useDocument((document) => document.opening);
+  const room = useNarrow((narrow) => narrow.room);
+  const team = useTeam((state) => state.open || state.world);
+  const side = !(folded.inspector && folded.code && folded.arena);
+
+  return (
+    <div
+      className="studio"
+      data-room={room ?? "graph"}
+      aria-busy={opening}
+      onDragOver={(event) => {
+        if (carriesFile(event)) event.preventDefault();
+      }}
+      onDrop={(event) => {
+        if (!carriesFile(event)) return;
+        event.preventDefault();
+        // The list of files is empty after the event.
+        const files = [...event.dataTransfer.files];
+        for (const { takeFiles } of FEATURES) takeFiles?.(files);
+      }}
+    >
+      <header className="head">
+        <div className="head-menu">
+          <Brand />
+          <MenuBar menus={menus} />
+          <Title />
+        </div>
+        <Toolbar menus={menus} />
+        <TeamStop />
+      </header>
+      <Banner />
+      <Slot name="banner" />
+      <div className="middle">
+        {folded.palette ? null : (
+          <nav className="parts-frame" aria-label={t("app.parts")}>
+            <div className="parts" style={{ width: sizes.palette }}>
+              {ready ? <PanelSlot place="palette" /> : null}
+            </div>
+            <Separator edge="palette" label={t("view.palette")} along="x" />
+          </nav>
+        )}
+        <main className="centre" aria-label={t("app.canvas")}>
+          <Tabs />
+          <Slot name="above" />
+          <div className="centre-panel">
+            <div
+              className="canvas-panel"
+              id="canvas-panel"
+              role="tabpanel"
+              aria-label={t("app.canvas")}
+              data-covered={team}
+            >
+              {ready ? <PanelSlot place="graph" /> : null}
+            </div>
+            {ready ? FEATURES.map(({ name, tab }) => (tab === undefined ? null : <tab.Panel key={name} />)) : null}
+          </div>
+          <Slot name="below" />
+        </main>
+        {side ? (
+          <aside className="side-frame" aria-label={t("app.side")}>
+            <Separator edge="side" label={t("app.side")} along="x" sense={-1} />
+            <Side />
+          </aside>
+        ) : null}
+      </div>
+      <footer className="bottom">
+        <Slot name="bottom" />
+      </footer>
+      <Slot name="over-page" />
+      <Sheet />
+    </div>
+  );
+}
+
+export function App() {
+  return (
+    <>
+      <Studio />
+      <Slot name="after-page" />
+    </>
+  );
+}

@@ -1,0 +1,39 @@
+/** One message across the page: a failure or a question, with what can be done about it. Nothing waits for it. */
+import { Said } from "../i18n/Said";
+import { t } from "../i18n/words";
+import { type Banner as Message, dismissBanner, useDocument } from "../session/document";
+import { useRun } from "../session/run";
+import { Icon } from "../theme";
+import { Tool } from "../ui/Tool";
+
+function Strip({ said, onClose }: { said: Message; onClose: () => void }) {
+  return (
+    <div className={`banner banner-${said.kind}`} role={said.kind === "note" ? "status" : "alert"} data-testid="banner">
+      <Icon name={said.kind === "error" ? "triangle-alert" : "info"} size={18} />
+      <p>
+        <strong>
+          <Said text={said.message} />
+        </strong>{" "}
+        <Said text={said.help} />
+      </p>
+      {said.actions.map((action) => (
+        <button type="button" key={action.label} className="button" onClick={action.run}>
+          {action.label}
+        </button>
+      ))}
+      {said.kind !== "question" ? (
+        <Tool small icon="x" label={t("banner.close")} titled={false} onClick={onClose} />
+      ) : null}
+    </div>
+  );
+}
+
+export function Banner() {
+  const said = useDocument((document) => document.banner);
+  const failure = useRun((run) => run.error);
+  if (said !== null) return <Strip said={said} onClose={dismissBanner} />;
+  if (failure !== null) {
+    return <Strip said={{ kind: "error", ...failure, actions: [] }} onClose={useRun.getState().dismissError} />;
+  }
+  return null;
+}

@@ -1,0 +1,13 @@
+/** What this program is. */
+import { t } from "../i18n/words";
+import { closeOverlay, useDocument } from "../session/document";
+import { Sheet } from "../ui/Sheet";
+
+export function AboutSheet() {
+  const version = useDocument((document) => document.session?.version ?? "");
+  return (
+    <Sheet title={t("app.name")} testId="about-dialog" onClose={closeOverlay}>
+      <p>{t("help.about-text", { version })}</p>
+    </Sheet>
+  );
+}

@@ -1,0 +1,10 @@
+import { expect, it } from "vitest";
+
+import { asMissionPath } from "./SaveAsSheet";
+
+it.each([
+  ["walk", "walk.krt"],
+  [" walk.krt ", "walk.krt"],
+  ["Walk.KRT", "Walk.KRT"],
+  ["  ", ""],
+])("saving as %j writes %j", (typed, path) => expect(asMissionPath(typed)).toBe(path));

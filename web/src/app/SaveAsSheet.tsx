@@ -1,0 +1,100 @@
+/** A name for the mission; a name that is taken is said under the field, with the choice to replace. */
+import { type FormEvent, useState } from "react";
+
+import { ApiError } from "../api/client";
+import { t } from "../i18n/words";
+import { useStudio } from "../model/studio";
+import { closeOverlay, fileName, show, useDocument } from "../session/document";
+import { hasPlace, saveAs } from "../session/saving";
+import { Icon } from "../theme";
+import { Sheet } from "../ui/Sheet";
+
+/** Always a .krt, whatever was typed. */
+export function asMissionPath(text: string): string {
+  const name = text.trim();
+  return name === "" || name.toLowerCase().endsWith(".krt") ? name : `${name}.krt`;
+}
+
+interface Refusal {
+  path: string;
+  message: string;
+  help: string;
+  /** The revision that would be replaced, where the name is taken. */
+  taken: string | null;
+}
+
+export function SaveAsSheet() {
+  const workspace = useDocument((document) => document.session?.workspace ?? "");
+  const [text, setText] = useState(() => {
+    const { path } = useStudio.getState().file;
+    return hasPlace(path) ? path : fileName();
+  });
+  const [refusal, setRefusal] = useState<Refusal | null>(null);
+  const path = asMissionPath(text);
+
+  const put = async (over: string) => {
+    try {
+      const answer = await saveAs(path, over);
+      if (answer !== null) {
+        const message = t("save.exists", { name: path });
+        setRefusal({ path, message, help: "", taken: answer.taken });
+      }
+    } catch (cause) {
+      const [message, help] = cause instanceof ApiError ? [cause.message, cause.help] : [String(cause), ""];
+      setRefusal({ path, message, help, taken: null });
+    }
+  };
+  const onSubmit = (event: FormEvent) => {
+    event.preventDefault();
+    if (path !== "") void put("");
+  };
+  const shown = refusal?.path === path ? refusal : null;
+  return (
+    <Sheet title={t("save.title")} testId="save-dialog" onClose={closeOverlay}>
+      <form onSubmit={onSubmit}>
+        <label className="field-label" htmlFor="save-name">
+          {t("save.name")}
+        </label>
+        <input
+          id="save-name"
+          className="field"
+          data-testid="save-name"
+          value={text}
+          autoFocus
+          spellCheck={false}
+          autoComplete="off"
+          aria-describedby="save-note"
+          onFocus={(event) => event.target.setSelectionRange(0, text.replace(/\.krt$/, "").length)}
+          onChange={(event) => setText(event.target.value)}
+        />
+        <p className="sheet-note" id="save-note" role="status">
+          {shown === null ? (
+            t("save.where", { folder: workspace })
+          ) : (
+            <>
+              <Icon name="triangle-alert" size={14} /> {shown.message} {shown.help}
+            </>
+          )}
+        </p>
+        <div className="sheet-foot">
+          {shown?.taken === null || shown === null ? null : (
+            <button
+              type="button"
+              className="button"
+              data-testid="save-replace"
+              onClick={() => void put(shown.taken ?? "")}
+            >
+              {t("save.replace")}
+            </button>
+          )}
+          <button type="button" className="button" onClick={() => show(null)}>
+            {t("open.cancel")}
+          </button>
+          <button type="submit" className="button button-ink" data-testid="save" disabled={path === ""}>
+            {t("save.save")}
+          </button>
+        </div>
+      </form>
+    </Sheet>
+  );
+}

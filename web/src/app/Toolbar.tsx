@@ -1,0 +1,91 @@
+/**
+ * The tools under the menus: undo and redo, those of the features, what the run is doing; STOP at the end.
+ *
+ * Tools without room give way in the order of their `fold`; a menu at the end has them all.
+ */
+import { useRef } from "react";
+
+import { Slot } from "../components/Slot";
+import { t } from "../i18n/words";
+import { useStudio } from "../model/studio";
+import { stopEverything } from "../session/features";
+import { keyFor } from "../session/key-table";
+import { Icon } from "../theme";
+import { useFolding } from "../ui/folding";
+import { isItem, type MenuPart } from "../ui/menu-model";
+import { MenuButton } from "../ui/MenuButton";
+import { Tool } from "../ui/Tool";
+
+/** What the tools do, from the menus, which say it in words: a menu for those that found no room. */
+function MoreTools({ menus }: { menus: MenuPart[] }) {
+  const entries = menus
+    .flatMap((menu) => menu.entries)
+    .filter((entry) => isItem(entry) && /^(edit-(undo|redo)|run-.*|robots-run)$/.test(entry.id));
+  return (
+    <span data-folded="2">
+      <MenuButton
+        id="more-tools"
+        label={t("tools.more")}
+        aria-label={t("tools.more")}
+        className="tool"
+        entries={entries}
+      >
+        <Icon name="ellipsis" size={18} />
+      </MenuButton>
+    </span>
+  );
+}
+
+export function Toolbar({ menus }: { menus: MenuPart[] }) {
+  const tools = useRef<HTMLDivElement>(null);
+  useFolding(tools);
+  const { canUndo, canRedo, undoLabel, redoLabel } = useStudio();
+  const { undo, redo } = useStudio.getState();
+  return (
+    <div className="toolbar">
+      <div className="tools" role="toolbar" aria-label={t("menu.run")} ref={tools}>
+        <Tool
+          icon="undo-2"
+          label={undoLabel === "" ? t("edit.undo") : t("edit.undo-what", { what: undoLabel })}
+          keys={keyFor.page("undo")}
+          disabled={!canUndo}
+          testId="undo"
+          data-fold={9}
+          onClick={undo}
+        />
+        <Tool
+          icon="redo-2"
+          label={redoLabel === "" ? t("edit.redo") : t("edit.redo-what", { what: redoLabel })}
+          keys={keyFor.page("redo")}
+          disabled={!canRedo}
+          testId="redo"
+          data-fold={7}
+          onClick={redo}
+        />
+        <span className="tool-line" data-fold={9} />
+        <Slot name="tools" />
+        <MoreTools menus={menus} />
+      </div>
+      <Slot name="status" />
+    </div>
+  );
+}
+
+/** The one red thing: ends the run and with it every robot of the team, from anywhere. */
+export function TeamStop() {
+  return (
+    <button
+      type="button"
+      className="team-stop"
+      data-testid="team-stop"
+      title={`${t("stop.label")} (${keyFor.page("stop")})`}
+      onClick={stopEverything}
+    >
+      <Icon name="octagon-x" size={24} />
+      <span>
+        <strong>{t("stop.big")}</strong>
+        <small>{t("stop.small")}</small>
+      </span>
+    </button>
+  );
+}

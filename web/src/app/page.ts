@@ -1,0 +1,160 @@
+/** What the page has without any feature: its mission, its programs and its look. A feature as the others are. */
+import { useLanguage } from "../i18n/language";
+import { type Key, type Language, languageInUse, LANGUAGES, t } from "../i18n/words";
+import { type StudioState, useStudio } from "../model/studio";
+import { goToProgram, moveActiveProgram, removeProgramNamed } from "../session/actions";
+import { complain, show } from "../session/document";
+import { type Feature, stopEverything } from "../session/features";
+import { keyFor } from "../session/key-table";
+import { type Panel, useLayout } from "../session/layout";
+import type { MenuEntries } from "../session/menu-table";
+import { newMission } from "../session/open-requests";
+import { save } from "../session/saving";
+import { type ThemeChoice, useTheme } from "../theme";
+import { later } from "../ui/later";
+import { type MenuEntry, menuItem } from "../ui/menu-model";
+import { robotEntries } from "./AddProgram";
+import { downloadMission, downloadProgram } from "./downloads";
+import { useRenaming } from "./renaming";
+import { goToRoom } from "./rooms";
+import type * as sheetsModule from "./Sheets";
+
+function fileEntries({ activeProgram, report }: StudioState): MenuEntries {
+  const translated = report?.programs.some((program) => program.name === activeProgram) ?? false;
+  const lll = t("file.download-lll", { name: activeProgram });
+  return {
+    open: [
+      menuItem("file-new", t("file.new"), keyFor.page("create"), newMission),
+      menuItem("file-open", t("file.open"), keyFor.page("open"), () => show("open")),
+    ],
+    save: [
+      menuItem("file-save", t("file.save"), keyFor.page("save"), save),
+      menuItem("file-save-as", t("file.save-as"), keyFor.page("saveAs"), () => show("save-as")),
+    ],
+    download: [
+      menuItem("file-download-krt", t("file.download-krt"), null, downloadMission),
+      menuItem("file-download-lll", lll, null, downloadProgram, !translated),
+    ],
+  };
+}
+
+function historyEntries({ undo, redo, canUndo, canRedo, undoLabel, redoLabel }: StudioState): MenuEntries {
+  const undoing = undoLabel === "" ? t("edit.undo") : t("edit.undo-what", { what: undoLabel });
+  const redoing = redoLabel === "" ? t("edit.redo") : t("edit.redo-what", { what: redoLabel });
+  return {
+    history: [
+      menuItem("edit-undo", undoing, keyFor.page("undo"), undo, !canUndo),
+      menuItem("edit-redo", redoing, keyFor.page("redo"), redo, !canRedo),
+    ],
+  };
+}
+
+const THEMES: ThemeChoice[] = ["light", "dark", "contrast", "system"];
+const SPOKEN = Object.keys(LANGUAGES) as Language[];
+const PANELS: Panel[] = ["palette", "inspector", "code", "arena"];
+
+function lookEntries(choice: ThemeChoice, folded: Record<Panel, boolean>): MenuEntry[] {
+  return [
+    { kind: "heading", id: "view-theme", label: t("view.theme") },
+    ...THEMES.map((theme): MenuEntry => ({
+      kind: "radio",
+      id: `view-${theme}`,
+      label: t(`view.${theme}` as Key),
+      checked: choice === theme,
+      run: () => useTheme.getState().choose(theme),
+    })),
+    { kind: "heading", id: "view-language", label: t("view.language") },
+    ...SPOKEN.map((language): MenuEntry => ({
+      kind: "radio",
+      id: `view-${language}`,
+      label: LANGUAGES[language].name,
+      checked: languageInUse() === language,
+      run: () => void useLanguage.getState().choose(language),
+    })),
+    { kind: "heading", id: "view-panels", label: t("view.panels") },
+    ...PANELS.map((panel): MenuEntry => ({
+      kind: "check",
+      id: `view-${panel}`,
+      label: t(`view.${panel}`),
+      checked: !folded[panel],
+      run: () => useLayout.getState().toggle(panel),
+    })),
+  ];
+}
+
+function programEntries({ activeProgram, catalogue, mission }: StudioState): MenuEntries {
+  const only = mission.programs.length === 1;
+  const ask = () => useRenaming.setState({ program: activeProgram });
+  const away = t("program.delete", { name: activeProgram });
+  return {
+    "new-program": [{ kind: "heading", id: "program-add", label: t("program.add") }, ...robotEntries(catalogue.robots)],
+    program: [
+      menuItem("program-rename", t("program.rename"), keyFor.page("rename"), ask),
+      menuItem("program-next", t("program.next"), keyFor.page("nextProgram"), () => goToProgram(1), only),
+      menuItem("program-previous", t("program.previous"), keyFor.page("previousProgram"), () => goToProgram(-1), only),
+      menuItem("program-later", t("program.later"), keyFor.page("programLater"), () => moveActiveProgram(1), only),
+      menuItem(
+        "program-earlier",
+        t("program.earlier"),
+        keyFor.page("programEarlier"),
+        () => moveActiveProgram(-1),
+        only,
+      ),
+      menuItem("program-delete", away, null, () => removeProgramNamed(activeProgram), only),
+    ],
+  };
+}
+
+function useMenu(): MenuEntries {
+  const studio = useStudio();
+  const choice = useTheme((theme) => theme.choice);
+  const folded = useLayout((layout) => layout.folded);
+  return {
+    ...fileEntries(studio),
+    ...historyEntries(studio),
+    ...programEntries(studio),
+    look: lookEntries(choice, folded),
+    help: [
+      menuItem("help-shortcuts", t("help.shortcuts"), keyFor.page("shortcuts"), () => show("shortcuts")),
+      menuItem("help-about", t("help.about"), null, () => show("about")),
+    ],
+  };
+}
+
+const inSheets = <Name extends keyof typeof sheetsModule>(name: Name) =>
+  later(
+    () => import("./Sheets").then((chunk) => chunk[name]),
+    (cause) => {
+      show(null);
+      complain(cause);
+    },
+  );
+
+export const page: Feature = {
+  name: "page",
+  commands: {
+    stop: stopEverything,
+    create: newMission,
+    open: () => show("open"),
+    save: () => void save(),
+    saveAs: () => show("save-as"),
+    undo: () => useStudio.getState().undo(),
+    redo: () => useStudio.getState().redo(),
+    nextRoom: () => goToRoom(1),
+    previousRoom: () => goToRoom(-1),
+    nextProgram: () => goToProgram(1),
+    previousProgram: () => goToProgram(-1),
+    programLater: () => moveActiveProgram(1),
+    programEarlier: () => moveActiveProgram(-1),
+    rename: () => useRenaming.setState({ program: useStudio.getState().activeProgram }),
+    addProgram: () => document.querySelector<HTMLElement>(".add-program button")?.click(),
+    shortcuts: () => show("shortcuts"),
+  },
+  useMenu,
+  sheets: {
+    "save-as": inSheets("SaveAsSheet"),
+    shortcuts: inSheets("ShortcutsSheet"),
+    about: inSheets("AboutSheet"),
+    difference: inSheets("DifferenceSheet"),
+  },
+};

@@ -1,0 +1,82 @@
+import { describe, expect, it } from "vitest";
+
+import type { World } from "../../model/types";
+import { fit } from "./camera";
+import type { Colours } from "./colours";
+import { type Brush, drawWorld } from "./draw-world";
+import type { Scene } from "./scene";
+
+const WORLD: World = {
+  name: "yard",
+  width_mm: 1000,
+  height_mm: 1000,
+  walls: [{ x1: 0, y1: 0, x2: 1000, y2: 0 }],
+  floors: [
+    {
+      colour: "red",
+      points: [
+        [100, 100],
+        [300, 100],
+        [300, 300],
+        [100, 300],
+        [100, 100],
+      ],
+    },
+    {
+      colour: "blue",
+      points: [
+        [200, 200],
+        [400, 200],
+        [300, 400],
+        [200, 200],
+      ],
+    },
+  ],
+  lines: [
+    {
+      colour: "green",
+      width_mm: 40,
+      closed: false,
+      points: [
+        [0, 200],
+        [900, 200],
+      ],
+    },
+  ],
+  roads: [],
+  docks: [],
+  storehouses: [],
+  starts: [],
+};
+const ROOM = { width: 500, height: 500 };
+
+/** What a pen is asked to fill and stroke, in order: the style that it has then, and the way of filling. */
+function drawn(world: World): string[] {
+  const asked: string[] = [];
+  const style: Record<string, unknown> = {};
+  const pen = new Proxy(style, {
+    get(target, name: string) {
+      if (name in target) return target[name];
+      if (name === "fill") return (rule?: string) => asked.push(`fill ${String(target["fillStyle"])} ${rule ?? ""}`);
+      if (name === "stroke") return () => asked.push(`stroke ${String(target["strokeStyle"])}`);
+      return () => undefined;
+    },
+  }) as unknown as CanvasRenderingContext2D;
+  // Every colour is its own name.
+  const colours = new Proxy({}, { get: (_, name) => String(name) }) as Colours;
+  const brush: Brush = { pen, camera: fit(world, ROOM, 0), room: ROOM, unit: 1, colours };
+  const scene = { world, actors: [], stock: {} } as unknown as Scene;
+  drawWorld(brush, scene);
+  return asked;
+}
+
+describe("the floor of a world", () => {
+  it("is filled in its colours, the last on top, and the lines lie on it", () => {
+    const asked = drawn(WORLD).filter((one) => /red|green|blue/.test(one));
+    expect(asked).toEqual(["fill red evenodd", "fill blue evenodd", "stroke green"]);
+  });
+
+  it("needs no colours", () => {
+    expect(drawn({ ...WORLD, floors: [] }).filter((one) => one.startsWith("fill"))).toEqual([]);
+  });
+});

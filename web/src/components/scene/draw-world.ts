@@ -1,0 +1,294 @@
+/**
+ * Draws the place: ground and grid, walls, roads with kerbs and sections, docks, storehouses with their boxes.
+ *
+ * Measures in px hold where a robot is 54 px long; `unit` is how many real px one of those is.
+ */
+import type { Dock, Road, Storehouse } from "../../api/wire";
+import type { World } from "../../model/types";
+import { type Camera, type Room, toScreen } from "./camera";
+import type { Colours } from "./colours";
+import { boundsOf, lineOf, placeAlong, ROBOT_MM } from "./geometry";
+import type { Scene } from "./scene";
+
+/** A robot is drawn this long. */
+const ROBOT_UNITS = 54;
+const LEAST_UNIT = 0.85;
+const GRID_MM = 100;
+const FLOOR_ALPHA = 0.55;
+
+export interface Brush {
+  pen: CanvasRenderingContext2D;
+  camera: Camera;
+  room: Room;
+  unit: number;
+  colours: Colours;
+}
+
+/** Px a unit for a robot of that length: it is drawn as large as it is, always. */
+export function robotUnit(camera: Camera, length_mm: number): number {
+  return (camera.scale * length_mm) / ROBOT_UNITS;
+}
+
+/** Px a unit for walls, words and boxes: in an open room never so small that they cannot be seen; on a road they fit. */
+export function unitOf(camera: Camera, world: World): number {
+  const real = robotUnit(camera, ROBOT_MM);
+  return world.roads.length > 0 ? real : Math.max(real, LEAST_UNIT);
+}
+
+export function write(
+  brush: Brush,
+  text: string,
+  x: number,
+  y: number,
+  px: number,
+  weight: number,
+  colour: string,
+): void {
+  const { pen } = brush;
+  pen.font = `${String(weight)} ${px.toFixed(1)}px "Inter Variable", system-ui, sans-serif`;
+  pen.fillStyle = colour;
+  pen.fillText(text, x, y);
+}
+
+function trace(brush: Brush, road: Road): void {
+  const { pen, camera } = brush;
+  pen.beginPath();
+  for (const [x, y] of lineOf(road)) pen.lineTo(...toScreen(camera, x, y));
+  if (road.closed) pen.closePath();
+}
+
+function ground({ pen, camera, room, colours }: Brush, world: World): void {
+  pen.fillStyle = colours.ground;
+  pen.fillRect(0, 0, room.width, room.height);
+  let step = GRID_MM;
+  while (step * camera.scale < 24) step *= 2;
+  pen.strokeStyle = colours.grid;
+  pen.lineWidth = 1;
+  pen.beginPath();
+  const [left, top] = toScreen(camera, 0, world.height_mm);
+  const gap = step * camera.scale;
+  for (let x = left % gap; x < room.width; x += gap) {
+    pen.moveTo(Math.round(x) + 0.5, 0);
+    pen.lineTo(Math.round(x) + 0.5, room.height);
+  }
+  for (let y = top % gap; y < room.height; y += gap) {
+    pen.moveTo(0, Math.round(y) + 0.5);
+    pen.lineTo(room.width, Math.round(y) + 0.5);
+  }
+  pen.stroke();
+}
+
+function drawRoad(brush: Brush, road: Road): void {
+  const { pen, camera, colours } = brush;
+  const width = road.width_mm * camera.scale;
+  pen.lineJoin = "round";
+  pen.lineCap = road.closed ? "butt" : "round";
+  trace(brush, road);
+  pen.strokeStyle = colours.kerb;
+  pen.lineWidth = (width * 58) / 50;
+  pen.stroke();
+  pen.strokeStyle = colours.road;
+  pen.lineWidth = width;
+  pen.stroke();
+  pen.strokeStyle = colours.mark;
+  pen.lineWidth = Math.max(1.25 * brush.unit, 0.75);
+  pen.setLineDash([7 * brush.unit, 8 * brush.unit]);
+  pen.stroke();
+  pen.setLineDash([]);
+  pen.lineCap = "butt";
+  pen.lineWidth = Math.max(1.25 * brush.unit, 0.75);
+  for (const section of road.sections) {
+    const place = placeAlong(road, section.from_mm);
+    if (place === null) continue;
+    const [x, y] = toScreen(camera, place.x, place.y);
+    const [ax, ay] = [(Math.sin(place.heading) * width) / 2, (Math.cos(place.heading) * width) / 2];
+    pen.beginPath();
+    pen.moveTo(x - ax, y - ay);
+    pen.lineTo(x + ax, y + ay);
+    pen.stroke();
+  }
+}
+
+/** The numbers of the sections stand inside a closed road, left of an open one. */
+function drawSigns(brush: Brush, road: Road): void {
+  const { pen, camera, colours, unit } = brush;
+  const box = boundsOf(road);
+  const [cx, cy] = [(box.left + box.right) / 2, (box.bottom + box.top) / 2];
+  for (const section of road.sections) {
+    const place = placeAlong(road, (section.from_mm + section.to_mm) / 2);
+    if (place === null) continue;
+    let side = 1;
+    if (road.closed) {
+      const inward = -Math.sin(place.heading) * (cx - place.x) + Math.cos(place.heading) * (cy - place.y);
+      side = inward >= 0 ? 1 : -1;
+    }
+    const away = road.width_mm / 2 + (18 * unit) / camera.scale;
+    const [x, y] = toScreen(
+      camera,
+      place.x - Math.sin(place.heading) * away * side,
+      place.y + Math.cos(place.heading) * away * side,
+    );
+    pen.beginPath();
+    pen.arc(x, y, 11.5 * unit, 0, Math.PI * 2);
+    pen.fillStyle = colours.house;
+    pen.fill();
+    pen.strokeStyle = colours.line2;
+    pen.lineWidth = 1;
+    pen.stroke();
+    pen.textAlign = "center";
+    pen.textBaseline = "middle";
+    write(brush, String(section.sign), x, y + 0.5 * unit, 13 * unit, 600, colours.text);
+  }
+}
+
+function drawDock(brush: Brush, dock: Dock, world: World): void {
+  const { pen, camera, colours, unit } = brush;
+  const road = world.roads.find((one) => one.name === dock.road);
+  if (road === undefined) return;
+  const [x, y] = toScreen(camera, dock.x_mm, dock.y_mm);
+  const length = Math.max(2 * dock.reach_mm * camera.scale, 66 * unit);
+  const width = road.width_mm * camera.scale * 0.84;
+  pen.save();
+  pen.translate(x, y);
+  pen.rotate(-dock.heading_rad);
+  pen.beginPath();
+  pen.roundRect(-length / 2, -width / 2, length, width, 4 * unit);
+  pen.fillStyle = colours.bay;
+  pen.fill();
+  pen.strokeStyle = colours.bayLine;
+  pen.lineWidth = 2 * unit;
+  pen.stroke();
+  pen.restore();
+}
+
+/** One box of stock, `size` px wide, its upper left corner at x, y. */
+export function drawBox({ pen, colours }: Brush, x: number, y: number, size: number): void {
+  pen.beginPath();
+  pen.roundRect(x, y, size, size, size / 9);
+  pen.fillStyle = colours.box;
+  pen.fill();
+  pen.strokeStyle = colours.boxLine;
+  pen.lineWidth = Math.max(size / 18, 0.5);
+  pen.stroke();
+  pen.beginPath();
+  pen.moveTo(x + size / 2, y);
+  pen.lineTo(x + size / 2, y + size * 0.42);
+  pen.lineWidth = size / 7;
+  pen.stroke();
+}
+
+function drawHouse(brush: Brush, house: Storehouse, stock: number, caption: string): void {
+  const { pen, camera, colours, unit } = brush;
+  const [x, y] = toScreen(camera, house.x_mm, house.y_mm + house.height_mm);
+  const [width, height] = [house.width_mm * camera.scale, house.height_mm * camera.scale];
+  const head = Math.min(32 * unit, height / 3);
+  pen.beginPath();
+  pen.roundRect(x, y, width, height, 6 * unit);
+  pen.fillStyle = colours.house;
+  pen.fill();
+  pen.strokeStyle = colours.line2;
+  pen.lineWidth = Math.max(1.25 * unit, 0.75);
+  pen.stroke();
+  pen.beginPath();
+  pen.moveTo(x, y + head);
+  pen.lineTo(x + width, y + head);
+  pen.stroke();
+  pen.textBaseline = "middle";
+  pen.textAlign = "left";
+  write(brush, house.name, x + 12 * unit, y + head / 2, 15 * unit, 700, colours.text);
+  pen.textAlign = "right";
+  write(brush, String(stock), x + width - 12 * unit, y + head / 2, 14 * unit, 500, colours.muted);
+
+  const inner = 7 * unit;
+  const usable = { width: width - 2 * inner, height: height - head - 2 * inner };
+  let pitch = 19.5 * unit;
+  const columnsAt = (size: number) => Math.max(Math.floor(usable.width / size), 1);
+  const rows = (size: number) => Math.ceil(Math.max(house.capacity, stock) / columnsAt(size));
+  while (rows(pitch) * pitch > usable.height && pitch > 3) pitch *= 0.92;
+  const columns = columnsAt(pitch);
+  const left = x + (width - columns * pitch) / 2;
+  const size = pitch * 0.93;
+  for (let slot = 0; slot < Math.max(house.capacity, stock); slot++) {
+    const sx = left + (slot % columns) * pitch + (pitch - size) / 2;
+    const sy = y + height - inner - (Math.floor(slot / columns) + 1) * pitch + (pitch - size) / 2;
+    if (slot < stock) {
+      drawBox(brush, sx, sy, size);
+    } else {
+      pen.beginPath();
+      pen.roundRect(sx + 0.5, sy + 0.5, size - 1, size - 1, size / 9);
+      pen.setLineDash([1.5 * unit, 1.5 * unit]);
+      pen.strokeStyle = colours.slot;
+      pen.lineWidth = 1;
+      pen.stroke();
+      pen.setLineDash([]);
+    }
+  }
+  if (caption === "") return;
+  pen.textAlign = "center";
+  pen.textBaseline = "alphabetic";
+  write(brush, caption, x + width / 2, y + height + 18 * unit, 12.5 * unit, 500, colours.muted);
+}
+
+/** The arm that works for a storehouse: the one nearest to its dock. */
+function armOf(scene: Scene, house: Storehouse): string {
+  const dock = scene.world.docks.find((one) => one.storehouse === house.name);
+  if (dock === undefined) return "";
+  const far = (one: { start: { x_mm: number; y_mm: number } }) =>
+    Math.hypot(one.start.x_mm - dock.x_mm, one.start.y_mm - dock.y_mm);
+  const arms = scene.actors.filter((actor) => actor.role === "arm").sort((a, b) => far(a) - far(b));
+  return arms[0] !== undefined && far(arms[0]) < 400 ? arms[0].name : "";
+}
+
+function drawWalls({ pen, camera, colours, unit }: Brush, world: World): void {
+  if (world.walls.length === 0) return;
+  pen.beginPath();
+  for (const wall of world.walls) {
+    pen.moveTo(...toScreen(camera, wall.x1, wall.y1));
+    pen.lineTo(...toScreen(camera, wall.x2, wall.y2));
+  }
+  pen.lineCap = "round";
+  pen.strokeStyle = colours.road;
+  pen.lineWidth = Math.max(4 * unit, 3);
+  pen.stroke();
+}
+
+/** Coloured parts of the floor, paler than lines, so that lines and robots stand out on them. */
+function drawFloors({ pen, camera, colours }: Brush, world: World): void {
+  pen.save();
+  pen.globalAlpha = FLOOR_ALPHA;
+  for (const floor of world.floors) {
+    pen.beginPath();
+    for (const [x, y] of floor.points) pen.lineTo(...toScreen(camera, x, y));
+    pen.fillStyle = colours[floor.colour];
+    pen.fill("evenodd");
+  }
+  pen.restore();
+}
+
+/** Coloured lines on the floor, the last one on top as the robots see it. */
+function drawLines({ pen, camera, colours }: Brush, world: World): void {
+  pen.lineJoin = "round";
+  pen.lineCap = "butt";
+  for (const line of world.lines) {
+    pen.beginPath();
+    for (const [x, y] of line.points) pen.lineTo(...toScreen(camera, x, y));
+    if (line.closed) pen.closePath();
+    pen.strokeStyle = colours[line.colour];
+    pen.lineWidth = line.width_mm * camera.scale;
+    pen.stroke();
+  }
+}
+
+export function drawWorld(brush: Brush, scene: Scene): void {
+  const { world } = scene;
+  ground(brush, world);
+  drawFloors(brush, world);
+  drawLines(brush, world);
+  for (const road of world.roads) drawRoad(brush, road);
+  for (const dock of world.docks) drawDock(brush, dock, world);
+  for (const road of world.roads) drawSigns(brush, road);
+  drawWalls(brush, world);
+  for (const house of world.storehouses) {
+    drawHouse(brush, house, scene.stock[house.name] ?? house.stock, armOf(scene, house));
+  }
+}

@@ -1,0 +1,132 @@
+/** Places along a road and in a world. Lengths in mm, angles in radians, y up. */
+import type { Road } from "../../api/wire";
+import type { World } from "../../model/types";
+import type { Box } from "./camera";
+
+/** The length of most robots, which is drawn at 54 units. */
+export const ROBOT_MM = 135;
+
+export interface Place {
+  x: number;
+  y: number;
+  /** The direction of the road there. */
+  heading: number;
+}
+
+type Point = readonly [number, number];
+
+/** The corners of the line, with the first one again at the end of a closed road. */
+export function lineOf(road: Road): readonly Point[] {
+  const first = road.points[0];
+  const last = road.points.at(-1);
+  if (!road.closed || first === undefined || last === undefined) return road.points;
+  return first[0] === last[0] && first[1] === last[1] ? road.points : [...road.points, first];
+}
+
+export function roadLength(road: Road): number {
+  const line = lineOf(road);
+  let length = 0;
+  for (let i = 1; i < line.length; i++) length += distance(line[i - 1], line[i]);
+  return length;
+}
+
+function distance(a: Point | undefined, b: Point | undefined): number {
+  return a === undefined || b === undefined ? 0 : Math.hypot(b[0] - a[0], b[1] - a[1]);
+}
+
+/** The place so many mm along; wraps on a closed road, stays at the ends of an open one. */
+export function placeAlong(road: Road, at_mm: number): Place | null {
+  const line = lineOf(road);
+  const length = roadLength(road);
+  if (line.length < 2 || length === 0) return null;
+  let left = road.closed ? ((at_mm % length) + length) % length : Math.min(Math.max(at_mm, 0), length);
+  for (let i = 1; i < line.length; i++) {
+    const from = line[i - 1];
+    const to = line[i];
+    if (from === undefined || to === undefined) continue;
+    const piece = distance(from, to);
+    if (left <= piece && piece > 0) {
+      const share = left / piece;
+      return {
+        x: from[0] + (to[0] - from[0]) * share,
+        y: from[1] + (to[1] - from[1]) * share,
+        heading: Math.atan2(to[1] - from[1], to[0] - from[0]),
+      };
+    }
+    left -= piece;
+  }
+  return null;
+}
+
+/** How far along the road the nearest point of it lies, and how far off that is. */
+export function nearestOn(road: Road, x: number, y: number): { along: number; off: number } {
+  const line = lineOf(road);
+  let best = { along: 0, off: Infinity };
+  let passed = 0;
+  for (let i = 1; i < line.length; i++) {
+    const from = line[i - 1];
+    const to = line[i];
+    if (from === undefined || to === undefined) continue;
+    const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    const piece = Math.hypot(dx, dy);
+    if (piece === 0) continue;
+    const share = Math.min(Math.max(((x - from[0]) * dx + (y - from[1]) * dy) / (piece * piece), 0), 1);
+    const off = Math.hypot(x - from[0] - dx * share, y - from[1] - dy * share);
+    if (off < best.off) best = { along: passed + piece * share, off };
+    passed += piece;
+  }
+  return best;
+}
+
+/** The sign of the section that a place lies in; null off the roads. */
+export function signAt(world: World, x: number, y: number): number | null {
+  for (const road of world.roads) {
+    if (road.sections.length === 0) continue;
+    const { along, off } = nearestOn(road, x, y);
+    if (off > road.width_mm / 2) continue;
+    const found = road.sections.find((section) => along >= section.from_mm && along < section.to_mm);
+    return (found ?? road.sections.at(-1))?.sign ?? null;
+  }
+  return null;
+}
+
+export function boundsOf(road: Road): Box {
+  const xs = road.points.map(([x]) => x);
+  const ys = road.points.map(([, y]) => y);
+  return { left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys), top: Math.max(...ys) };
+}
+
+/** Room around what is there, so that a robot has place beside it. */
+const AROUND_MM = 150;
+
+/** The box around all that a world has besides starts, and around these points; the whole world where it has nothing else. */
+export function contentOf(world: World, points: readonly { x_mm: number; y_mm: number }[]): Box {
+  const whole = { left: 0, right: world.width_mm, bottom: 0, top: world.height_mm };
+  const content: Box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
+  const add = (x: number, y: number, around = 0) => {
+    content.left = Math.min(content.left, x - around);
+    content.right = Math.max(content.right, x + around);
+    content.bottom = Math.min(content.bottom, y - around);
+    content.top = Math.max(content.top, y + around);
+  };
+  for (const { x1, y1, x2, y2 } of world.walls) {
+    add(x1, y1);
+    add(x2, y2);
+  }
+  for (const { points: corners, width_mm } of [...world.roads, ...world.lines]) {
+    for (const [x, y] of corners) add(x, y, width_mm / 2);
+  }
+  for (const floor of world.floors) for (const [x, y] of floor.points) add(x, y);
+  for (const { x_mm, y_mm, width_mm, height_mm } of world.storehouses) {
+    add(x_mm, y_mm);
+    add(x_mm + width_mm, y_mm + height_mm);
+  }
+  if (content.left > content.right) return whole;
+  for (const { x_mm, y_mm } of [...world.starts, ...points]) add(x_mm, y_mm);
+  return {
+    left: Math.max(content.left - AROUND_MM, whole.left),
+    right: Math.min(content.right + AROUND_MM, whole.right),
+    bottom: Math.max(content.bottom - AROUND_MM, whole.bottom),
+    top: Math.min(content.top + AROUND_MM, whole.top),
+  };
+}

@@ -1,0 +1,251 @@
+/**
+ * Paints the arena on a canvas when something has changed, and only then.
+ *
+ * It keeps the camera: fitted to the panel until the person zooms or pans, then left alone. Robots are on the move between
+ * two frames, so painting goes on until they stand where the last frame says.
+ */
+import type { World } from "../../model/types";
+import { posesAt } from "../../session/poses";
+import { type Camera, fit, fitBox, type Room, toScreen, toWorld, zoomAt } from "./camera";
+import { readColours, type Colours } from "./colours";
+import { CROWD } from "./crowd-size";
+import { type Boards, drawActors, ringOf, type Seldom } from "./draw-robots";
+import { drawWorld, robotUnit, unitOf } from "./draw-world";
+import { contentOf } from "./geometry";
+import { lookAt, type Scene, type Seen } from "./scene";
+
+const WALL_MARGIN = 26;
+/** How far from a robot a hand may be to take it, in px. */
+const LEAST_REACH = 18;
+/** How close the camera goes to follow somebody: times the scale that shows the whole world. */
+const FOLLOW = 2;
+const ORIGIN: Camera = { scale: 1, x: 0, y: 0 };
+
+export class Painter {
+  private readonly canvas: HTMLCanvasElement;
+  private room: Room = { width: 0, height: 0 };
+  private camera: Camera = ORIGIN;
+  private moved = false;
+  private scene: Scene | null = null;
+  private selected = "";
+  private program = "";
+  private followed = "";
+  private colours: Colours | null = null;
+  private request = 0;
+  private readonly smooth: () => boolean;
+
+  private readonly seenFrom: (camera: Camera) => void;
+  private readonly margin: number | null;
+  private told: Camera | null = null;
+  private seldom: Seldom = { boards: null, crowds: null };
+  private fetching = false;
+  private carried: { name: string; x_mm: number; y_mm: number } | null = null;
+
+  /** `seenFrom` is told where the eye is, whenever that changes; `margin` is the room around the world in px. */
+  constructor(
+    canvas: HTMLCanvasElement,
+    smooth: () => boolean,
+    seenFrom: (camera: Camera) => void = () => undefined,
+    margin: number | null = null,
+  ) {
+    this.canvas = canvas;
+    this.smooth = smooth;
+    this.seenFrom = seenFrom;
+    this.margin = margin;
+  }
+
+  /** Shows a robot at a point of the canvas, until it is put down. */
+  carry(name: string, x: number, y: number): void {
+    const [x_mm, y_mm] = toWorld(this.camera, x, y);
+    this.carried = { name, x_mm, y_mm };
+    this.paintSoon();
+  }
+
+  putDown(): void {
+    this.carried = null;
+    this.paintSoon();
+  }
+
+  /** Where the eye is. */
+  get view(): Camera {
+    return this.camera;
+  }
+
+  setScene(scene: Scene, selected: string): void {
+    const [before, now] = [this.scene?.world, scene.world];
+    const size = ({ name, width_mm, height_mm }: World) => [name, width_mm, height_mm].join(" ");
+    // An edit of the world leaves the eye where it is.
+    const other = before === undefined || size(before) !== size(now);
+    this.scene = scene;
+    this.selected = selected;
+    this.fetchSeldom(scene);
+    if (other) this.showAll();
+    this.paintSoon();
+  }
+
+  /** Robots of this program stand out, "" for all alike; the followed one stays in the middle, "" for nobody. */
+  setView(program: string, followed: string): void {
+    this.program = program;
+    if (followed !== "" && followed !== this.followed) {
+      const whole = this.whole().scale;
+      if (this.camera.scale < FOLLOW * whole) this.zoom((FOLLOW * whole) / this.camera.scale);
+    }
+    this.followed = followed;
+    this.paintSoon();
+  }
+
+  themeChanged(): void {
+    this.colours = null;
+    this.paintSoon();
+  }
+
+  resize(width: number, height: number): void {
+    this.room = { width, height };
+    const ratio = window.devicePixelRatio || 1;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    if (!this.moved) this.showAll();
+    this.paint();
+  }
+
+  private whole(): Camera {
+    const world = this.scene?.world;
+    if (world === undefined) return ORIGIN;
+    // Who draws a world sees all of it; who runs one sees what is there.
+    if (this.margin !== null) return fit(world, this.room, this.margin);
+    const poses = this.seen(performance.now()).seen.map(({ pose }) => pose);
+    return fitBox(contentOf(world, poses), this.room, world.walls.length > 0 ? WALL_MARGIN : 0);
+  }
+
+  showAll(): void {
+    this.moved = false;
+    this.camera = this.whole();
+    this.paintSoon();
+  }
+
+  zoom(factor: number, x = this.room.width / 2, y = this.room.height / 2): void {
+    this.camera = zoomAt(this.camera, this.whole(), factor, x, y);
+    this.moved = true;
+    this.paintSoon();
+  }
+
+  pan(dx: number, dy: number): void {
+    this.camera = { ...this.camera, x: this.camera.x + dx, y: this.camera.y + dy };
+    this.moved = true;
+    this.paintSoon();
+  }
+
+  /** Who is under a point of the canvas. */
+  actorAt(x: number, y: number): Seen | null {
+    if (this.scene === null) return null;
+    const unit = unitOf(this.camera, this.scene.world);
+    let best: { seen: Seen; off: number } | null = null;
+    const everybody = this.seen(performance.now()).seen;
+    for (const seen of everybody) {
+      if (seen.actor.role === "keeper") continue;
+      const reach =
+        seen.actor.face === null
+          ? Math.max(ringOf({ role: "robot" }, robotUnit(this.camera, seen.actor.length_mm)), LEAST_REACH)
+          : 34 * (this.boards?.boardUnit(unit, everybody.length) ?? unit);
+      const [sx, sy] = toScreen(this.camera, seen.pose.x_mm, seen.pose.y_mm);
+      const off = Math.hypot(sx - x, sy - y);
+      if (off < reach && (best === null || off < best.off)) best = { seen, off };
+    }
+    return best?.seen ?? null;
+  }
+
+  /** Boards and crowds are drawn once the means are there; a fetch that failed is tried again with the next scene. */
+  private fetchSeldom({ actors }: Scene): void {
+    if (this.fetching) return;
+    const boards =
+      this.seldom.boards === null &&
+      actors.some(({ face, keys, indicators }) => face !== null || keys.length + indicators.length > 0);
+    const crowds = this.seldom.crowds === null && actors.length >= CROWD;
+    if (!boards && !crowds) return;
+    this.fetching = true;
+    void Promise.all([
+      boards ? import("./draw-board") : this.seldom.boards,
+      crowds ? import("./draw-crowd") : this.seldom.crowds,
+    ])
+      .then(([drawBoards, drawCrowds]) => {
+        this.seldom = { boards: drawBoards, crowds: drawCrowds };
+        this.paintSoon();
+      })
+      .catch(() => undefined)
+      .finally(() => {
+        this.fetching = false;
+      });
+  }
+
+  /** What a hand does to boards; null until it was fetched. */
+  get boards(): Boards | null {
+    return this.seldom.boards;
+  }
+
+  /** The button of a board under a point of the canvas: the robot, and the sensor that feels it. */
+  keyAt(x: number, y: number): { agent: string; sensor: string } | null {
+    if (this.scene === null || this.boards === null) return null;
+    const { seen } = this.seen(performance.now());
+    const unit = this.boards.boardUnit(unitOf(this.camera, this.scene.world), seen.length);
+    return this.boards.keyAt({ camera: this.camera, unit }, seen, x, y);
+  }
+
+  /** Where an actor is on the canvas; null when there is no such one. */
+  placeOf(name: string): [x: number, y: number] | null {
+    const one = this.seen(performance.now()).seen.find(({ actor }) => actor.name === name);
+    return one === undefined ? null : toScreen(this.camera, one.pose.x_mm, one.pose.y_mm);
+  }
+
+  /** Moves the camera with the one who is followed. */
+  private keepUp(seen: readonly Seen[]): void {
+    const one = this.followed === "" ? undefined : seen.find(({ actor }) => actor.name === this.followed);
+    if (one === undefined) return;
+    const { scale } = this.camera;
+    const { width, height } = this.room;
+    this.camera = { scale, x: width / 2 - one.pose.x_mm * scale, y: height / 2 + one.pose.y_mm * scale };
+    this.moved = true;
+  }
+
+  private seen(now: number): { seen: Seen[]; still: boolean } {
+    if (this.scene === null) return { seen: [], still: true };
+    const shown = this.scene.running ? posesAt(now, this.smooth()) : null;
+    const { carried } = this;
+    const seen = lookAt(this.scene, shown?.poses ?? null).map((one) =>
+      one.actor.name === carried?.name
+        ? { ...one, pose: { ...one.pose, x_mm: carried.x_mm, y_mm: carried.y_mm } }
+        : one,
+    );
+    return { seen, still: shown?.still ?? true };
+  }
+
+  paintSoon(): void {
+    if (this.request !== 0) return;
+    this.request = requestAnimationFrame(() => {
+      this.request = 0;
+      this.paint();
+    });
+  }
+
+  private paint(): void {
+    const pen = this.canvas.getContext("2d");
+    if (pen === null || this.scene === null || this.room.width === 0) return;
+    const { seen, still } = this.seen(performance.now());
+    this.keepUp(seen);
+    const ratio = window.devicePixelRatio || 1;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.colours ??= readColours();
+    const { camera, room, colours } = this;
+    if (camera !== this.told) {
+      this.told = camera;
+      this.seenFrom(camera);
+    }
+    const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
+    drawWorld(brush, this.scene);
+    drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom);
+    if (!still) this.paintSoon();
+  }
+
+  end(): void {
+    cancelAnimationFrame(this.request);
+  }
+}

@@ -1,0 +1,43 @@
+/** Says each change of the document (done, undone, done again) and what is selected. The toolbar says the run's state. */
+import { useEffect, useState } from "react";
+
+import { t } from "../../i18n/words";
+import type { StudioState } from "../../model/studio";
+import { useStudio } from "../../model/studio";
+import { useView } from "../../session/view";
+import { arcWords, selectionWords } from "./selection";
+
+/** What happened, in words; "" for what need not be said. */
+export function changeWords({ change, redoLabel, undoLabel }: StudioState): string {
+  if (change.kind === "do") return change.label;
+  if (change.kind === "undo") return t("reach.undone", { what: redoLabel });
+  if (change.kind === "redo") return t("reach.redone", { what: undoLabel });
+  return "";
+}
+
+export function Announcer() {
+  const [said, setSaid] = useState({ words: "", times: 0 });
+  useEffect(() => {
+    const say = (words: string) => {
+      if (words !== "") setSaid(({ times }) => ({ words, times: times + 1 }));
+    };
+    const offChanges = useStudio.subscribe((state, before) => {
+      if (state.change !== before.change) say(changeWords(state));
+      else if (state.selection !== before.selection) say(selectionWords(state.selection));
+    });
+    const offArcs = useView.subscribe(({ arc }, before) => {
+      if (arc !== before.arc) say(arcWords(arc));
+    });
+    return () => {
+      offChanges();
+      offArcs();
+    };
+  }, []);
+  // The same words twice are news twice: a space at their end makes them another text.
+  return (
+    <p className="only-spoken" aria-live="polite" data-testid="announcer">
+      {said.words}
+      {said.times % 2 === 1 ? "\u00a0" : ""}
+    </p>
+  );
+}

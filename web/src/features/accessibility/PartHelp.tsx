@@ -1,0 +1,122 @@
+/** F1: what a part is, from its XML: name, help, each value with its range, each slot. It is not modal. */
+import { useEffect, useRef } from "react";
+
+import { t } from "../../i18n/words";
+import { type Field, partsOf, type Shape, title } from "../../model/parts";
+import { programInView, useStudio } from "../../model/studio";
+import { text } from "../../model/texts";
+import { isOwn, openDelete, openEdit } from "../../session/custom-blocks";
+import { Tile } from "../../theme";
+import { Tool } from "../../ui/Tool";
+import { closeHelp, useAccessibility } from "./state";
+import "../../ui/sheets.css";
+
+export function PartHelp() {
+  const element = useAccessibility((state) => state.explained);
+  const robot = useStudio((state) => programInView(state)?.robot ?? "");
+  const catalogue = useStudio((state) => state.catalogue);
+  if (element === null) return null;
+  const shape = element === "" ? null : partsOf(catalogue, robot).shape(element);
+  return <Card key={element} shape={shape} />;
+}
+
+function Card({ shape }: { shape: Shape | null }) {
+  const close = useRef<HTMLButtonElement>(null);
+  useEffect(() => {
+    const before = document.activeElement;
+    close.current?.focus();
+    return () => {
+      if (before instanceof HTMLElement) before.focus();
+    };
+  }, []);
+  return (
+    <dialog
+      className="sheet"
+      open
+      aria-labelledby="part-help-title"
+      data-testid="part-help"
+      onKeyDown={(event) => {
+        if (event.key !== "Escape") return;
+        event.stopPropagation();
+        closeHelp();
+      }}
+    >
+      <div className="sheet-body">
+        <div className="sheet-head">
+          {shape === null ? null : <Tile icon={shape.method?.icon || shape.icon} colour={shape.colour} />}
+          <h2 id="part-help-title">{shape === null ? t("part-help.title") : title(shape)}</h2>
+          <Tool small icon="x" label={t("help.close")} titled={false} ref={close} onClick={closeHelp} />
+        </div>
+        {shape === null ? <p>{t("part-help.how")}</p> : <Explained shape={shape} />}
+      </div>
+    </dialog>
+  );
+}
+
+function helpOf(shape: Shape): string {
+  if (shape.kind === "start") return t("inspector.start");
+  if (shape.kind === "stop") return t("inspector.stop");
+  return shape.kind === "unknown" ? t("inspector.unknown", { element: shape.element }) : text(shape.help);
+}
+
+/** "0 to 100 %, at first 50", or how a switch or text is set. */
+function rangeOf({ kind, min, max, unit, default: first }: Field): string {
+  if (kind === "text") return t("part-help.text");
+  if (kind === "boolean") return t("part-help.switch");
+  const range = t("part-help.range", { min, max, first });
+  return unit === "" ? range : `${range} (${unit})`;
+}
+
+function Explained({ shape }: { shape: Shape }) {
+  const about = shape.object === null ? "" : text(shape.object.help);
+  return (
+    <div className="part-help">
+      <p>{helpOf(shape)}</p>
+      {about === "" ? null : <p>{about}</p>}
+      <dl>
+        {shape.fields.map((field) => (
+          <div key={field.name}>
+            <dt>{text(field.label, field.name)}</dt>
+            <dd>
+              {rangeOf(field)}
+              {text(field.help) === "" ? null : <small>{text(field.help)}</small>}
+            </dd>
+          </div>
+        ))}
+        {shape.plugs
+          .filter((plug) => !shape.fields.some((field) => field.name === plug.name))
+          .map((plug) => (
+            <div key={plug.name}>
+              <dt>{text(plug.label, plug.name)}</dt>
+              <dd>{t(`part-help.${plug.accepts}`)}</dd>
+            </div>
+          ))}
+        {shape.flows.map((flow) => (
+          <div key={flow.name}>
+            <dt>{text(flow.label, flow.name)}</dt>
+            <dd>{t("part-help.body")}</dd>
+          </div>
+        ))}
+      </dl>
+      {isOwn(shape) ? <OwnActions name={shape.element} /> : null}
+    </div>
+  );
+}
+
+/** A part of one's own can be changed from here. */
+function OwnActions({ name }: { name: string }) {
+  const go = (to: (name: string) => void) => () => {
+    closeHelp();
+    to(name);
+  };
+  return (
+    <div className="sheet-foot">
+      <button type="button" className="button" data-testid="help-delete" onClick={go(openDelete)}>
+        {t("own.delete")}
+      </button>
+      <button type="button" className="button" data-testid="help-edit" onClick={go(openEdit)}>
+        {t("own.edit")}
+      </button>
+    </div>
+  );
+}

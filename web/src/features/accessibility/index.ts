@@ -1,0 +1,39 @@
+/** Announcements, the outline, help for a part, and the page on a phone. */
+// In this order: rules for a narrow page win over those for fingers.
+import "./panels.css";
+import "./touch.css";
+import "./narrow.css";
+
+import { t } from "../../i18n/words";
+import type { Feature } from "../../session/features";
+import { keyFor } from "../../session/key-table";
+import type { MenuEntries } from "../../session/menu-table";
+import { menuItem } from "../../ui/menu-model";
+import { NarrowTabs } from "./Narrow";
+import { Panels } from "./Panels";
+import { closeHelp, explain, toggleOutline, useAccessibility } from "./state";
+
+function useMenu(): MenuEntries {
+  const outline = useAccessibility((state) => state.outline);
+  return {
+    outline: [
+      {
+        kind: "check",
+        id: "view-outline",
+        label: t("outline.title"),
+        keys: keyFor.page("outline"),
+        checked: outline,
+        run: toggleOutline,
+      },
+    ],
+    part: [menuItem("help-part", t("help.part"), keyFor.page("part"), explain)],
+  };
+}
+
+export const accessibility: Feature = {
+  name: "accessibility",
+  slots: { "over-page": NarrowTabs, "after-page": Panels },
+  commands: { outline: toggleOutline, part: explain },
+  useMenu,
+  escape: () => (useAccessibility.getState().explained === null ? null : closeHelp),
+};

@@ -1,0 +1,372 @@
+/** The place where the robots are: before a run as the mission starts, during a run as it goes. */
+import { type KeyboardEvent, type MouseEvent, type PointerEvent, useEffect, useMemo, useRef, useState } from "react";
+
+import { startOf } from "../../model/commands/changeAgents";
+import { useStudio } from "../../model/studio";
+import { GRID_MM } from "../../model/world/thing";
+import { ARENA_KEYS, keyIn } from "../../session/key-table";
+import { posesAt, watchFrames } from "../../session/poses";
+import { areReal, isLive, useRun } from "../../session/run";
+import { Seed } from "./Seed";
+import { useTheme } from "../../theme";
+import { decimal } from "../../i18n/numbers";
+import { t } from "../../i18n/words";
+import "./arena.css";
+import { EmptyArena } from "./EmptyArena";
+import { Ending } from "./Ending";
+import { toWorld } from "../../components/scene/camera";
+import { Painter } from "../../components/scene/painter";
+import { Crowd } from "./Crowd";
+import { RobotMenu } from "./RobotMenu";
+import { choose, follow, openRobotMenu, useRobots } from "./robots";
+import {
+  actorsOf,
+  hasOtherPlaces,
+  lookAt,
+  type Scene,
+  sceneBefore,
+  sceneOf,
+  sceneOfReal,
+} from "../../components/scene/scene";
+import { StatesSaid } from "./StatesSaid";
+import { complain } from "../../session/document";
+import { later } from "../../ui/later";
+import { summary } from "./summary";
+import { Tool } from "../../ui/Tool";
+
+const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
+
+const CLICK_PX = 4;
+const NOWHERE = { scale: 1, x: 0, y: 0 };
+/** One press of an arrow key. */
+const PAN_PX = 40;
+const SPOKEN_MS = 250;
+/** How long a finger rests on a robot to open its menu. */
+const REST_MS = 550;
+
+function useScene(): Scene | null {
+  const run = useRun();
+  const mission = useStudio((studio) => studio.mission);
+  const catalogue = useStudio((studio) => studio.catalogue);
+  const ownWorld = useStudio((studio) => studio.world);
+  const before = useMemo(
+    () => (ownWorld === null ? null : sceneBefore(mission, ownWorld, catalogue)),
+    [mission, ownWorld, catalogue],
+  );
+  const { world, agents, mission: ran } = run;
+  // A run that is over gives way to what was edited since; going back in it brings it back.
+  const over = ran !== null && !run.real && !isLive(run.status);
+  const edited = useMemo(() => over && hasOtherPlaces(mission, ran), [over, mission, ran]);
+  const actors = useMemo(
+    () => (world === null ? [] : actorsOf(agents, mission, catalogue, world)),
+    [world, agents, mission, catalogue],
+  );
+  // Robots that stand still give way to the mission again; a recording stays.
+  const shown = run.real ? isLive(run.status) : !edited;
+  const real = shown && areReal(agents);
+  const place = real ? (world ?? ownWorld) : null;
+  const unplaced = useMemo(() => (place === null ? null : sceneOfReal(place)), [place]);
+  const seen = useMemo(
+    () => (world !== null && actors.length > 0 && !edited ? sceneOf(run, actors, world) : before),
+    [run, world, actors, before, edited],
+  );
+  return unplaced ?? seen;
+}
+
+/** Who wears the ring: the agent watched in the program that is open. */
+function useSelected(scene: Scene | null): string {
+  const program = useStudio((studio) => studio.activeProgram);
+  const chosen = useRun((run) => run.selectedAgent[program]);
+  const own = scene?.actors.filter((actor) => actor.program === program) ?? [];
+  return (own.find((actor) => actor.name === chosen) ?? own[0])?.name ?? "";
+}
+
+/** The scene in words, renewed a few times a second at most. */
+function useSummary(scene: Scene | null): string {
+  const words = () => {
+    if (scene === null) return "";
+    const shown = scene.running ? posesAt(performance.now(), false) : null;
+    return summary(scene, lookAt(scene, shown?.poses ?? null));
+  };
+  const [spoken, setSpoken] = useState("");
+  const latest = useRef(words);
+  useEffect(() => {
+    latest.current = words;
+  });
+  useEffect(() => {
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const renew = () => {
+      timer ??= setTimeout(() => {
+        timer = undefined;
+        setSpoken(latest.current());
+      }, SPOKEN_MS);
+    };
+    setSpoken(latest.current());
+    const off = watchFrames(renew);
+    const offRun = useRun.subscribe(renew);
+    const offStudio = useStudio.subscribe(renew);
+    return () => {
+      clearTimeout(timer);
+      off();
+      offRun();
+      offStudio();
+    };
+  }, []);
+  return spoken;
+}
+
+function Heading({ scene, painter }: { scene: Scene | null; painter: Painter | null }) {
+  const world = scene?.world;
+  const size = (mm: number) => decimal(mm / 1000);
+  const what =
+    world === undefined
+      ? ""
+      : world.roads.length > 0
+        ? world.name
+        : `${world.name} · ${t("arena.size", { width: size(world.width_mm), height: size(world.height_mm) })}`;
+  const tools: [string, string, () => void][] = [
+    ["zoom-out", t("arena.zoom-out"), () => painter?.zoom(1 / 1.4)],
+    ["zoom-in", t("arena.zoom-in"), () => painter?.zoom(1.4)],
+    ["maximize", t("arena.fit"), () => painter?.showAll()],
+  ];
+  return (
+    <header className="side-head">
+      <h2>{t("arena.title")}</h2>
+      <span className="side-note" title={what}>
+        {what}
+      </span>
+      {world === undefined ? null : <Seed />}
+      <span className="side-tools">
+        {tools.map(([icon, label, act]) => (
+          <Tool key={icon} small icon={icon} label={label} onClick={act} />
+        ))}
+      </span>
+    </header>
+  );
+}
+
+export function Arena() {
+  const scene = useScene();
+  const selected = useSelected(scene);
+  const spoken = useSummary(scene);
+  const theme = useTheme((state) => state.theme);
+  const frame = useRef<HTMLDivElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const [painter, setPainter] = useState<Painter | null>(null);
+  const holding = useRef<{ agent: string; sensor: string } | null>(null);
+  const grip = useRef<{ x: number; y: number; moved: boolean; actor: string } | null>(null);
+  const resting = useRef<ReturnType<typeof setTimeout>>(undefined);
+  const { program, followed } = useRobots();
+
+  useEffect(() => {
+    const [box, drawn] = [frame.current, canvas.current];
+    if (box === null || drawn === null) return;
+    const still = matchMedia("(prefers-reduced-motion: reduce)");
+    const made = new Painter(drawn, () => !still.matches);
+    setPainter(made);
+    const watcher = new ResizeObserver(([entry]) => {
+      if (entry !== undefined) made.resize(entry.contentRect.width, entry.contentRect.height);
+    });
+    watcher.observe(box);
+    const offFrames = watchFrames(() => made.paintSoon());
+    // A wheel listener that may prevent scrolling cannot be passive, as React's are.
+    const onWheel = (event: WheelEvent) => {
+      event.preventDefault();
+      const place = drawn.getBoundingClientRect();
+      made.zoom(Math.exp(-event.deltaY * 0.0015), event.clientX - place.left, event.clientY - place.top);
+    };
+    drawn.addEventListener("wheel", onWheel, { passive: false });
+    void document.fonts?.ready.then(() => made.paintSoon());
+    return () => {
+      watcher.disconnect();
+      offFrames();
+      drawn.removeEventListener("wheel", onWheel);
+      made.end();
+    };
+  }, []);
+  useEffect(() => {
+    if (scene !== null) painter?.setScene(scene, selected);
+  }, [painter, scene, selected]);
+  useEffect(() => {
+    painter?.setView(program, followed);
+  }, [painter, program, followed]);
+  useEffect(() => {
+    painter?.themeChanged();
+  }, [painter, theme]);
+
+  const menuAt = (x: number, y: number) => {
+    const place = canvas.current?.getBoundingClientRect();
+    if (place === undefined) return;
+    const found = painter?.actorAt(x - place.left, y - place.top);
+    if (found === null || found === undefined) return;
+    choose(found.actor);
+    openRobotMenu(found.actor.name, x, y);
+  };
+  /** The menu of the robot that wears the ring, beside it. */
+  const menuOfSelected = () => {
+    const place = canvas.current?.getBoundingClientRect();
+    const at = painter?.placeOf(selected);
+    if (place === undefined || at === null || at === undefined) return;
+    const inside = (value: number, most: number) => Math.min(Math.max(value, 0), most);
+    openRobotMenu(selected, place.left + inside(at[0], place.width), place.top + inside(at[1], place.height));
+  };
+  const onPointerDown = (event: PointerEvent<HTMLCanvasElement>) => {
+    if (event.button !== 0) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
+    const { clientX: x, clientY: y } = event;
+    const place = event.currentTarget.getBoundingClientRect();
+    const key = painter?.keyAt(x - place.left, y - place.top) ?? null;
+    if (key !== null && painter?.boards?.press(key.agent, key.sensor) === true) {
+      holding.current = key;
+      return;
+    }
+    // Before a run a robot can be taken to another place; during one it is where it is.
+    const found = scene?.running === false ? painter?.actorAt(x - place.left, y - place.top) : null;
+    grip.current = { x, y, moved: false, actor: found?.actor.name ?? "" };
+    if (event.pointerType === "mouse") return;
+    resting.current = setTimeout(() => {
+      grip.current = null;
+      menuAt(x, y);
+    }, REST_MS);
+  };
+  const onContextMenu = (event: MouseEvent) => {
+    event.preventDefault();
+    // A key opens it where the keyboard's robot is; a finger that rests has its own timer.
+    if (event.button === 2) menuAt(event.clientX, event.clientY);
+  };
+  const onPointerMove = (event: PointerEvent<HTMLCanvasElement>) => {
+    const held = grip.current;
+    if (held === null) {
+      const place = event.currentTarget.getBoundingClientRect();
+      const key = painter?.keyAt(event.clientX - place.left, event.clientY - place.top) ?? null;
+      event.currentTarget.style.cursor = key === null ? "" : "pointer";
+      return;
+    }
+    const [dx, dy] = [event.clientX - held.x, event.clientY - held.y];
+    if (!held.moved && Math.hypot(dx, dy) < CLICK_PX) return;
+    clearTimeout(resting.current);
+    if (held.actor !== "") {
+      const place = canvas.current?.getBoundingClientRect();
+      painter?.carry(held.actor, event.clientX - (place?.left ?? 0), event.clientY - (place?.top ?? 0));
+      grip.current = { ...held, moved: true };
+      return;
+    }
+    // Who takes the world into the hand follows nobody any more.
+    if (useRobots.getState().followed !== "") useRobots.setState({ followed: "" });
+    painter?.pan(dx, dy);
+    grip.current = { ...held, x: event.clientX, y: event.clientY, moved: true };
+  };
+  const drop = (actor: string, event: PointerEvent<HTMLCanvasElement>) => {
+    const place = event.currentTarget.getBoundingClientRect();
+    const [x, y] = toWorld(painter?.view ?? NOWHERE, event.clientX - place.left, event.clientY - place.top);
+    const grid = event.altKey ? 1 : GRID_MM;
+    const agent = useStudio.getState().mission.agents.find((one) => one.name === actor);
+    if (agent === undefined) return;
+    void import("../../session/world-edits")
+      .then(({ moveStart }) => moveStart(startOf(agent), Math.round(x / grid) * grid, Math.round(y / grid) * grid))
+      .finally(() => painter?.putDown());
+  };
+  const letGo = () => {
+    if (holding.current !== null) painter?.boards?.release(holding.current.agent, holding.current.sensor);
+    holding.current = null;
+  };
+  const onPointerUp = (event: PointerEvent<HTMLCanvasElement>) => {
+    letGo();
+    const held = grip.current;
+    grip.current = null;
+    clearTimeout(resting.current);
+    if (held !== null && held.moved && held.actor !== "") {
+      drop(held.actor, event);
+      return;
+    }
+    if (held === null || held.moved) return;
+    const place = event.currentTarget.getBoundingClientRect();
+    const found = painter?.actorAt(event.clientX - place.left, event.clientY - place.top);
+    if (found === null || found === undefined) return;
+    choose(found.actor);
+  };
+  const next = (by: 1 | -1) => {
+    const actors = scene?.actors ?? [];
+    const at = actors.findIndex((actor) => actor.name === selected);
+    const actor = actors[(at + by + actors.length) % Math.max(1, actors.length)];
+    if (actor !== undefined) choose(actor);
+  };
+  const watched = scene?.actors.find((actor) => actor.name === selected);
+  /** The key of the watched robot that a key of the keyboard holds. */
+  const keyOf = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) return undefined;
+    const letters = [event.key.toUpperCase(), event.code.replace(/^Key/, "")];
+    return watched?.keys.find(({ letter }) => letter !== "" && letters.includes(letter));
+  };
+  const onKeyUp = (event: KeyboardEvent) => {
+    const key = keyOf(event);
+    if (key !== undefined) painter?.boards?.release(selected, key.sensor);
+  };
+  const onKeyDown = (event: KeyboardEvent) => {
+    const key = keyOf(event);
+    if (key !== undefined && (event.repeat || painter?.boards?.press(selected, key.sensor) === true)) {
+      event.preventDefault();
+      event.stopPropagation();
+      return;
+    }
+    const id = keyIn(ARENA_KEYS, event.nativeEvent);
+    if (id === null) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const acts: Record<keyof typeof ARENA_KEYS, () => void> = {
+      left: () => painter?.pan(PAN_PX, 0),
+      right: () => painter?.pan(-PAN_PX, 0),
+      up: () => painter?.pan(0, PAN_PX),
+      down: () => painter?.pan(0, -PAN_PX),
+      zoomIn: () => painter?.zoom(1.4),
+      zoomOut: () => painter?.zoom(1 / 1.4),
+      fit: () => painter?.showAll(),
+      next: () => next(1),
+      previous: () => next(-1),
+      menu: menuOfSelected,
+      follow: () => follow(selected),
+      hand: () => undefined,
+    };
+    acts[id]();
+  };
+
+  return (
+    <div className="arena" data-testid="arena">
+      <Heading scene={scene} painter={painter} />
+      <Crowd scene={scene} />
+      <div className="arena-frame" ref={frame}>
+        <canvas
+          ref={canvas}
+          role="application"
+          tabIndex={0}
+          data-testid="arena-canvas"
+          aria-label={t("arena.label")}
+          aria-describedby="arena-summary"
+          onKeyDown={onKeyDown}
+          onKeyUp={onKeyUp}
+          onBlur={() => painter?.boards?.releaseAll()}
+          onContextMenu={onContextMenu}
+          onPointerDown={onPointerDown}
+          onPointerMove={onPointerMove}
+          onPointerUp={onPointerUp}
+          onPointerCancel={() => {
+            letGo();
+            painter?.putDown();
+            clearTimeout(resting.current);
+            grip.current = null;
+          }}
+        />
+        <EmptyArena scene={scene} />
+      </div>
+      <Ending />
+      {watched === undefined || watched.keys.length + watched.sliders.length === 0 ? null : (
+        <Hands agent={selected} keys={watched.keys} sliders={watched.sliders} />
+      )}
+      <p className="only-spoken" id="arena-summary" data-testid="arena-summary">
+        {spoken}
+      </p>
+      <StatesSaid scene={scene} />
+      <RobotMenu onClosed={() => canvas.current?.focus()} />
+    </div>
+  );
+}

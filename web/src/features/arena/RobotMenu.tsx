@@ -1,0 +1,53 @@
+/** The menu of a robot in the arena: by the right button, a finger that rests, the menu key, or Enter on the chosen one. */
+import { useState } from "react";
+
+import { FAILED, MUTED, STALLED } from "../../api/wire";
+import { t } from "../../i18n/words";
+import { posesAt } from "../../session/poses";
+import { canInterfere, useRun } from "../../session/run";
+import { FloatingMenu } from "../../ui/FloatingMenu";
+import { type MenuEntry, menuItem } from "../../ui/menu-model";
+import { follow, harm, useRobots } from "./robots";
+
+export function RobotMenu({ onClosed }: { onClosed: () => void }) {
+  const menu = useRobots((state) => state.menu);
+  if (menu === null) return null;
+  return <Open key={`${menu.name} ${String(menu.x)}`} {...menu} onClosed={onClosed} />;
+}
+
+/** What can be done to a robot as it is now. */
+export function entriesOf(name: string): MenuEntry[] {
+  const run = useRun.getState();
+  const on = canInterfere(run);
+  const index = run.agents.findIndex((agent) => agent.name === name);
+  const flags = posesAt(0, false)?.poses[index]?.flags ?? 0;
+  const isDown = (flags & (FAILED | STALLED)) !== 0;
+  const isMuted = (flags & MUTED) !== 0;
+  const { followed } = useRobots.getState();
+  return [
+    ...(on ? [] : [{ kind: "heading", id: "harm-needs-run", label: t("harm.needs-run") } as const]),
+    menuItem("harm-fail", t("harm.fail"), null, () => harm(name, "fail"), !on || (flags & FAILED) !== 0),
+    menuItem("harm-stall", t("harm.stall"), null, () => harm(name, "stall"), !on || isDown),
+    menuItem("harm-mute", t("harm.mute"), null, () => harm(name, "mute"), !on || isMuted),
+    menuItem("harm-revive", t("harm.revive"), null, () => harm(name, "revive"), !on || !(isDown || isMuted)),
+    { kind: "line", id: "harm-1" },
+    { kind: "check", id: "harm-follow", label: t("harm.follow"), checked: followed === name, run: () => follow(name) },
+  ];
+}
+
+function Open({ name, x, y, onClosed }: { name: string; x: number; y: number; onClosed: () => void }) {
+  const [entries] = useState(() => entriesOf(name));
+  return (
+    <FloatingMenu
+      id="robot"
+      label={t("harm.menu", { name })}
+      at={{ x, y }}
+      entries={entries}
+      onLeave={() => useRobots.setState({ menu: null })}
+      onClose={() => {
+        useRobots.setState({ menu: null });
+        onClosed();
+      }}
+    />
+  );
+}

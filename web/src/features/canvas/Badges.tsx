@@ -1,0 +1,87 @@
+/** What sits on a vertex's edge: its mark, the threads that stand on it, and what is wrong with it. */
+import { t } from "../../i18n/words";
+import type { LayoutNode } from "../../model/layout";
+import { otherNotes } from "../../model/notes";
+import { title } from "../../model/parts";
+import { Icon } from "../../theme";
+import { BreakpointSign } from "./BreakpointSign";
+import { NoteStrip } from "./Notes";
+import { useTroubled, useTroubles } from "./problem-badges";
+
+export function Badges({ node, threads }: { node: LayoutNode; threads: string }) {
+  return (
+    <>
+      {node.mark === null ? null : <Mark name={title(node.mark.shape)} colour={node.mark.shape.colour} />}
+      <Threads threads={threads} />
+      <Troubles node={node} />
+      <Noted node={node} />
+      <NoteStrip node={node} />
+      <BreakpointSign node={node} />
+    </>
+  );
+}
+
+/** Its own problem, or the first one of what is folded in it. */
+function Troubles({ node: { vertex, inside } }: { node: LayoutNode }) {
+  const id = useTroubled(vertex, inside?.vertices ?? NOTHING);
+  return <Trouble id={id} />;
+}
+
+const NOTHING: string[] = [];
+
+/** The sign of a note behind it or at the end of its body. */
+function Noted({ node }: { node: LayoutNode }) {
+  const said = otherNotes(node.block?.vertex.notes ?? []);
+  if (said === "") return null;
+  return (
+    <span className="noted" title={said}>
+      <Icon name="message-circle" size={12} label={t("graph.note", { text: said })} />
+    </span>
+  );
+}
+
+function Mark({ name, colour }: { name: string; colour: string }) {
+  return (
+    <span
+      className="mark"
+      title={name}
+      style={{ background: `var(--${colour}-tile)`, color: `var(--${colour}-on-tile)` }}
+    >
+      <svg width="24" height="24" viewBox="0 0 24 24" aria-hidden="true">
+        <circle cx="12" cy="12" r="4.5" fill="none" stroke="currentColor" strokeWidth="2.75" />
+      </svg>
+    </span>
+  );
+}
+
+/** The ink pills ▶n. */
+export function Threads({ threads }: { threads: string }) {
+  if (threads === "") return null;
+  return (
+    <span className="threads">
+      {[...new Set(threads.split(" "))].map((number) => (
+        <span key={number} className="thread" title={t("graph.thread", { number })}>
+          <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
+            <path d="M0 0.5v7L6.5 4Z" fill="currentColor" />
+          </svg>
+          {number}
+        </span>
+      ))}
+    </span>
+  );
+}
+
+/** Told apart by shape, as in the list of problems; red is for STOP only. */
+const SIGNS = { error: "octagon-x", warning: "triangle-alert", hint: "lightbulb" } as const;
+
+export function Trouble({ id }: { id: string }) {
+  const troubles = useTroubles(id);
+  const [worst] = troubles;
+  if (worst === undefined) return null;
+  const says = troubles.map(({ message, help }) => (help === "" ? message : `${message} ${help}`)).join("\n");
+  return (
+    <span className="trouble" data-severity={worst.severity} data-testid={`problem-${id}`} title={says}>
+      <Icon name={SIGNS[worst.severity]} size={14} label={t("graph.problem", { message: says })} />
+    </span>
+  );
+}

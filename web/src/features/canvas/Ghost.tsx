@@ -1,0 +1,35 @@
+/** What follows the pointer during a drag. */
+import { createPortal } from "react-dom";
+
+import { t } from "../../i18n/words";
+import { title } from "../../model/parts";
+import { useDrag } from "../../session/drag";
+import { useDrawing } from "../../session/drawing";
+import { Tile } from "../../theme";
+
+export function Ghost() {
+  const payload = useDrag((state) => state.payload);
+  const { x, y } = useDrag((state) => state.at);
+  const copy = useDrag((state) => state.copy);
+  const aside = useDrag((state) => state.target?.place.kind === "void");
+  const drawing = useDrawing();
+  if (payload === null || drawing === null) return null;
+  const shape = drawing.parts.shape(payload.element);
+  const many = payload.kind === "vertices" && payload.ids.length > 1 ? ` +${String(payload.ids.length - 1)}` : "";
+  return createPortal(
+    <div
+      className="ghost"
+      style={{ transform: `translate(${String(x + 10)}px, ${String(y + 12)}px)` }}
+      data-colour={shape.colour}
+    >
+      <Tile icon={shape.icon} colour={shape.colour} size={22} />
+      <strong>
+        {title(shape)}
+        {many}
+      </strong>
+      {copy && payload.kind === "vertices" ? <span className="ghost-plus">+</span> : null}
+      {aside ? <span className="ghost-aside">{t("graph.park-here")}</span> : null}
+    </div>,
+    document.body,
+  );
+}

@@ -1,0 +1,96 @@
+/** Shift-drag on the void draws a box; what it touches is selected, besides what was. */
+import { useReactFlow } from "@xyflow/react";
+import { type RefObject, useEffect, useState } from "react";
+
+import type { Point } from "../../model/layout";
+import { useStudio } from "../../model/studio";
+import { currentDrawing, type Drawing } from "../../session/drawing";
+import { holdStill, useView } from "../../session/view";
+
+interface Rect {
+  x: number;
+  y: number;
+  w: number;
+  h: number;
+}
+
+function between(a: Point, b: Point): Rect {
+  return { x: Math.min(a.x, b.x), y: Math.min(a.y, b.y), w: Math.abs(a.x - b.x), h: Math.abs(a.y - b.y) };
+}
+
+/** The vertices that a box of the graph touches, in reading order. */
+export function touched({ layout }: Drawing, box: Rect): string[] {
+  return layout.nodes.flatMap(({ vertex, block, kind, x, y, w, h }) => {
+    const apart = x > box.x + box.w || x + w < box.x || y > box.y + box.h || y + h < box.y;
+    return apart || block === null || kind === "barEnd" ? [] : [vertex];
+  });
+}
+
+export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
+  const flow = useReactFlow();
+  const [box, setBox] = useState<Rect | null>(null);
+
+  useEffect(() => {
+    const canvas = root.current;
+    if (canvas === null) return;
+    let from: Point = { x: 0, y: 0 };
+    let before: string[] = [];
+
+    const move = (event: PointerEvent) => {
+      const to = { x: event.clientX, y: event.clientY };
+      const corner = canvas.getBoundingClientRect();
+      const drawn = between(from, to);
+      setBox({ ...drawn, x: drawn.x - corner.left, y: drawn.y - corner.top });
+      const drawing = currentDrawing();
+      if (drawing === null) return;
+      const exact = { snapToGrid: false };
+      const inside = touched(
+        drawing,
+        between(flow.screenToFlowPosition(from, exact), flow.screenToFlowPosition(to, exact)),
+      );
+      holdStill();
+      useStudio.getState().select([...new Set([...before, ...inside])]);
+    };
+    const forget = () => {
+      window.removeEventListener("pointermove", move);
+      window.removeEventListener("pointerup", end);
+      window.removeEventListener("pointercancel", end);
+    };
+    const end = () => {
+      forget();
+      setBox(null);
+      useView.getState().viewport?.focus();
+    };
+    const down = (event: MouseEvent) => {
+      const { target } = event;
+      if (!event.shiftKey || event.button !== 0) return;
+      if (!(target instanceof Element) || !target.classList.contains("react-flow__pane")) return;
+      // Neither the viewport moves, nor does the click at the end clear the selection.
+      event.preventDefault();
+      event.stopPropagation();
+      from = { x: event.clientX, y: event.clientY };
+      before = useStudio.getState().selection;
+      window.addEventListener("pointermove", move);
+      window.addEventListener("pointerup", end);
+      window.addEventListener("pointercancel", end);
+    };
+    const click = (event: MouseEvent) => {
+      if (event.shiftKey && event.target instanceof Element && event.target.classList.contains("react-flow__pane"))
+        event.stopPropagation();
+    };
+    canvas.addEventListener("mousedown", down, true);
+    canvas.addEventListener("click", click, true);
+    return () => {
+      forget();
+      canvas.removeEventListener("mousedown", down, true);
+      canvas.removeEventListener("click", click, true);
+    };
+  }, [flow, root]);
+
+  return box === null ? null : (
+    <div
+      className="marquee"
+      style={{ width: box.w, height: box.h, transform: `translate(${String(box.x)}px, ${String(box.y)}px)` }}
+    />
+  );
+}

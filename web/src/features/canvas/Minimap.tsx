@@ -1,0 +1,70 @@
+/** The whole program, small, and what of it is in view; a press or drag goes there. */
+import { useReactFlow, useStore } from "@xyflow/react";
+import type { PointerEvent } from "react";
+
+import { t } from "../../i18n/words";
+import type { Drawing } from "../../session/drawing";
+import { useView } from "../../session/view";
+
+const EDGE = 40;
+
+export function Minimap({ drawing: { layout } }: { drawing: Drawing }) {
+  const shown = useView((state) => state.minimap);
+  return shown ? <Map layout={layout} /> : null;
+}
+
+function Map({ layout }: { layout: Drawing["layout"] }) {
+  const flow = useReactFlow();
+  const [x, y, zoom] = useStore((state) => state.transform);
+  const width = useStore((state) => state.width);
+  const height = useStore((state) => state.height);
+  const { bounds } = layout;
+  const box = [bounds.x - EDGE, bounds.y - EDGE, bounds.w + 2 * EDGE, bounds.h + 2 * EDGE];
+
+  const go = (event: PointerEvent<SVGSVGElement>) => {
+    if ((event.buttons & 1) === 0) return;
+    const matrix = event.currentTarget.getScreenCTM();
+    if (matrix === null) return;
+    const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    void flow.setCenter(point.x, point.y, { zoom });
+  };
+
+  return (
+    <svg
+      className="minimap"
+      viewBox={box.join(" ")}
+      role="img"
+      aria-label={t("graph.minimap")}
+      data-testid="minimap"
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        go(event);
+      }}
+      onPointerMove={go}
+    >
+      {layout.frames.map((frame) => (
+        <rect
+          key={`${frame.kind} ${frame.id}`}
+          className="minimap-frame"
+          data-colour={frame.colour}
+          x={frame.x}
+          y={frame.y}
+          width={frame.w}
+          height={frame.h}
+        />
+      ))}
+      {layout.nodes.map((node) => (
+        <rect
+          key={node.id}
+          className="minimap-node"
+          data-colour={node.block === null ? undefined : node.colour}
+          x={node.x}
+          y={node.y}
+          width={node.w}
+          height={node.h}
+        />
+      ))}
+      <rect className="minimap-view" x={-x / zoom} y={-y / zoom} width={width / zoom} height={height / zoom} />
+    </svg>
+  );
+}

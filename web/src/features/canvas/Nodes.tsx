@@ -1,0 +1,172 @@
+/** The node kinds of the graph, as React Flow is given them. Each takes its place and size from the layout. */
+import type { Node, NodeProps, NodeTypes } from "@xyflow/react";
+import { memo, useMemo } from "react";
+
+import { t } from "../../i18n/words";
+import type { LayoutNode } from "../../model/layout";
+import type { Block } from "../../model/structure";
+import { useStudio } from "../../model/studio";
+import { chipOf } from "../../model/vertex-content";
+import { beginDrag, justDragged, useDrag } from "../../session/drag";
+import { spoken } from "../../session/spoken";
+import { useView } from "../../session/view";
+import { Icon } from "../../theme";
+import { useThreadsAmong, useThreadsAt } from "./active";
+import { Threads, Trouble } from "./Badges";
+import { NoteStrip } from "./Notes";
+import { PlainNode } from "./Plain";
+import { ChipView, selectVertex, Vertex } from "./Vertex";
+import { waitedVertices } from "./waiting";
+
+export type GraphNode = Node<{ node: LayoutNode }, "vertex">;
+
+function NodeView({ data: { node } }: NodeProps<GraphNode>) {
+  switch (node.kind) {
+    case "start":
+    case "stop":
+      return <Terminal node={node} />;
+    case "bar":
+    case "barEnd":
+      return <Bar node={node} />;
+    case "chip":
+      return <Loose node={node} />;
+    case "place":
+      return <FirstPlace node={node} />;
+    case "rect":
+    case "hexagon":
+      return <Vertex node={node} />;
+  }
+}
+
+function PlainView(props: NodeProps<GraphNode>) {
+  const { node } = props.data;
+  return node.kind === "place" ? <FirstPlace node={node} /> : <PlainNode node={node} />;
+}
+
+export const NODE_TYPES: NodeTypes = { vertex: memo(NodeView) };
+/** For a graph that is looked at from far away. */
+export const PLAIN_TYPES: NodeTypes = { vertex: memo(PlainView) };
+
+function Terminal({ node }: { node: LayoutNode }) {
+  const { vertex: id, kind, w, h } = node;
+  const selected = useStudio((state) => state.selection.includes(id));
+  const threads = useThreadsAt(id, null);
+  const name = t(kind === "start" ? "graph.start" : "graph.stop");
+  return (
+    <div
+      className={`terminal${selected ? " is-selected" : ""}`}
+      id={`vertex-${id}`}
+      data-testid={`vertex-${id}`}
+      role="group"
+      aria-label={name}
+      aria-current={selected}
+      style={{ width: w, height: h }}
+      onClick={(event) => {
+        selectVertex(id, event);
+      }}
+    >
+      <svg width="12" height="12" viewBox="0 0 12 12" aria-hidden="true">
+        <path
+          d={kind === "start" ? "M2 1.2v9.6L10.5 6Z" : "M1 1h10v10H1Z"}
+          fill="currentColor"
+          strokeLinejoin="round"
+        />
+      </svg>
+      <strong>{name}</strong>
+      <Threads threads={threads} />
+      <Trouble id={id} />
+      <NoteStrip node={node} />
+    </div>
+  );
+}
+
+/** A bar of a parallel; the first one carries its name. */
+function Bar({ node }: { node: LayoutNode }) {
+  const { vertex: id, kind, w, h, colour, block, face } = node;
+  const selected = useStudio((state) => state.selection.includes(id));
+  const threads = useThreadsAt(id, null);
+  const aimed = useDrag((state) => state.target?.key === `vertex:${id}`);
+  const first = kind === "bar";
+  return (
+    <div
+      className={`bars${selected ? " is-selected" : ""}${aimed ? " is-aimed" : ""}`}
+      data-testid={first ? `vertex-${id}` : `vertex-${id}-end`}
+      data-colour={colour}
+      id={first ? `vertex-${id}` : undefined}
+      role="group"
+      aria-label={spoken(node)}
+      aria-current={selected}
+      aria-hidden={first ? undefined : true}
+      style={{ width: w, height: h }}
+      onPointerDown={(event) => {
+        beginDrag(event, { kind: "vertices", ids: [id], element: block?.shape.element ?? "" });
+      }}
+      onClick={(event) => {
+        if (!justDragged()) selectVertex(id, event);
+      }}
+    >
+      <span className="bar" />
+      <NoteStrip node={node} />
+      {first ? (
+        <span className="bar-tag">
+          <Icon name={block?.shape.icon ?? ""} size={16} />
+          {face.name}
+          <Trouble id={id} />
+        </span>
+      ) : threads === "" ? null : (
+        <Waits block={block} threads={threads} />
+      )}
+    </div>
+  );
+}
+
+/** "▶0 waits for ▶1 ▶2", on the second bar. */
+function Waits({ block, threads }: { block: Block | null; threads: string }) {
+  const vertices = useMemo(() => (block === null ? [] : waitedVertices(block)), [block]);
+  const others = useThreadsAmong(vertices);
+  return (
+    <span className="bar-waits" data-testid={`waits-${block?.vertex.id ?? ""}`}>
+      <Threads threads={threads} />
+      {others === "" ? null : (
+        <>
+          <span>{t("graph.waits-for")}</span>
+          <Threads threads={others} />
+        </>
+      )}
+    </span>
+  );
+}
+
+/** A parked test or value. */
+function Loose({ node }: { node: LayoutNode }) {
+  const { vertex: id, block, w, h } = node;
+  if (block === null) return null;
+  return (
+    <div className="loose" data-testid={`vertex-${id}`} style={{ width: w, height: h }}>
+      <ChipView chip={chipOf(block)} vertex={id} />
+      <NoteStrip node={node} />
+      <Trouble id={id} />
+    </div>
+  );
+}
+
+/** The dashed place on the only arc of a new program. */
+function FirstPlace({ node: { w, h } }: { node: LayoutNode }) {
+  const aimed = useDrag((state) => state.target?.key === "arc:start.next");
+  return (
+    <button
+      type="button"
+      className={`first-place${aimed ? " is-aimed" : ""}`}
+      data-testid="first-place"
+      style={{ width: w, height: h }}
+      onClick={() => {
+        useView.getState().setAdding({ vertex: null, slot: null });
+      }}
+    >
+      <Icon name="plus" size={16} />
+      <strong>{t("graph.drop-here")}</strong>
+      <span>{t("graph.or-press")}</span>
+      <kbd>/</kbd>
+    </button>
+  );
+}

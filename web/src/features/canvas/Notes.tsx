@@ -1,0 +1,172 @@
+/**
+ * Notes on the canvas: a strip on the top edge of a vertex shows the first line; a click or N opens the whole note to be
+ * read and edited in its place. What was typed is kept when the field is left, as one step that can be undone.
+ */
+import { useEffect, useLayoutEffect, useRef, useState } from "react";
+
+import { t } from "../../i18n/words";
+import { setNote } from "../../model/commands/setNote";
+import type { LayoutNode } from "../../model/layout";
+import { noteText } from "../../model/notes";
+import { programInView, useStudio } from "../../model/studio";
+import type { Program } from "../../model/types";
+import { currentDrawing, nodeOf } from "../../session/drawing";
+import { holdStill, useView } from "../../session/view";
+import { Icon } from "../../theme";
+
+/** The vertex whose note is meant: the mark around an action where that one has the note, else what is shown. */
+function ownerOf(id: string): string {
+  const drawing = currentDrawing();
+  const node = drawing === null ? undefined : nodeOf(drawing, id);
+  const { block = null, mark = null, vertex = id } = node ?? {};
+  if (mark !== null && block !== null && noteText(block.vertex.notes) === "" && noteText(mark.vertex.notes) !== "")
+    return mark.vertex.id;
+  return vertex;
+}
+
+/** Opens the note of the selected vertex; Start has none, the others can have one. */
+export function openNote(id: string | undefined = useStudio.getState().selection.at(-1)): boolean {
+  const start = currentDrawing()?.structure.start?.id;
+  if (id === undefined || id === start) return false;
+  useView.getState().viewport?.reveal(id);
+  useView.setState({ noting: ownerOf(id), adding: null });
+  return true;
+}
+
+/** Whether the selected vertex has a note, for menus. */
+export function isNoted(id: string): boolean {
+  return noteText(notesOf(programInView(useStudio.getState()), ownerOf(id))) !== "";
+}
+
+export function removeNote(): boolean {
+  const id = useStudio.getState().selection.at(-1);
+  return id !== undefined && write(ownerOf(id), "");
+}
+
+function notesOf(program: Program | undefined, id: string) {
+  return program?.vertices.find((one) => one.id === id)?.notes ?? [];
+}
+
+function write(id: string, text: string, name = useStudio.getState().activeProgram): boolean {
+  const { mission, execute } = useStudio.getState();
+  const program = mission.programs.find((one) => one.name === name);
+  const command = program === undefined ? null : setNote(program, id, text.trimEnd());
+  if (command === null) return false;
+  // Two notes that are written one after the other are two steps.
+  execute({ ...command, joins: `note ${String(performance.now())}` });
+  return true;
+}
+
+/** The strip above a vertex: one line of the note, whatever its script; more of it is behind the dots. */
+export function NoteStrip({ node: { note, noteWidth, w, vertex } }: { node: LayoutNode }) {
+  if (note === "") return null;
+  const [first = "", ...more] = note.split("\n");
+  return (
+    <button
+      type="button"
+      className="note-strip"
+      data-testid={`note-${vertex}`}
+      dir="auto"
+      title={note}
+      aria-label={t("graph.note", { text: note })}
+      tabIndex={-1}
+      style={{ width: noteWidth, insetInlineStart: (w - noteWidth) / 2 }}
+      onPointerDown={(event) => {
+        event.stopPropagation();
+      }}
+      onClick={(event) => {
+        event.stopPropagation();
+        holdStill();
+        useStudio.getState().select([vertex]);
+        openNote(vertex);
+      }}
+    >
+      <Icon name="message-circle" size={12} />
+      <span className="note-words">{first}</span>
+      {more.length === 0 ? null : <span className="note-more">{t("graph.note-more", { count: more.length })}</span>}
+    </button>
+  );
+}
+
+export function NoteEditor() {
+  const id = useView((state) => state.noting);
+  const program = useStudio((state) => state.activeProgram);
+  return id === null ? null : <Field key={`${program} ${id}`} id={id} program={program} />;
+}
+
+const WIDTH = 336;
+
+function Field({ id, program }: { id: string; program: string }) {
+  const [before] = useState(() => noteText(notesOf(programInView(useStudio.getState()), id)));
+  const [text, setText] = useState(before);
+  const [at] = useState(() => placeOf(id));
+  const field = useRef<HTMLTextAreaElement>(null);
+  const latest = useRef({ text, forget: false });
+  useEffect(() => {
+    latest.current.text = text;
+  });
+
+  // Whichever way the field goes (Enter, a click elsewhere, another program), what was typed is kept.
+  useEffect(() => {
+    const now = latest.current;
+    now.forget = false;
+    field.current?.focus({ preventScroll: true });
+    field.current?.setSelectionRange(now.text.length, now.text.length);
+    return () => {
+      if (!now.forget) write(id, now.text, program);
+    };
+  }, [id, program]);
+  useLayoutEffect(() => {
+    const element = field.current;
+    if (element === null) return;
+    element.style.height = "0";
+    element.style.height = `${String(Math.min(element.scrollHeight, 200))}px`;
+  }, [text]);
+
+  const close = () => {
+    useView.setState({ noting: null });
+    useView.getState().viewport?.focus();
+  };
+  return (
+    <div
+      className="note-editor"
+      style={{ width: WIDTH, "--x": `${String(at.x)}px`, "--y": `${String(at.y)}px` } as React.CSSProperties}
+    >
+      <textarea
+        ref={field}
+        rows={1}
+        dir="auto"
+        data-testid="note-field"
+        aria-label={t("inspector.note")}
+        aria-describedby="note-keys"
+        placeholder={t("inspector.note-hint")}
+        value={text}
+        onChange={(event) => {
+          setText(event.target.value);
+        }}
+        onBlur={() => {
+          useView.setState({ noting: null });
+        }}
+        onKeyDown={(event) => {
+          if (event.nativeEvent.isComposing) return;
+          if (event.key === "Escape") latest.current.forget = true;
+          if (event.key === "Escape" || (event.key === "Enter" && !event.shiftKey)) {
+            event.preventDefault();
+            event.stopPropagation();
+            close();
+          }
+        }}
+      />
+      <p id="note-keys">{t("graph.note-keys")}</p>
+    </div>
+  );
+}
+
+/** The bottom edge of the editor stands on the vertex. */
+function placeOf(id: string): { x: number; y: number } {
+  const drawing = currentDrawing();
+  const node = drawing === null ? undefined : nodeOf(drawing, id);
+  const { viewport } = useView.getState();
+  if (node === undefined || viewport === null) return { x: 0, y: 0 };
+  return viewport.place({ x: node.x + node.w / 2, y: node.y });
+}

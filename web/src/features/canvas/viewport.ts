@@ -1,0 +1,166 @@
+/** Where the canvas looks: Start on top at zoom 1, remembered for each program, moved only as far as needed. */
+import { useReactFlow, useStoreApi, type Viewport as Camera } from "@xyflow/react";
+import { type RefObject, useEffect, useState } from "react";
+
+import { useStudio } from "../../model/studio";
+import type { Drawing } from "../../session/drawing";
+import { currentDrawing, nodeOf } from "../../session/drawing";
+import { standsStill, useView } from "../../session/view";
+import { spotOfArc } from "./Lines";
+
+const remembered = new Map<string, Camera>();
+const MARGIN = 48;
+const MOVE_MS = 140;
+/** A small selection does not fill the canvas. */
+const CLOSEST = 1.25;
+const START_AT = 40;
+const EMPTY_START_AT = 116;
+const LOW = 700;
+
+/** How wide the canvas was when it was last opened: the first guess for the next time. */
+let lastWidth = 904;
+let opened = "";
+
+/** Clears the remembered viewports when another mission is opened. */
+useStudio.subscribe((state, before) => {
+  if (state.file.path !== before.file.path || state.file.revision === "") return;
+  if (opened !== state.file.path) remembered.clear();
+  opened = state.file.path;
+});
+
+/** On a low window the cards of an empty program need the room above it. */
+function isLow(): boolean {
+  return (document.getElementById("canvas-panel")?.clientHeight ?? LOW) < LOW;
+}
+
+function homeOf(width: number, drawing: Drawing): Camera {
+  const { layout, nodes } = drawing;
+  const y = nodes.has("place") && !isLow() ? EMPTY_START_AT : START_AT;
+  // Start is in the middle, except where the left edge of a program that would fit was cut off by that.
+  const left = width / 2 + layout.bounds.x;
+  const parkedToo = layout.bounds.x + layout.bounds.w;
+  const shift = left < 16 && width >= layout.bounds.w + 32 ? 16 - left : 0;
+  return { x: Math.round(Math.min(width / 2 + shift, Math.max(width / 2, width - 16 - parkedToo))), y, zoom: 1 };
+}
+
+/** How wide the canvas will be: its panel is on the page before it. */
+function roomNow(): number {
+  return document.getElementById("canvas-panel")?.clientWidth || lastWidth;
+}
+
+/** The first camera, the callback for the ready viewport, and the viewport as `useView` has it. */
+export function useViewport(
+  root: RefObject<HTMLDivElement | null>,
+  drawing: Drawing,
+): { first: Camera; onReady: () => void } {
+  const flow = useReactFlow();
+  const store = useStoreApi();
+  const { name } = drawing.program;
+  const [first] = useState<Camera>(() => remembered.get(name) ?? homeOf(roomNow(), drawing));
+
+  useEffect(
+    () => () => {
+      remembered.set(name, flow.getViewport());
+    },
+    [flow, name],
+  );
+
+  useEffect(() => {
+    const size = () => ({ width: root.current?.clientWidth ?? 0, height: root.current?.clientHeight ?? 0 });
+    const animated = { duration: matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : MOVE_MS };
+    useView.setState({
+      viewport: {
+        zoomIn: () => void flow.zoomIn(animated),
+        zoomOut: () => void flow.zoomOut(animated),
+        home: () => {
+          const now = currentDrawing();
+          if (now !== null) void flow.setViewport(homeOf(size().width, now), animated);
+        },
+        fit: () => {
+          const now = currentDrawing();
+          if (now === null) return;
+          const { x, y, w, h } = now.layout.bounds;
+          void flow.fitBounds({ x, y, width: w, height: h }, { padding: 0.06, ...animated });
+        },
+        zoomToSelection: () => {
+          const now = currentDrawing();
+          const box = now === null ? null : boundsOf(now, useStudio.getState().selection);
+          if (box === null) {
+            useView.getState().viewport?.fit();
+            return;
+          }
+          const { width, height } = size();
+          const room = 2 * MARGIN;
+          const zoom = Math.min(CLOSEST, Math.max(0.1, Math.min((width - room) / box.w, (height - room) / box.h)));
+          const middle = { x: box.x + box.w / 2, y: box.y + box.h / 2 };
+          void flow.setViewport({ x: width / 2 - middle.x * zoom, y: height / 2 - middle.y * zoom, zoom }, animated);
+        },
+        reveal: (id) => {
+          const now = currentDrawing();
+          const node = now === null ? undefined : nodeOf(now, id);
+          if (node === undefined) return;
+          const { width: all, height } = size();
+          // The find panel covers the right side.
+          const width = useView.getState().finding && all > 840 ? all - 412 : all;
+          const { x, y, zoom } = flow.getViewport();
+          const nudge = (from: number, long: number, room: number) => {
+            if (from < MARGIN) return MARGIN - from;
+            return from + long > room - MARGIN ? Math.max(room - MARGIN - from - long, MARGIN - from) : 0;
+          };
+          const dx = nudge(node.x * zoom + x, node.w * zoom, width);
+          const dy = nudge(node.y * zoom + y, node.h * zoom, height);
+          if (dx !== 0 || dy !== 0) void flow.setViewport({ x: x + dx, y: y + dy, zoom }, animated);
+        },
+        place: (point) => {
+          const [x, y, zoom] = store.getState().transform;
+          return { x: point.x * zoom + x, y: point.y * zoom + y };
+        },
+        focus: () => root.current?.focus({ preventScroll: true }),
+      },
+    });
+    return () => {
+      useView.setState({ viewport: null });
+    };
+  }, [flow, store, root]);
+
+  useEffect(
+    () =>
+      // A vertex that was selected elsewhere, or made beyond the edge, comes into view.
+      useStudio.subscribe((state, before) => {
+        const last = state.selection.at(-1);
+        if (last === undefined || state.selection === before.selection || standsStill()) return;
+        queueMicrotask(() => useView.getState().viewport?.reveal(last));
+      }),
+    [],
+  );
+  const onReady = () => {
+    const width = root.current?.clientWidth ?? 0;
+    if (!remembered.has(name) && width > 0 && width !== lastWidth) void flow.setViewport(homeOf(width, drawing));
+    lastWidth = width;
+  };
+  return { first, onReady };
+}
+
+/** The box around vertices and the frames they own, or null for none. */
+function boundsOf(drawing: Drawing, ids: string[]): { x: number; y: number; w: number; h: number } | null {
+  const nodes = ids.flatMap((id) => nodeOf(drawing, id) ?? []);
+  const owners = new Set(nodes.map((node) => node.id));
+  const boxes = [...nodes, ...drawing.layout.frames.filter((frame) => owners.has(frame.id))];
+  if (boxes.length === 0) return null;
+  const x = Math.min(...boxes.map((box) => box.x));
+  const y = Math.min(...boxes.map((box) => box.y));
+  const right = Math.max(...boxes.map((box) => box.x + box.w));
+  const bottom = Math.max(...boxes.map((box) => box.y + box.h));
+  return { x, y, w: right - x, h: bottom - y };
+}
+
+/** Where a popup for the selection opens, in px from the canvas's corner. */
+export function anchorOf(vertex: string | null, arc: string | null): { x: number; y: number } | null {
+  const { viewport } = useView.getState();
+  if (viewport === null) return null;
+  const drawing = currentDrawing();
+  const node = vertex === null || drawing === null ? undefined : nodeOf(drawing, vertex);
+  if (node !== undefined) return viewport.place({ x: node.x + node.w / 2, y: node.y + node.h + 8 });
+  const spot = spotOfArc(arc ?? "start.next");
+  return spot === null ? null : viewport.place({ x: spot.x, y: spot.y + 16 });
+}

@@ -1,0 +1,97 @@
+/**
+ * The program in view as text: LLL beside the graph, and the three-address code it becomes.
+ *
+ * The LLL can be written: the graph follows. Selecting on either side shows the other; lines where threads of the watched
+ * agent stand are marked.
+ */
+import { useEffect, useState } from "react";
+
+import { listingExtensions } from "../../components/text/extensions";
+import { TextView } from "../../components/text/TextView";
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { useTyping } from "../../session/typing";
+import { Tool } from "../../ui/Tool";
+import { Lll } from "./Lll";
+import "./code.css";
+
+type Side = "lll" | "listing";
+const SIDES: Side[] = ["lll", "listing"];
+const COPIED_MS = 1500;
+
+function CopyButton({ text }: { text: string }) {
+  const [copied, setCopied] = useState(false);
+  useEffect(() => {
+    if (!copied) return;
+    const timer = setTimeout(() => setCopied(false), COPIED_MS);
+    return () => clearTimeout(timer);
+  }, [copied]);
+  const label = copied ? t("code.copied") : t("code.copy");
+  return (
+    <Tool
+      small
+      icon={copied ? "check" : "copy"}
+      label={label}
+      testId="copy-code"
+      onClick={() => {
+        navigator.clipboard.writeText(text).then(
+          () => setCopied(true),
+          () => setCopied(false),
+        );
+      }}
+    />
+  );
+}
+
+export function Code() {
+  const [side, setSide] = useState<Side>("lll");
+  const program = useStudio((studio) => studio.activeProgram);
+  const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
+  const lll = found?.lll ?? "";
+  const listing = found?.listing ?? "";
+  const typed = useTyping((typing) => typing.drafts[program]?.text);
+  const loaded = found !== undefined;
+  return (
+    <div className="code" data-testid="code">
+      <header className="side-tabs">
+        <div role="tablist" aria-label={t("view.code")} className="side-tablist">
+          {SIDES.map((one) => (
+            <button
+              key={one}
+              type="button"
+              role="tab"
+              className="side-tab"
+              id={`code-tab-${one}`}
+              title={t(`code.${one}`)}
+              data-testid={`code-tab-${one}`}
+              aria-selected={side === one}
+              aria-controls="code-panel"
+              tabIndex={side === one ? 0 : -1}
+              onClick={() => setSide(one)}
+              onKeyDown={(event) => {
+                if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
+                const next = one === "lll" ? "listing" : "lll";
+                setSide(next);
+                document.getElementById(`code-tab-${next}`)?.focus();
+              }}
+            >
+              {t(`code.${one}`)}
+            </button>
+          ))}
+        </div>
+        <CopyButton text={side === "lll" ? (typed ?? lll) : listing} />
+      </header>
+      <div className="code-panel" id="code-panel" role="tabpanel" aria-labelledby={`code-tab-${side}`}>
+        {!loaded ? null : side === "lll" ? (
+          <Lll printed={lll.trimEnd()} spans={found.spans} program={program} key={program} />
+        ) : (
+          <TextView
+            text={listing === "" ? t("code.no-listing") : listing.trimEnd()}
+            label={t("code.listing-label", { name: program })}
+            extensions={listingExtensions}
+          />
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,143 @@
+/** The program in view as LLL that can be written: its text, what is marked in it, and the line about mistakes below. */
+import { useCallback, useEffect, useMemo } from "react";
+
+import { api } from "../../api/client";
+import { TextEditor } from "../../components/text/TextEditor";
+import { Said } from "../../i18n/Said";
+import { sentence, t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import type { Problem, SpanEntry } from "../../model/types";
+import { spansInUnits } from "../../session/places";
+import { useActiveVertices } from "../../session/run";
+import { connectTyping, type Draft, setFocused, typeText, useTyping } from "../../session/typing";
+import { Icon } from "../../theme";
+import { showMistakes } from "./mistakes";
+import { outlineVertex, usePointed, watchGraph } from "./pointing";
+import { activeLines, vertexAt, vertexOfLine } from "./spans";
+
+/** Why the graph does not show the text, for as long as it does not. */
+function StateLine({ draft }: { draft: Draft | undefined }) {
+  const wrong = draft !== undefined && !draft.right;
+  const first = draft?.problems.find((problem) => problem.severity === "error");
+  const why = draft?.failure !== "" ? draft?.failure : undefined;
+  return (
+    <div className="code-state" id="code-state" role="status" data-testid="code-state">
+      {wrong ? (
+        <>
+          <Icon name="octagon-x" size={16} />
+          <span>
+            <span className="code-state-graph">{t("code.stale")}</span>{" "}
+            <Said text={sentence(why ?? first?.message ?? "")} />
+          </span>
+        </>
+      ) : null}
+    </div>
+  );
+}
+
+export function Lll({
+  printed,
+  spans: printedSpans,
+  program,
+}: {
+  printed: string;
+  spans: SpanEntry[];
+  program: string;
+}) {
+  const draft = useTyping((typing) => typing.drafts[program]);
+  const report = useStudio((studio) => studio.report);
+  const selection = useStudio((studio) => studio.selection);
+  const pointed = usePointed((pointing) => pointing.vertex);
+  const active = useActiveVertices(program);
+  const text = draft?.text ?? printed;
+  const spans = useMemo(
+    () => spansInUnits(draft === undefined ? printedSpans : draft.spans, text),
+    [draft, printedSpans, text],
+  );
+  const problems = useMemo((): readonly Problem[] | null => {
+    if (draft !== undefined) return draft.waiting ? null : draft.problems;
+    const file = `${program}.lll`;
+    return report?.problems.filter((one) => one.program === program && one.file === file && one.line > 0) ?? [];
+  }, [draft, report, program]);
+  const shown = useMemo(
+    () => ({
+      active: activeLines(spans, active),
+      selected: spans.filter((span) => selection.includes(span.vertex)),
+      pointed: spans.filter((span) => span.vertex === pointed),
+    }),
+    [spans, active, selection, pointed],
+  );
+
+  useEffect(() => {
+    const ends = [connectTyping(api.follow), showMistakes(), watchGraph()];
+    return () => {
+      for (const end of ends) end();
+      outlineVertex(null);
+    };
+  }, []);
+
+  const onPick = useCallback(
+    (offset: number, byMouse: boolean) => {
+      const line = text.slice(0, offset).split("\n").length;
+      const start = text.lastIndexOf("\n", offset - 1) + 1;
+      const indent = /^\s*/.exec(text.slice(start))?.[0].length ?? 0;
+      const inText = offset >= start + indent;
+      const found = byMouse || inText ? vertexAt(spans, offset) : vertexOfLine(spans, line, start + indent);
+      if (found !== null) useStudio.getState().select([found]);
+    },
+    [text, spans],
+  );
+  const onType = useCallback(
+    (now: string, before: string) => {
+      typeText(program, now, { text: before, spans: printedSpans });
+    },
+    [program, printedSpans],
+  );
+  const onFocus = useCallback(
+    (on: boolean) => {
+      setFocused(program, on);
+    },
+    [program],
+  );
+  const onPoint = useCallback(
+    (offset: number | null) => {
+      outlineVertex(offset === null ? null : vertexAt(spans, offset));
+    },
+    [spans],
+  );
+  const around = useMemo(
+    () => ({
+      program,
+      parts: () => {
+        const { mission, catalogue } = useStudio.getState();
+        const robot = mission.programs.find((one) => one.name === program)?.robot;
+        return { catalogue, robot: catalogue.robots.find((one) => one.name === robot) };
+      },
+      elementAt: (offset: number) => {
+        const vertex = vertexAt(spans, offset);
+        const { mission } = useStudio.getState();
+        const found = mission.programs.find((one) => one.name === program)?.vertices.find((one) => one.id === vertex);
+        return found?.element ?? null;
+      },
+    }),
+    [program, spans],
+  );
+  return (
+    <div className="code-lll">
+      <TextEditor
+        text={text}
+        label={t("code.label", { name: program })}
+        empty={t("code.empty")}
+        shown={shown}
+        problems={problems}
+        settled={draft === undefined || (draft.right && !draft.waiting)}
+        around={around}
+        onType={onType}
+        onFocus={onFocus}
+        onPick={onPick}
+        onPoint={onPoint}
+      />
+      <StateLine draft={draft} />
+    </div>
+  );
+}

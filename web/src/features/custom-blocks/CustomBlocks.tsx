@@ -1,0 +1,46 @@
+/** What lies over the page for parts of one's own: the open sheet, and the menu of a part in the palette. */
+import { useState } from "react";
+
+import { t } from "../../i18n/words";
+import { openDelete, openEdit, useOwn } from "../../session/custom-blocks";
+import { complain } from "../../session/document";
+import { FloatingMenu } from "../../ui/FloatingMenu";
+import { later } from "../../ui/later";
+import { menuItem } from "../../ui/menu-model";
+import { shareParts } from "./share";
+
+const CustomBlockSheets = later(() => import("./CustomBlockSheets").then((chunk) => chunk.CustomBlockSheets), complain);
+
+export function CustomBlocks() {
+  const sheet = useOwn((own) => own.sheet);
+  const menu = useOwn((own) => own.menu);
+  // Its menu stands within the main landmark, as the canvas's does.
+  return (
+    <>
+      {sheet === null ? null : <CustomBlockSheets sheet={sheet} />}
+      {menu === null ? null : <PartMenu key={menu.name} {...menu} />}
+    </>
+  );
+}
+
+function PartMenu({ name, x, y }: { name: string; x: number; y: number }) {
+  const [before] = useState(() => document.activeElement);
+  return (
+    <FloatingMenu
+      id="own"
+      label={t("own.menu", { name })}
+      at={{ x, y }}
+      entries={[
+        menuItem("own-edit", t("own.edit"), "F2", () => openEdit(name)),
+        menuItem("own-delete", t("own.delete"), "Del", () => openDelete(name)),
+        { kind: "line", id: "own-1" },
+        menuItem("own-share", t("own.share"), null, shareParts),
+      ]}
+      onLeave={() => useOwn.setState({ menu: null })}
+      onClose={() => {
+        useOwn.setState({ menu: null });
+        if (before instanceof HTMLElement) before.focus();
+      }}
+    />
+  );
+}

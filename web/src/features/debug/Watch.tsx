@@ -1,0 +1,231 @@
+/**
+ * Sensors and variables of an agent over time; variables can be set and sensors forced.
+ *
+ * Above the bottom bar, in the place of the list of problems. Left to others: what a run is (run), where it pauses.
+ */
+import "./watch.css";
+
+import { useMemo, useState } from "react";
+
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { text } from "../../model/texts";
+import type { RobotObject } from "../../model/types";
+import { canInterfere, type RunAgent, useRun, watchedAgent } from "../../session/run";
+import { useWatch } from "../../session/watching";
+import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
+import { EventList } from "./EventList";
+import { samplesNow, seriesOf, stepsPath } from "./samples";
+
+const PLOT = { width: 160, height: 28 };
+
+export function WatchPanel() {
+  const program = useStudio((state) => state.activeProgram);
+  const agents = useRun((run) => run.agents);
+  const chosen = useRun((run) => watchedAgent(run, program));
+  const agent = chosen ?? agents[0];
+  return (
+    <section className="problem-list watch-panel" id="watch-panel" data-testid="watch" aria-label={t("debug.watch")}>
+      <header className="problem-head">
+        <h2>{t("debug.watch")}</h2>
+        {agents.length < 2 || agent === undefined ? null : (
+          <select
+            className="watched"
+            aria-label={t("debug.agent")}
+            data-testid="watch-agent"
+            value={agent.name}
+            onChange={(event) => {
+              const found = agents.find((one) => one.name === event.target.value);
+              if (found === undefined) return;
+              useStudio.getState().setActiveProgram(found.program);
+              useRun.getState().selectAgent(found.name, found.program);
+            }}
+          >
+            {agents.map(({ name }) => (
+              <option key={name}>{name}</option>
+            ))}
+          </select>
+        )}
+        <span className="watch-space" />
+        <Tool
+          small
+          icon="x"
+          label={t("debug.watch-close")}
+          titled={false}
+          onClick={() => useWatch.getState().show(false)}
+        />
+      </header>
+      {agent === undefined ? <p className="problem-none">{t("debug.watch-nothing")}</p> : <Values agent={agent} />}
+    </section>
+  );
+}
+
+function Values({ agent }: { agent: RunAgent }) {
+  const robot = useStudio(({ catalogue }) => catalogue.robots.find((one) => one.name === agent.robot));
+  const objects = robot?.objects ?? [];
+  const sensors = objects.filter((object) => object.category === "sensor" && object.name in agent.inputs);
+  const variables = objects.filter((object) => object.category === "variable" && object.name in agent.values);
+  return (
+    <div className="watch-columns">
+      <Column title={t("parts.variables")} objects={variables} agent={agent} sensors={false} />
+      <Column title={t("parts.sensors")} objects={sensors} agent={agent} sensors />
+      <EventList />
+    </div>
+  );
+}
+
+function Column({
+  title,
+  objects,
+  agent,
+  sensors,
+}: {
+  title: string;
+  objects: readonly RobotObject[];
+  agent: RunAgent;
+  sensors: boolean;
+}) {
+  if (objects.length === 0) return null;
+  return (
+    <table className="watch-table">
+      <caption>{title}</caption>
+      <thead className="only-spoken">
+        <tr>
+          <th scope="col">{t("debug.name")}</th>
+          <th scope="col">{t("debug.value")}</th>
+          <th scope="col">{t("debug.plot")}</th>
+        </tr>
+      </thead>
+      <tbody>
+        {objects.map((object) => (
+          <Row key={object.name} object={object} agent={agent} sensor={sensors} />
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; sensor: boolean }) {
+  const { name } = object;
+  const live = useRun(canInterfere);
+  const value = (sensor ? agent.inputs[name] : agent.values[name]) ?? 0;
+  const forced = sensor && agent.forced.includes(name);
+  const put = (wanted: number) => {
+    const { force, setVariable } = useRun.getState();
+    if (sensor) force(agent.name, name, wanted);
+    else setVariable(agent.name, name, wanted);
+  };
+  const label = text(object.label, name);
+  return (
+    <tr data-testid={`watch-${name}`} data-forced={forced}>
+      <th scope="row">{label}</th>
+      <td className="watch-value">
+        {object.type === "boolean" ? (
+          <select
+            aria-label={label}
+            disabled={!live}
+            value={value}
+            onChange={(event) => put(Number(event.target.value))}
+          >
+            <option value={1}>{t("debug.yes")}</option>
+            <option value={0}>{t("debug.no")}</option>
+          </select>
+        ) : (
+          <NumberCell key={agent.name} label={label} value={value} object={object} live={live} put={put} />
+        )}
+      </td>
+      <td>
+        <Plot agent={agent.name} object={object} label={label} />
+      </td>
+      <td className="watch-force">
+        {forced ? (
+          <button
+            type="button"
+            data-testid={`release-${name}`}
+            title={t("debug.release-help")}
+            onClick={() => useRun.getState().force(agent.name, name, null)}
+          >
+            <Icon name="hand" size={14} />
+            {t("debug.release")}
+          </button>
+        ) : null}
+      </td>
+    </tr>
+  );
+}
+
+/** Shows the value; while it has the focus, what is typed. */
+function NumberCell({
+  label,
+  value,
+  object,
+  live,
+  put,
+}: {
+  label: string;
+  value: number;
+  object: RobotObject;
+  live: boolean;
+  put: (value: number) => void;
+}) {
+  const [typed, setTyped] = useState<string | null>(null);
+  const wanted = typed === null ? NaN : Number(typed);
+  const wrong = typed !== null && !(Number.isInteger(wanted) && wanted >= object.min && wanted <= object.max);
+  const keep = () => {
+    if (typed !== null && typed.trim() !== "" && !wrong && wanted !== value) put(wanted);
+    setTyped(null);
+  };
+  return (
+    <input
+      type="text"
+      inputMode="numeric"
+      aria-label={label}
+      aria-invalid={wrong}
+      title={`${String(object.min)} … ${String(object.max)}`}
+      disabled={!live}
+      value={typed ?? String(value)}
+      onFocus={(event) => {
+        setTyped(String(value));
+        event.target.select();
+      }}
+      onChange={(event) => setTyped(event.target.value)}
+      onBlur={keep}
+      onKeyDown={(event) => {
+        event.stopPropagation();
+        if (event.key === "Enter") {
+          keep();
+          event.currentTarget.blur();
+        } else if (event.key === "Escape") {
+          setTyped(null);
+        }
+      }}
+    />
+  );
+}
+
+function Plot({ agent, object, label }: { agent: string; object: RobotObject; label: string }) {
+  const tick = useRun((run) => run.tick);
+  const latest = useRun((run) => run.latest);
+  const path = useMemo(() => {
+    const series = seriesOf(samplesNow(), agent, object.name);
+    const from = series[0]?.[0] ?? 0;
+    const span = { from, to: Math.max(latest, tick, from + 1), least: object.min, most: object.max };
+    const now = ((tick - from) / (span.to - from)) * PLOT.width;
+    return { d: stepsPath(series, PLOT, span), now };
+  }, [agent, object, tick, latest]);
+  return (
+    <svg
+      className="watch-plot"
+      width={PLOT.width}
+      height={PLOT.height + 4}
+      role="img"
+      aria-label={t("debug.plot-of", { name: label })}
+    >
+      <g transform="translate(0 2)">
+        <path className="watch-now" d={`M${path.now.toFixed(1)} 0V${String(PLOT.height)}`} />
+        <path className="watch-line" d={path.d} />
+      </g>
+    </svg>
+  );
+}

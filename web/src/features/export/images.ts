@@ -1,0 +1,42 @@
+/** The program in view as a robot runs it: its image, and the listing of that as text. */
+import { api } from "../../api/client";
+import type { Image as Made } from "../../api/generated";
+import { t } from "../../i18n/words";
+import { programInView, useStudio } from "../../model/studio";
+import { complain, question } from "../../session/document";
+import { walkProblems } from "../../session/problem-walk";
+import { download } from "../../ui/download";
+
+/** Compiles it anew, so that what is kept is what is drawn; says it when there are errors. */
+async function make(keep: (name: string, made: Made) => void): Promise<void> {
+  const state = useStudio.getState();
+  const program = programInView(state);
+  if (program === undefined) return;
+  const { name } = program;
+  const { report, mission, file } = state;
+  if (report?.problems.some((problem) => problem.severity === "error" && problem.program === name)) {
+    const show = () => {
+      walkProblems(1);
+    };
+    question(t("out.no-image", { name }), [["out.show-problem", show]], "error", t("out.no-image-help"));
+    return;
+  }
+  try {
+    keep(name, await api.image(mission, file.path, name));
+  } catch (cause) {
+    complain(cause);
+  }
+}
+
+export function downloadImage(): Promise<void> {
+  return make((name, { image }) => {
+    const bytes = Uint8Array.from(atob(image), (letter) => letter.charCodeAt(0));
+    download(`${name}.kri`, bytes, "application/octet-stream");
+  });
+}
+
+export function downloadListing(): Promise<void> {
+  return make((name, { listing }) => {
+    download(`${name}.kra`, listing, "text/plain");
+  });
+}

@@ -1,0 +1,34 @@
+/** Files to keep and sheets to print; what makes them is fetched on demand. */
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import type { Feature } from "../../session/features";
+import { keyFor } from "../../session/key-table";
+import type { MenuEntries } from "../../session/menu-table";
+import { menuItem } from "../../ui/menu-model";
+import { preparePrinting, printSheet } from "./print";
+
+const pictures = () => import("./pictures");
+const images = () => import("./images");
+
+function useMenu(): MenuEntries {
+  const program = useStudio((studio) => studio.activeProgram);
+  const only = useStudio((studio) => studio.mission.programs.length === 1);
+  const kri = t("out.download-kri", { name: program });
+  const kra = t("out.download-kra", { name: program });
+  const all = t("out.export-pdf-all");
+  return {
+    image: [
+      menuItem("file-download-kri", kri, null, () => images().then((out) => out.downloadImage())),
+      menuItem("file-download-kra", kra, null, () => images().then((out) => out.downloadListing())),
+    ],
+    picture: [
+      menuItem("file-export-svg", t("file.export-svg"), null, () => pictures().then((out) => out.exportSvg())),
+      menuItem("file-export-png", t("file.export-png"), null, () => pictures().then((out) => out.exportPng())),
+      menuItem("file-export-pdf", t("out.export-pdf"), null, () => pictures().then((out) => out.exportPdf())),
+      menuItem("file-export-pdf-all", all, null, () => pictures().then((out) => out.exportPdfOfAll()), only),
+    ],
+    print: [menuItem("file-print", t("out.print"), keyFor.page("print"), printSheet)],
+  };
+}
+
+export const exporting: Feature = { name: "export", commands: { print: printSheet }, useMenu, start: preparePrinting };

@@ -1,0 +1,36 @@
+/** Under the teaching text of an empty program: examples to open instead. */
+import { t } from "../../i18n/words";
+import { show } from "../../session/document";
+import { openPath } from "../../session/open-requests";
+import { Card } from "./Card";
+import { useMissions } from "./missions";
+import "../../ui/sheets.css";
+
+const MOST = 4;
+
+/** The easiest ones, and the last: where it leads to. */
+function first<T>(all: readonly T[]): T[] {
+  return all.length <= MOST ? [...all] : [...all.slice(0, MOST - 1), ...all.slice(-1)];
+}
+
+export function Examples() {
+  const examples = first((useMissions() ?? []).filter((entry) => entry.example));
+  if (examples.length === 0) return null;
+  return (
+    <section className="examples" aria-label={t("open.examples")}>
+      <div className="gallery-head">
+        <h2>{t("examples.or")}</h2>
+        <button type="button" className="gallery-all" data-testid="all-examples" onClick={() => show("open")}>
+          {t("examples.all")}
+        </button>
+      </div>
+      <ul className="gallery">
+        {examples.map((entry) => (
+          <li key={entry.path}>
+            <Card entry={entry} brief choose={() => openPath(entry.path)} />
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

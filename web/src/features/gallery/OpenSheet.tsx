@@ -1,0 +1,145 @@
+/** The missions of the workspace and the examples, and a file of this computer. */
+import { useRef } from "react";
+
+import type { MissionEntry } from "../../api/generated";
+import { Card } from "./Card";
+import { Icon } from "../../theme";
+import { Slot } from "../../components/Slot";
+import { languageInUse, t } from "../../i18n/words";
+import { closeOverlay, show, shownName, useDocument } from "../../session/document";
+import { openFromComputer, openLeft, openPath } from "../../session/open-requests";
+import { useLeft, useMissions, useRecordings } from "./missions";
+import { Sheet } from "../../ui/Sheet";
+
+// One chunk: an empty program shows a few of what the sheet shows all of.
+export { Examples } from "./Examples";
+
+function open(entry: MissionEntry): void {
+  show(null);
+  openPath(entry.path);
+}
+
+interface EntryProps {
+  entry: { path: string; problem: string };
+  icon: "file" | "clapperboard";
+  title: string;
+}
+
+/** A file of the folder; one that cannot be opened says why. */
+function Entry({ entry: { path, problem }, icon, title }: EntryProps) {
+  const choose = () => {
+    show(null);
+    openPath(path);
+  };
+  return (
+    <li>
+      <button type="button" className="open-entry" data-path={path} disabled={problem !== ""} onClick={choose}>
+        <Icon name={problem === "" ? icon : "triangle-alert"} size={18} />
+        <span className="open-title" dir="auto" title={title}>
+          {title}
+        </span>
+        {problem === "" ? null : <span className="open-problem">{problem}</span>}
+        <span className="open-path" dir="auto" title={path}>
+          {path}
+        </span>
+      </button>
+    </li>
+  );
+}
+
+export function OpenSheet() {
+  const missions = useMissions();
+  const workspace = useDocument((document) => document.session?.workspace ?? "");
+  const chooser = useRef<HTMLInputElement>(null);
+  const recordings = useRecordings();
+  const left = useLeft();
+  const own = missions?.filter((entry) => !entry.example) ?? [];
+  const examples = missions?.filter((entry) => entry.example) ?? [];
+  return (
+    <Sheet title={t("open.title")} testId="open-dialog" wide onClose={closeOverlay}>
+      <div className="open-lists">
+        <Slot name="open-lists" />
+        {missions === null ? (
+          <p className="sheet-note">{t("open.loading")}</p>
+        ) : (
+          <>
+            {left.length === 0 ? null : (
+              <>
+                <h3>{t("journal.list")}</h3>
+                <ul data-testid="open-left">
+                  {left.map(({ journal, path, name, modified }) => (
+                    <li key={journal}>
+                      <button
+                        type="button"
+                        className="open-entry"
+                        onClick={() => {
+                          show(null);
+                          openLeft(journal);
+                        }}
+                      >
+                        <Icon name="file" size={18} />
+                        <span className="open-title">{shownName(name)}</span>
+                        <span className="open-path">
+                          {path} {new Date(modified).toLocaleString(languageInUse())}
+                        </span>
+                      </button>
+                    </li>
+                  ))}
+                </ul>
+              </>
+            )}
+            <h3>{t("open.workspace", { folder: workspace })}</h3>
+            {own.length === 0 ? <p className="sheet-note">{t("open.workspace-empty")}</p> : null}
+            <ul>
+              {own.map((entry) => (
+                <Entry key={entry.path} entry={entry} icon="file" title={entry.title || entry.name} />
+              ))}
+            </ul>
+            {recordings.length === 0 ? null : (
+              <>
+                <h3>{t("recording.list", { folder: workspace })}</h3>
+                <ul data-testid="open-recordings">
+                  {recordings.map((entry) => (
+                    <Entry key={entry.path} entry={entry} icon="clapperboard" title={entry.name} />
+                  ))}
+                </ul>
+              </>
+            )}
+            {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
+            <ul className="gallery">
+              {examples.map((entry) => (
+                <li key={entry.path}>
+                  <Card entry={entry} choose={() => open(entry)} />
+                </li>
+              ))}
+            </ul>
+          </>
+        )}
+      </div>
+      <div className="sheet-foot">
+        <input
+          ref={chooser}
+          className="only-spoken"
+          type="file"
+          accept=".krt,.krtrace,.xml,.svg,.png,.pdf"
+          tabIndex={-1}
+          aria-hidden="true"
+          data-testid="open-file"
+          onChange={(event) => {
+            const file = event.target.files?.[0];
+            if (file === undefined) return;
+            show(null);
+            openFromComputer(file);
+          }}
+        />
+        <button type="button" className="button" onClick={() => chooser.current?.click()}>
+          <Icon name="upload" size={16} />
+          {t("open.computer")}
+        </button>
+        <button type="button" className="button" onClick={() => show(null)}>
+          {t("open.cancel")}
+        </button>
+      </div>
+    </Sheet>
+  );
+}

@@ -1,0 +1,19 @@
+/** What can be opened: missions of the folder, examples, recordings, work that was left. */
+import { complain, show } from "../../session/document";
+import type { Feature } from "../../session/features";
+import { later } from "../../ui/later";
+
+const Examples = later(() => import("./OpenSheet").then((chunk) => chunk.Examples), complain);
+const OpenSheet = later(
+  () => import("./OpenSheet").then((chunk) => chunk.OpenSheet),
+  (cause) => {
+    show(null);
+    complain(cause);
+  },
+);
+
+export const gallery: Feature = {
+  name: "gallery",
+  panels: { "empty-program": Examples },
+  sheets: { open: OpenSheet },
+};

@@ -1,0 +1,159 @@
+/**
+ * Files that a person drops or chooses: parts go beside the mission, anything else is opened.
+ *
+ * Files go one after another, since one of them may need an answer: whether it may replace another of its name. What became
+ * of all of them is said at the end, in one banner.
+ */
+import { ApiError } from "../../api/client";
+import type { PartsFile } from "../../api/generated";
+import { partsApi } from "../../api/parts";
+import { languageInUse, t } from "../../i18n/words";
+import { changeWorld, sameWorld } from "../../model/commands/changeWorld";
+import { useStudio } from "../../model/studio";
+import { addProgramFor } from "../../session/actions";
+import { type BannerAction, dismissBanner, question, useDocument } from "../../session/document";
+import { openFromComputer } from "../../session/open-requests";
+import { useProblemList } from "../../session/problem-walk";
+import { openTeam } from "../../session/team-view";
+import { readParts } from "../../session/world-files";
+
+const MOST_MB = 4;
+const LOOKED_AT = 4096;
+
+/** Whether a file is XML, and no mission: those are opened. */
+async function holdsParts(file: File): Promise<boolean> {
+  if (!/\.xml$/i.test(file.name)) return false;
+  try {
+    return !/<kitrobot[\s>]/.test(await file.slice(0, LOOKED_AT).text());
+  } catch {
+    return true;
+  }
+}
+
+export async function takeFiles(files: readonly File[]): Promise<void> {
+  const parts: File[] = [];
+  const others: File[] = [];
+  for (const file of files) ((await holdsParts(file)) ? parts : others).push(file);
+  if (parts.length > 0) await takeParts(parts);
+  // One mission is open at a time: the first file that may be one.
+  const first = others.find((file) => /\.(krt|krtrace|svg|png|pdf)$/i.test(file.name)) ?? others[0];
+  if (first !== undefined) openFromComputer(first);
+}
+
+/** Lets the person choose files of parts. */
+export function chooseParts(): void {
+  const input = document.createElement("input");
+  input.type = "file";
+  input.multiple = true;
+  input.accept = ".xml,application/xml,text/xml";
+  input.addEventListener("change", () => void takeParts([...(input.files ?? [])]));
+  input.click();
+}
+
+async function takeParts(files: readonly File[]): Promise<void> {
+  const added: PartsFile[] = [];
+  const refused: { message: string; help: string }[] = [];
+  for (const file of files) {
+    try {
+      const found = await take(file);
+      if (found !== null) added.push(found);
+    } catch (cause) {
+      const [message, help] = cause instanceof ApiError ? [cause.message, cause.help] : [String(cause), ""];
+      refused.push({ message, help });
+    }
+  }
+  if (added.length > 0) await readParts();
+  tell(added, refused);
+}
+
+/** Puts one file beside the mission; null when the person would rather keep what is there. */
+async function take(file: File): Promise<PartsFile | null> {
+  const { name } = file;
+  if (file.size > MOST_MB * 1024 * 1024) {
+    throw new ApiError(t("parts.too-large", { file: name, most: MOST_MB }), t("parts.too-large-help"));
+  }
+  let bytes: ArrayBuffer;
+  try {
+    bytes = await file.arrayBuffer();
+  } catch {
+    throw new ApiError(t("parts.unreadable", { file: name }));
+  }
+  const { path } = useStudio.getState().file;
+  try {
+    return await partsApi.add(path, name, bytes);
+  } catch (cause) {
+    if (!(cause instanceof ApiError) || cause.status !== 409) throw cause;
+    return (await mayReplace(name)) ? partsApi.add(path, name, bytes, cause.revision) : null;
+  }
+}
+
+/** Asks; a question that is overtaken by another banner is answered with no. */
+function mayReplace(file: string): Promise<boolean> {
+  return new Promise((resolve) => {
+    question(t("parts.taken", { file }), [
+      ["parts.replace", () => resolve(true)],
+      ["parts.leave", () => resolve(false)],
+    ]);
+    const asked = useDocument.getState().banner;
+    const off = useDocument.subscribe(({ banner }) => {
+      if (banner === asked) return;
+      off();
+      // The answer itself comes first: it takes the banner away and then resolves.
+      setTimeout(() => resolve(false));
+    });
+  });
+}
+
+function listed(names: readonly string[]): string {
+  return new Intl.ListFormat(languageInUse(), { type: "conjunction" }).format(names);
+}
+
+function wordsFor({ file, kind, names, known }: PartsFile): string {
+  if (names.length === 0) return t("parts.added-broken", { file });
+  if (known) return t("parts.added-known", { file });
+  const holes = { names: listed(names.slice(0, 6)), count: names.length };
+  return t(`parts.added-${kind}`, holes);
+}
+
+/** What a person most likely does next with a part. */
+function nextFor({ file, kind, names }: PartsFile): BannerAction[] {
+  const { mission } = useStudio.getState();
+  const [name] = names;
+  const action = (label: string, run: () => void) => ({
+    label,
+    run: () => {
+      dismissBanner();
+      run();
+    },
+  });
+  if (name === undefined) {
+    return [action(t("parts.see-problems"), () => useProblemList.setState({ open: true }))];
+  }
+  if (kind === "robot" && !mission.programs.some((program) => program.robot === name)) {
+    return [action(t("parts.write-program"), () => addProgramFor(name))];
+  }
+  if (kind === "world" && !sameWorld(mission.world, file)) {
+    return [
+      action(t("parts.use-world"), () => {
+        const command = changeWorld(useStudio.getState().mission, file);
+        if (command !== null) useStudio.getState().execute(command);
+        openTeam();
+      }),
+    ];
+  }
+  return [];
+}
+
+function tell(added: readonly PartsFile[], refused: readonly { message: string; help: string }[]): void {
+  if (added.length === 0 && refused.length === 0) return;
+  const good = added.map(wordsFor).join(" ");
+  const [only] = added;
+  const actions = added.length === 1 && only !== undefined ? nextFor(only) : [];
+  if (refused.length === 0) {
+    useDocument.setState({ banner: { kind: "note", message: good, help: "", actions } });
+    return;
+  }
+  const message = refused.map((one) => one.message).join(" ");
+  const help = [refused[0]?.help ?? "", good].filter((words) => words !== "").join(" ");
+  useDocument.setState({ banner: { kind: "error", message, help, actions } });
+}

@@ -1,0 +1,161 @@
+/** The rows of a block: one for each value that is typed in, one for each slot, and below a slot what fills it. */
+import { t } from "../../i18n/words";
+import type { Command } from "../../model/command";
+import { deleteParts } from "../../model/commands/deleteParts";
+import { insertPart } from "../../model/commands/insertPart";
+import { replaceElement } from "../../model/commands/replaceElement";
+import { fieldOf, type Field, fits, type Plug, type Shape, title } from "../../model/parts";
+import type { Block } from "../../model/structure";
+import { useStudio } from "../../model/studio";
+import { text } from "../../model/texts";
+import type { Spot } from "../../model/tree";
+import { wordsOf } from "../../model/words";
+import type { Drawing } from "../../session/drawing";
+import { Icon } from "../../theme";
+import { FieldRow } from "./FieldRow";
+
+/** Runs a command and leaves the selection where it is. */
+function runHere(command: Command | null): void {
+  const { execute, selection } = useStudio.getState();
+  if (command !== null) execute({ ...command, selects: selection });
+}
+
+export function BlockEditor({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
+  const { block } = spot;
+  const plug = spot.kind === "slot" ? spot.owner.block.shape.plugs.find((one) => one.name === spot.slot) : undefined;
+  return (
+    <div className="inspector-rows">
+      {spot.kind === "slot" && plug !== undefined && plug.accepts !== "action" ? (
+        <SlotRow drawing={drawing} owner={spot.owner.block} plug={plug} label={t("inspector.method")} />
+      ) : null}
+      <Rows drawing={drawing} block={block} />
+    </div>
+  );
+}
+
+function Rows({ drawing, block }: { drawing: Drawing; block: Block }) {
+  const { shape } = block;
+  const slots = shape.plugs.filter((plug) => fieldOf(shape, plug.name) === undefined);
+  return (
+    <>
+      {shape.fields.map((field) => (
+        <ValueRow key={field.name} drawing={drawing} block={block} field={field} />
+      ))}
+      {slots.map((plug) => (
+        <SlotRow key={plug.name} drawing={drawing} owner={block} plug={plug} label={text(plug.label, plug.name)}>
+          <Filler drawing={drawing} owner={block} plug={plug} />
+        </SlotRow>
+      ))}
+    </>
+  );
+}
+
+/** What fills a slot, indented under it. */
+function Filler({ drawing, owner, plug }: { drawing: Drawing; owner: Block; plug: Plug }) {
+  const filler = owner.plugs.find((one) => one.slot === plug.name)?.block ?? null;
+  if (filler === null || (filler.shape.fields.length === 0 && filler.shape.plugs.length === 0)) return null;
+  return (
+    <div className="inspector-inner">
+      <Rows drawing={drawing} block={filler} />
+    </div>
+  );
+}
+
+/** A value: typed in, or what is plugged in its place. */
+function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; field: Field }) {
+  const { program, parts } = drawing;
+  const filler = block.plugs.find((plug) => plug.slot === field.name)?.block ?? null;
+  if (filler === null) return <FieldRow drawing={drawing} vertex={block.vertex} field={field} />;
+  return (
+    <div className="inspector-row">
+      <span className="inspector-label">{text(field.label, field.name)}</span>
+      <span className="inspector-plugged">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
+      <button
+        type="button"
+        className="inspector-small"
+        aria-label={t("inspector.type-instead")}
+        title={t("inspector.type-instead")}
+        onClick={() => {
+          runHere(deleteParts(program, parts, [filler.vertex.id]));
+        }}
+      >
+        <Icon name="x" />
+      </button>
+    </div>
+  );
+}
+
+interface SlotRowProps {
+  drawing: Drawing;
+  owner: Block;
+  plug: Plug;
+  label: string;
+  children?: React.ReactNode;
+}
+
+/** A slot with the list of everything that fits it. */
+function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
+  const { program, parts } = drawing;
+  const filler = owner.plugs.find((one) => one.slot === plug.name)?.block ?? null;
+  const known = parts.all.filter((shape) => fits(shape, plug));
+  const choose = (element: string) => {
+    if (element === "") {
+      if (filler !== null) runHere(deleteParts(program, parts, [filler.vertex.id]));
+      return;
+    }
+    const shape = parts.shape(element);
+    const swaps = filler?.shape.kind === "method" && shape.kind === "method";
+    const place = { kind: "slot", vertex: owner.vertex.id, slot: plug.name } as const;
+    runHere(
+      swaps ? replaceElement(program, parts, filler.vertex.id, element) : insertPart(program, parts, place, element),
+    );
+  };
+  return (
+    <>
+      <label className="inspector-row">
+        <span className="inspector-label">{label}</span>
+        <select
+          data-inspector-field=""
+          data-testid={`choose-${owner.vertex.id}.${plug.name}`}
+          value={filler?.shape.element ?? ""}
+          onChange={(event) => {
+            choose(event.target.value);
+          }}
+        >
+          <option value="">{filler === null ? t("inspector.choose") : t("inspector.clear")}</option>
+          {groupsOf(known).map(([group, shapes]) => (
+            <optgroup key={group} label={group}>
+              {shapes.map((shape) => (
+                <option key={shape.element} value={shape.element}>
+                  {optionWords(shape)}
+                </option>
+              ))}
+            </optgroup>
+          ))}
+          {filler !== null && !known.includes(filler.shape) ? (
+            <option value={filler.shape.element}>{filler.shape.element}</option>
+          ) : null}
+        </select>
+      </label>
+      {children}
+    </>
+  );
+}
+
+function groupsOf(shapes: Shape[]): [string, Shape[]][] {
+  const groups = new Map<string, Shape[]>();
+  for (const shape of shapes) {
+    const { object } = shape;
+    const group = object === null ? (shape.constructor_?.group ?? "") : text(object.label, object.name);
+    groups.set(group, [...(groups.get(group) ?? []), shape]);
+  }
+  return [...groups];
+}
+
+/** A test as it will read, its numbers still open: "Sign = …". */
+function optionWords(shape: Shape): string {
+  const phrase = text(shape.method?.phrase ?? {});
+  if (phrase === "" || shape.object === null) return title(shape);
+  const object = text(shape.object.label, shape.object.name);
+  return phrase.replace(/\{([^}]*)\}/g, (_, hole: string) => (hole === "object" ? object : "…"));
+}

@@ -1,0 +1,69 @@
+/** What can be set on the selected part. */
+import "./inspector.css";
+
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { findSpot } from "../../model/tree";
+import { complain } from "../../session/document";
+import { useDrawing } from "../../session/drawing";
+import { Icon } from "../../theme";
+import { later } from "../../ui/later";
+import { Tools } from "./Tools";
+
+const Part = later(() => import("./Part").then((chunk) => chunk.Part), complain);
+
+export function Inspector() {
+  const drawing = useDrawing();
+  const selection = useStudio((state) => state.selection);
+  const [id] = selection;
+  if (drawing === null || id === undefined) return <Nothing />;
+  if (selection.length > 1) return <Many count={selection.length} />;
+  const { start, stop } = drawing.structure;
+  if (id === start?.id) return <Terminal name={t("graph.start")} help={t("inspector.start")} />;
+  if (id === stop?.id) return <Terminal name={t("graph.stop")} help={t("inspector.stop")} />;
+  const spot = findSpot(drawing.structure, id);
+  return spot === undefined ? (
+    <Nothing />
+  ) : (
+    <Part key={`${drawing.program.name} ${id}`} drawing={drawing} spot={spot} />
+  );
+}
+
+function Nothing() {
+  return (
+    <div className="inspector">
+      <header className="inspector-head">
+        <h2>{t("inspector.title")}</h2>
+      </header>
+      <div className="inspector-nothing">
+        <Icon name="mouse-pointer-2" size={18} />
+        <p>
+          <strong>{t("inspector.nothing")}</strong>
+          {t("inspector.nothing-help")}
+        </p>
+      </div>
+    </div>
+  );
+}
+
+function Terminal({ name, help }: { name: string; help: string }) {
+  return (
+    <div className="inspector">
+      <header className="inspector-head">
+        <h2>{name}</h2>
+      </header>
+      <p className="inspector-help">{help}</p>
+    </div>
+  );
+}
+
+function Many({ count }: { count: number }) {
+  return (
+    <div className="inspector">
+      <header className="inspector-head">
+        <h2>{t("inspector.many", { count })}</h2>
+        <Tools />
+      </header>
+    </div>
+  );
+}

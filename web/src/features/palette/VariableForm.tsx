@@ -1,0 +1,177 @@
+/** A variable as a form at the foot of the palette: for a new one, or for one of the mission's that is to be otherwise. */
+import { type FormEvent, useEffect, useId, useRef, useState } from "react";
+
+import { ApiError } from "../../api/client";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { text } from "../../model/texts";
+import { keepVariable, ownVariable, useVariables } from "../../session/variables";
+import { Icon } from "../../theme";
+
+const USUAL = { type: "integer", min: "0", max: "100", initial: "0", shared: false } as const;
+
+interface Typed {
+  name: string;
+  type: "integer" | "boolean";
+  min: string;
+  max: string;
+  initial: string;
+  shared: boolean;
+}
+
+function begin(robot: string, was: string, name: string): Typed {
+  const own = was === "" ? undefined : ownVariable({ robot, name: was });
+  if (own === undefined) return { ...USUAL, name };
+  const { type, min, max, initial, shared } = own;
+  return type === "boolean"
+    ? { ...USUAL, name, type, initial: String(initial), shared }
+    : { name, type, min: String(min), max: String(max), initial: String(initial), shared };
+}
+
+export function VariableForm({ robot, was, name }: { robot: string; was: string; name: string }) {
+  const [typed, setTyped] = useState(() => begin(robot, was, name));
+  const [why, setWhy] = useState("");
+  const [back] = useState(() => document.activeElement);
+  const label = useStudio((studio) => studio.catalogue.robots.find((one) => one.name === robot)?.label);
+  const first = useRef<HTMLInputElement>(null);
+  const id = useId();
+  const isNumber = typed.type === "integer";
+
+  useEffect(() => {
+    first.current?.focus();
+    first.current?.select();
+  }, []);
+
+  const close = () => {
+    useVariables.setState({ form: null });
+    if (back instanceof HTMLElement && back.isConnected) back.focus();
+  };
+  const change = (part: Partial<Typed>) => {
+    setWhy("");
+    setTyped((before) => ({ ...before, ...part }));
+  };
+  const keep = async () => {
+    const numbers = [typed.min, typed.max, typed.initial].map((one) => one.trim());
+    if (isNumber && !numbers.every((one) => /^[-+]?\d{1,9}$/.test(one))) {
+      setWhy(t("variable.whole"));
+      return;
+    }
+    const [min = 0, max = 1, initial = 0] = isNumber ? numbers.map(Number) : [0, 1, typed.initial === "0" ? 0 : 1];
+    try {
+      await keepVariable({ robot, was, name: typed.name, type: typed.type, min, max, initial, shared: typed.shared });
+      if (was === "") useVariables.setState({ form: null });
+      else close();
+    } catch (cause) {
+      setWhy(cause instanceof ApiError ? `${cause.message} ${cause.help}` : String(cause));
+    }
+  };
+  const title = was === "" ? t("variable.new") : t("variable.change", { name: was });
+  const number = (part: "min" | "max" | "initial", words: string) => (
+    <label>
+      <span className="field-label">{words}</span>
+      <input
+        className="field"
+        inputMode="numeric"
+        dir="ltr"
+        data-testid={`variable-${part}`}
+        value={typed[part]}
+        onChange={(event) => change({ [part]: event.target.value })}
+      />
+    </label>
+  );
+
+  return (
+    <form
+      className="variable-form"
+      data-testid="variable-form"
+      aria-labelledby={`${id}-title`}
+      onSubmit={(event: FormEvent) => {
+        event.preventDefault();
+        void keep();
+      }}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape") return;
+        event.preventDefault();
+        event.stopPropagation();
+        close();
+      }}
+    >
+      <h2 id={`${id}-title`}>{title}</h2>
+      <p>{t("variable.of", { robot: text(label ?? {}, robot) })}</p>
+      <label>
+        <span className="field-label">{t("variable.name")}</span>
+        <input
+          className="field"
+          ref={first}
+          dir="auto"
+          spellCheck={false}
+          autoComplete="off"
+          data-testid="variable-name"
+          aria-invalid={why !== ""}
+          aria-describedby={`${id}-why`}
+          value={typed.name}
+          onChange={(event) => change({ name: event.target.value })}
+        />
+      </label>
+      <label>
+        <span className="field-label">{t("variable.type")}</span>
+        <select
+          className="field"
+          data-testid="variable-type"
+          value={typed.type}
+          onChange={(event) => change({ type: event.target.value as Typed["type"], initial: "0" })}
+        >
+          <option value="integer">{t("variable.integer")}</option>
+          <option value="boolean">{t("variable.boolean")}</option>
+        </select>
+      </label>
+      <div className="variable-numbers">
+        {isNumber ? (
+          <>
+            {number("min", t("variable.from"))}
+            {number("max", t("variable.to"))}
+            {number("initial", t("variable.initial"))}
+          </>
+        ) : (
+          <label>
+            <span className="field-label">{t("variable.initial")}</span>
+            <select
+              className="field"
+              data-testid="variable-initial"
+              value={typed.initial}
+              onChange={(event) => change({ initial: event.target.value })}
+            >
+              <option value="0">{t("variable.no")}</option>
+              <option value="1">{t("variable.yes")}</option>
+            </select>
+          </label>
+        )}
+      </div>
+      <label className="variable-shared">
+        <input
+          type="checkbox"
+          data-testid="variable-shared"
+          checked={typed.shared}
+          onChange={(event) => change({ shared: event.target.checked })}
+        />
+        {t("variable.shared")}
+      </label>
+      <p className="variable-why" id={`${id}-why`} role="alert" data-testid="variable-why">
+        {why === "" ? null : (
+          <>
+            <Icon name="triangle-alert" size={14} /> <Said text={why} />
+          </>
+        )}
+      </p>
+      <div className="variable-foot">
+        <button type="button" className="button" data-testid="variable-cancel" onClick={close}>
+          {t("variable.cancel")}
+        </button>
+        <button type="submit" className="button variable-keep" data-testid="variable-keep">
+          {t(was === "" ? "variable.add" : "variable.keep")}
+        </button>
+      </div>
+    </form>
+  );
+}

@@ -1,0 +1,114 @@
+/** The list of problems above the bottom bar, a piece of it at a time; fetched when it is opened first. */
+import { useEffect, useRef, useState } from "react";
+
+import { grouped } from "../../i18n/numbers";
+import { Said } from "../../i18n/Said";
+import { sentence, t } from "../../i18n/words";
+import type { Problem } from "../../model/types";
+import { applyFix, canFix } from "../../session/fixes";
+import { goTo, useProblemList, useProblems } from "../../session/problem-walk";
+import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
+
+/** Mends the problem that F8 is at. */
+const FIX_KEY = "Ctrl+.";
+/** So many rows come at once: a file can have a problem in each of its lines. */
+const ROWS = 200;
+const SHAPES = { error: "octagon-x", warning: "triangle-alert", hint: "lightbulb" } as const;
+
+function Row({ problem, index, at }: { problem: Problem; index: number; at: number }) {
+  const button = useRef<HTMLButtonElement>(null);
+  const current = index === at;
+  useEffect(() => {
+    if (current) button.current?.scrollIntoView({ block: "nearest" });
+  }, [current]);
+  const place = problem.program !== "" ? problem.program : (problem.file.split(/[\\/]/).at(-1) ?? "");
+  return (
+    <li className="problem-row">
+      <button
+        type="button"
+        ref={button}
+        className="problem"
+        data-testid={`problem-${String(index + 1)}`}
+        aria-current={current}
+        onClick={() => {
+          useProblemList.setState({ at: index });
+          goTo(problem);
+        }}
+      >
+        <Icon
+          name={SHAPES[problem.severity]}
+          size={16}
+          label={t(`problems.${problem.severity}`)}
+          className={`problem-${problem.severity}`}
+        />
+        <span className="problem-words">
+          <span className="problem-message">
+            <Said text={sentence(problem.message)} />
+          </span>
+          {problem.help === "" ? null : (
+            <span className="problem-help">
+              <Said text={sentence(problem.help)} />
+            </span>
+          )}
+        </span>
+        <span className="problem-place">
+          {place}
+          {problem.line > 0 ? `:${String(problem.line)}` : ""}
+        </span>
+        <code className="problem-code">{problem.code}</code>
+      </button>
+      {canFix(problem) ? (
+        <button
+          type="button"
+          className="problem-fix"
+          data-testid={`fix-${String(index + 1)}`}
+          title={`${t("problems.fix")} (${FIX_KEY})`}
+          aria-label={t("problems.fix-this", { message: sentence(problem.message) })}
+          onClick={() => applyFix(problem)}
+        >
+          <Icon name="wrench" size={14} />
+          {t("problems.fix")}
+        </button>
+      ) : null}
+    </li>
+  );
+}
+
+export function ProblemList() {
+  const problems = useProblems();
+  const at = useProblemList((list) => list.at);
+  const [shown, setShown] = useState(ROWS);
+  const count = Math.max(shown, Math.ceil((at + 1) / ROWS) * ROWS);
+  const left = problems.length - count;
+  return (
+    <>
+      <header className="problem-head">
+        <h2>{problems.length === 0 ? t("problems.title") : t("problems.count", { count: problems.length })}</h2>
+        <Tool
+          small
+          icon="x"
+          label={t("problems.close")}
+          titled={false}
+          onClick={() => useProblemList.setState({ open: false })}
+        />
+      </header>
+      {problems.length === 0 ? (
+        <p className="problem-none">{t("problems.none")}</p>
+      ) : (
+        <ol>
+          {problems.slice(0, count).map((problem, index) => (
+            <Row key={`${problem.code} ${String(index)}`} problem={problem} index={index} at={at} />
+          ))}
+          {left > 0 ? (
+            <li>
+              <button type="button" className="problem-more" onClick={() => setShown(count + ROWS)}>
+                {t("problems.more", { count: Math.min(ROWS, left), all: grouped(left) })}
+              </button>
+            </li>
+          ) : null}
+        </ol>
+      )}
+    </>
+  );
+}

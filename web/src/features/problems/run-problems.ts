@@ -1,0 +1,22 @@
+/**
+ * A run that could not start, or ended before anything could be seen, says why: the list of problems opens, at the first
+ * of them. They were true of the mission that was to run; once that is edited the checker's own report says what is left
+ * of them.
+ */
+import { useStudio } from "../../model/studio";
+import { useProblemList } from "../../session/problem-walk";
+import { useRun } from "../../session/run";
+
+/** Watches for it; the returned function ends that. */
+export function showRunProblems(): () => void {
+  const offRun = useRun.subscribe((run, before) => {
+    if (run.problems !== before.problems && run.problems.length > 0) useProblemList.setState({ open: true, at: 0 });
+  });
+  const offMission = useStudio.subscribe((state, before) => {
+    if (state.mission !== before.mission && useRun.getState().problems.length > 0) useRun.setState({ problems: [] });
+  });
+  return () => {
+    offRun();
+    offMission();
+  };
+}

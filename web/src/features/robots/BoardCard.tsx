@@ -1,0 +1,355 @@
+/** One robot in the panel: where it is, which program goes there, what it does, and all that can be done with it. */
+import { useId } from "react";
+
+import { StateShape } from "../../components/StateShape";
+import { useStudio } from "../../model/studio";
+import { useWatch } from "../../session/watching";
+import { useProblemList } from "../../session/problem-walk";
+import { Icon } from "../../theme";
+import { Said } from "../../i18n/Said";
+import { clock, grouped } from "../../i18n/numbers";
+import { t } from "../../i18n/words";
+import {
+  cancelSending,
+  chooseProgram,
+  connectBoard,
+  disconnectBoard,
+  goToFault,
+  identify,
+  isCurrent,
+  removeAddress,
+  runOn,
+  sendTo,
+  stopBoard,
+} from "./actions";
+import { isMine, type Place, programFor, useBoards } from "./boards";
+import { playRecording, saveRecording } from "./recording";
+import type { Board } from "./wire";
+
+interface ActProps {
+  icon: string;
+  label: string;
+  testId: string;
+  onPress: () => void;
+  ink?: boolean;
+  disabled?: boolean;
+  title?: string;
+}
+
+function Act({ icon, label, testId, onPress, ink = false, disabled = false, title }: ActProps) {
+  return (
+    <button
+      type="button"
+      className={ink ? "button button-ink" : "button"}
+      data-testid={testId}
+      disabled={disabled}
+      title={title}
+      onClick={onPress}
+    >
+      <Icon name={icon} size={14} />
+      {label}
+    </button>
+  );
+}
+
+function SmallTool({
+  icon,
+  label,
+  testId,
+  onPress,
+}: {
+  icon: string;
+  label: string;
+  testId: string;
+  onPress: () => void;
+}) {
+  return (
+    <button
+      type="button"
+      className="tool small"
+      aria-label={label}
+      title={label}
+      data-testid={testId}
+      onClick={onPress}
+    >
+      <Icon name={icon} size={16} />
+    </button>
+  );
+}
+
+const SHAPES = { none: "idle", ready: "idle", running: "running", ended: "idle", fault: "failed" } as const;
+
+/** A number that keeps its order of digits in a script that runs the other way. */
+function isolated(number: string): string {
+  return `\u2066${number}\u2069`;
+}
+
+/** What it does, in a word. */
+function stateWords(board: Board | null): string {
+  if (board === null || board.phase === "closed") return t("boards.state-closed");
+  if (board.phase === "open") {
+    if (board.state === "running") return t(board.held ? "boards.state-held" : "boards.state-free");
+    return t(`boards.state-${board.state}`);
+  }
+  return t(`boards.state-${board.phase}`);
+}
+
+/** State, program on it, memory, clock. */
+function Stands({ board }: { board: Board }) {
+  const open = board.phase === "open";
+  const named = board.program !== "" || board.installed === "" || board.installed === "-";
+  return (
+    <p className="robot-stands" data-testid="robot-state" data-phase={board.phase} data-state={board.state}>
+      <span role="status">{stateWords(board)}</span>
+      {open && board.program !== "" ? <span>{board.program}</span> : null}
+      {open && !named ? <span>{t("boards.other-program")}</span> : null}
+      {open ? <span>{t("boards.free", { bytes: isolated(grouped(board.free)) })}</span> : null}
+      {open && board.program !== "" && board.tick > 0 ? <span>{clock(board.seconds)}</span> : null}
+    </p>
+  );
+}
+
+function Progress({ board }: { board: Board }) {
+  const label = useId();
+  if (board.phase !== "sending") return null;
+  const { step, done, total } = board.progress ?? { step: "connect" as const, done: 0, total: 0 };
+  return (
+    <div className="robot-progress" data-testid="robot-progress">
+      <span id={label}>{t(`boards.step-${step}`)}</span>
+      <progress aria-labelledby={label} value={total > 0 ? done : undefined} max={Math.max(total, 1)} />
+      <Act icon="x" label={t("boards.cancel")} testId="robot-cancel" onPress={() => cancelSending(board.address)} />
+    </div>
+  );
+}
+
+function Fault({ board }: { board: Board }) {
+  const { fault } = board;
+  if (fault === null) return null;
+  const place = fault.line > 0 ? t("boards.fault-line", { line: fault.line }) : "";
+  return (
+    <div className="robot-trouble" role="alert" data-testid="robot-fault">
+      <Icon name="octagon-x" size={16} />
+      <p>
+        <strong>
+          {t("boards.fault", { number: fault.number })} <Said text={fault.sentence} />
+        </strong>
+        {fault.text === "" ? null : <code className="robot-text">{fault.text}</code>}
+        {fault.vertex === "" ? null : (
+          <button
+            type="button"
+            className="robot-link"
+            data-testid="robot-fault-vertex"
+            onClick={() => goToFault(board.address)}
+          >
+            {t("boards.fault-where", { program: fault.program, place })}
+          </button>
+        )}
+      </p>
+    </div>
+  );
+}
+
+/** What went wrong with the link or the sending, in the server's words. */
+function Trouble({ address, board }: { address: string; board: Board | null }) {
+  const refused = useBoards((state) => state.refused[address]);
+  const said = refused ?? (board !== null && board.message !== "" ? { ...board, problems: [] } : null);
+  if (said === null) return null;
+  const [first] = said.problems;
+  return (
+    <div className="robot-trouble" role="alert" data-testid="robot-trouble">
+      <Icon name="triangle-alert" size={16} />
+      <p>
+        <strong>
+          <Said text={said.message} />
+        </strong>{" "}
+        <Said text={said.help} />
+        {first === undefined ? null : (
+          <button
+            type="button"
+            className="robot-link"
+            data-testid="robot-problems"
+            onClick={() => useProblemList.setState({ open: true, at: 0 })}
+          >
+            {t("boards.problems", { count: said.problems.length })}
+          </button>
+        )}
+        {refused !== undefined || board === null || board.way === "" ? null : (
+          <button
+            type="button"
+            className="robot-link"
+            data-testid={`robot-${board.way}`}
+            onClick={() => sendTo(address, "ready", board.way)}
+          >
+            {t(`boards.${board.way}`)}
+          </button>
+        )}
+      </p>
+    </div>
+  );
+}
+
+function Program({ address, disabled }: { address: string; disabled: boolean }) {
+  const programs = useStudio((studio) => studio.mission.programs);
+  const open = useStudio((studio) => studio.activeProgram);
+  const state = useBoards();
+  const names = programs.map(({ name }) => name);
+  return (
+    <label className="robot-program">
+      <span>{t("boards.program")}</span>
+      <select
+        data-testid="robot-program"
+        disabled={disabled}
+        value={programFor(state, address, names, open)}
+        onChange={(event) => chooseProgram(address, event.target.value)}
+      >
+        {names.map((name) => (
+          <option key={name}>{name}</option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+function Acts({ place: { address, board } }: { place: Place }) {
+  // What is drawn changes whether the robot has it.
+  useStudio(({ mission }) => mission);
+  const current = isCurrent(address);
+  const running = board?.phase === "open" && board.state === "running";
+  const open = board?.phase === "open";
+  if (board?.phase === "sending" || board?.phase === "connecting") return null;
+  return (
+    <div className="robot-acts">
+      {board?.phase === "lost" ? (
+        <Act
+          ink
+          icon="refresh-cw"
+          label={t("boards.reconnect")}
+          testId="robot-reconnect"
+          onPress={() => connectBoard(address)}
+        />
+      ) : null}
+      {running ? (
+        <Act ink icon="square" label={t("boards.stop")} testId="robot-stop" onPress={() => stopBoard(address)} />
+      ) : (
+        <Act
+          ink={board?.phase !== "lost"}
+          icon="play"
+          label={t("boards.run")}
+          testId="robot-run"
+          title={t(current ? "boards.run-again-help" : "boards.run-help")}
+          onPress={() => runOn(address)}
+        />
+      )}
+      {board === null || board.phase === "closed" ? (
+        <Act icon="radio" label={t("boards.connect")} testId="robot-connect" onPress={() => connectBoard(address)} />
+      ) : null}
+      {!running ? (
+        <Act
+          icon="upload"
+          label={t("boards.send")}
+          testId="robot-send"
+          title={t("boards.send-help")}
+          onPress={() => sendTo(address, "ready")}
+        />
+      ) : null}
+      {open && !(running && !board.held) ? (
+        <Act
+          icon="log-out"
+          label={t("boards.let-go")}
+          testId="robot-free"
+          title={t("boards.let-go-help")}
+          onPress={() => runOn(address, false)}
+        />
+      ) : null}
+      {running && board.program !== "" ? (
+        <Act icon="eye" label={t("debug.watch")} testId="robot-watch" onPress={() => useWatch.getState().show(true)} />
+      ) : null}
+    </div>
+  );
+}
+
+/** What its last run left behind, or the one that is on so far. */
+function Recorded({ board }: { board: Board | null }) {
+  if (board?.recorded !== true || board.phase === "sending") return null;
+  return (
+    <div className="robot-acts robot-recorded" data-testid="robot-recorded">
+      <Act
+        icon="clapperboard"
+        label={t("boards.play-recording")}
+        testId="robot-play-recording"
+        title={t("boards.play-recording-help")}
+        onPress={() => void playRecording(board)}
+      />
+      <Act
+        icon="file"
+        label={t("boards.save-recording")}
+        testId="robot-save-recording"
+        title={t("boards.save-recording-help")}
+        onPress={() => void saveRecording(board)}
+      />
+    </div>
+  );
+}
+
+export function BoardCard({ place }: { place: Place }) {
+  const { address, name, description, board } = place;
+  const mine = useBoards((state) => isMine(state, board));
+  const typed = useBoards((state) => state.typed.includes(address));
+  const title = useId();
+  const open = board?.phase === "open";
+  const state = board === null || board.phase !== "open" ? "idle" : SHAPES[board.state];
+  return (
+    <li className="robot" data-testid="robot" data-address={address} aria-labelledby={title}>
+      <div className="robot-head">
+        <StateShape state={board?.phase === "lost" ? "stalled" : state} size={10} />
+        <h3 id={title}>{name}</h3>
+        {address.endsWith(name) ? null : (
+          <span className="robot-address" dir="ltr" title={description}>
+            {address}
+          </span>
+        )}
+        <span className="robots-space" />
+        {open && mine ? (
+          <SmallTool
+            icon="lightbulb"
+            label={t("boards.identify", { name })}
+            testId="robot-identify"
+            onPress={() => identify(address)}
+          />
+        ) : null}
+        {board !== null && mine ? (
+          <SmallTool
+            icon="power-off"
+            label={t("boards.disconnect", { name })}
+            testId="robot-disconnect"
+            onPress={() => disconnectBoard(address)}
+          />
+        ) : null}
+        {board === null && typed ? (
+          <SmallTool
+            icon="trash-2"
+            label={t("boards.remove", { name })}
+            testId="robot-remove"
+            onPress={() => removeAddress(address)}
+          />
+        ) : null}
+      </div>
+      {board === null ? null : <Stands board={board} />}
+      {board === null ? null : <Progress board={board} />}
+      {board === null ? null : <Fault board={board} />}
+      <Trouble address={address} board={board} />
+      {mine ? (
+        <>
+          <Program address={address} disabled={board?.phase === "sending"} />
+          <Acts place={place} />
+          <Recorded board={board} />
+        </>
+      ) : (
+        <div className="robot-acts">
+          <span className="robots-note">{t("boards.another-page")}</span>
+          <Act ink icon="square" label={t("boards.stop")} testId="robot-stop" onPress={() => stopBoard(address)} />
+        </div>
+      )}
+    </li>
+  );
+}

@@ -1,0 +1,155 @@
+/**
+ * The panel of real robots, in the place of the arena: what is plugged in or on the network, what runs there, and what to do
+ * where nothing is.
+ *
+ * Left to others: one robot (`BoardCard`), what is done (`acts`). Ports are looked for only while this stands here.
+ */
+import "./boards.css";
+
+import { type FormEvent, useEffect, useState } from "react";
+
+import { Icon } from "../../theme";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { addAddress, runOnAll } from "./actions";
+import { BoardCard } from "./BoardCard";
+import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
+import { EmptyRobots } from "./EmptyRobots";
+import { connect, send } from "./socket";
+import { stopEverything } from "../../session/features";
+import { showRobots } from "./state";
+import { Tool } from "../../ui/Tool";
+
+function useLooking(): void {
+  const { you } = useBoards();
+  useEffect(connect, []);
+  useEffect(() => {
+    if (you === "") return;
+    send({ type: "look", on: true });
+    return () => {
+      if (useBoards.getState().you === you) send({ type: "look", on: false });
+    };
+  }, [you]);
+}
+
+function Barred() {
+  const barred = useBoards((state) => state.barred);
+  if (barred === null) return null;
+  return (
+    <div className="robots-barred" role="alert" data-testid="robots-barred">
+      <p>
+        <strong>
+          <Said text={barred.message} />
+        </strong>{" "}
+        <Said text={barred.help} />
+      </p>
+      <button type="button" className="button" onClick={connect}>
+        <Icon name="refresh-cw" size={16} />
+        {t("boards.again")}
+      </button>
+    </div>
+  );
+}
+
+function Network() {
+  const [text, setText] = useState("");
+  const [wrong, setWrong] = useState(false);
+  const add = (event: FormEvent) => {
+    event.preventDefault();
+    const added = addAddress(text);
+    setWrong(!added);
+    if (added) setText("");
+  };
+  return (
+    <form className="robots-network" onSubmit={add} noValidate>
+      <label htmlFor="robots-address">{t("boards.network")}</label>
+      <input
+        id="robots-address"
+        data-testid="robots-address"
+        dir="ltr"
+        placeholder="socket://192.168.4.1:4000"
+        value={text}
+        maxLength={MOST_ADDRESS}
+        autoComplete="off"
+        spellCheck={false}
+        aria-invalid={wrong}
+        aria-describedby={wrong ? "robots-address-wrong" : undefined}
+        onChange={(event) => {
+          setText(event.target.value);
+          setWrong(false);
+        }}
+      />
+      <button type="submit" className="button" data-testid="robots-add" disabled={text.trim() === ""}>
+        {t("boards.connect")}
+      </button>
+      {wrong ? (
+        <p className="robots-wrong" id="robots-address-wrong" role="alert">
+          {t("boards.network-wrong")}
+        </p>
+      ) : null}
+    </form>
+  );
+}
+
+/** For several robots at once. */
+function Together() {
+  const state = useBoards();
+  const mine = placesOf(state).filter(({ board }) => board !== null && isMine(state, board));
+  const running = Object.values(state.boards).some(({ state: now }) => now === "running");
+  if (Object.keys(state.boards).length < 2) return null;
+  return (
+    <>
+      <button
+        type="button"
+        className="button"
+        data-testid="robots-run-all"
+        disabled={mine.length < 2}
+        onClick={runOnAll}
+      >
+        <Icon name="play" size={14} />
+        {t("boards.run-all")}
+      </button>
+      <button
+        type="button"
+        className="button"
+        data-testid="robots-stop-all"
+        disabled={!running}
+        onClick={stopEverything}
+      >
+        <Icon name="square" size={14} />
+        {t("boards.stop-all")}
+      </button>
+    </>
+  );
+}
+
+export function Robots() {
+  useLooking();
+  const state = useBoards();
+  const places = placesOf(state);
+  const looking = state.ports === null && state.barred === null && places.length === 0;
+  return (
+    <section className="robots" data-testid="robots" aria-label={t("boards.title")}>
+      <header className="robots-head">
+        <h2>{t("boards.title")}</h2>
+        <span className="robots-space" />
+        <Together />
+        <Tool small icon="x" label={t("boards.close")} testId="robots-close" onClick={() => showRobots(false)} />
+      </header>
+      <div className="robots-body">
+        <Barred />
+        {looking ? <p className="robots-note">{t("boards.looking")}</p> : null}
+        {places.length > 0 ? (
+          <ul className="robots-list">
+            {places.map((place) => (
+              <BoardCard key={place.address} place={place} />
+            ))}
+          </ul>
+        ) : state.ports === null ? null : (
+          <EmptyRobots />
+        )}
+        <Network />
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,116 @@
+/** What can be done with real robots, each as one function. */
+import { useStudio } from "../../model/studio";
+import { useRun } from "../../session/run";
+import { reveal } from "../../session/actions";
+import { type Given, isMine, networkAddress, placesOf, programFor, useBoards, without } from "./boards";
+import { send } from "./socket";
+import { keepShown } from "./shown";
+import type { Board } from "./wire";
+
+/** What is open here, for the robot at that address. */
+function given(address: string): Given {
+  const { mission, file, activeProgram } = useStudio.getState();
+  const names = mission.programs.map(({ name }) => name);
+  return { path: file.path, program: programFor(useBoards.getState(), address, names, activeProgram), mission };
+}
+
+function give(address: string): Given {
+  keepShown();
+  const what = given(address);
+  useBoards.setState((state) => ({
+    given: { ...state.given, [address]: what },
+    refused: without(state.refused, address),
+  }));
+  return what;
+}
+
+export function connectBoard(address: string): void {
+  send({ type: "connect", address, ...give(address) });
+}
+
+export function disconnectBoard(address: string): void {
+  send({ type: "forget", address });
+}
+
+/** `way`: what else may be done for it, when the robot refused before. */
+export function sendTo(address: string, then: "held" | "free" | "ready", way: Board["way"] = ""): void {
+  if (then === "held") takeCanvas();
+  send({ type: "send", address, then, replace: way === "replace", fresh: way === "fresh", ...give(address) });
+}
+
+/** A robot takes the canvas from a simulated run. */
+function takeCanvas(): void {
+  const { real, stop } = useRun.getState();
+  if (!real) stop();
+}
+
+/** Whether the robot has what is drawn here now. */
+export function isCurrent(address: string): boolean {
+  const { boards, given: all } = useBoards.getState();
+  const [board, was] = [boards[address], all[address]];
+  if (board?.phase !== "open" || was === undefined || board.program === "") return false;
+  const now = given(address);
+  const [drawn, sent] = [now.mission, was.mission];
+  const same = (["programs", "constructors", "variables"] as const).every((part) => drawn[part] === sent[part]);
+  return same && now.program === board.program && now.path === was.path;
+}
+
+/** Runs what is drawn here on that robot: sends it first, unless the robot has it. */
+export function runOn(address: string, held = true): void {
+  if (!isCurrent(address)) {
+    sendTo(address, held ? "held" : "free");
+    return;
+  }
+  takeCanvas();
+  useBoards.setState((state) => ({ refused: without(state.refused, address) }));
+  send({ type: "start", address, held });
+}
+
+/** On every robot that this page talks with; on the only one there is, it begins to. */
+export function runOnAll(): void {
+  const state = useBoards.getState();
+  const places = placesOf(state);
+  const mine = places.filter(({ board }) => board !== null && isMine(state, board) && board.phase !== "sending");
+  const [only] = places;
+  if (mine.length > 0) for (const { address } of mine) runOn(address);
+  else if (only !== undefined && places.length === 1 && only.board === null) runOn(only.address);
+}
+
+export function stopBoard(address: string): void {
+  send({ type: "stop", address });
+}
+
+export function cancelSending(address: string): void {
+  send({ type: "cancel", address });
+}
+
+export function identify(address: string): void {
+  send({ type: "identify", address });
+}
+
+export function chooseProgram(address: string, program: string): void {
+  useBoards.setState((state) => ({ chosen: { ...without(state.chosen, address), [address]: program } }));
+}
+
+/** Adds an address on the network and greets the robot there; false when it is no address. */
+export function addAddress(text: string): boolean {
+  const address = networkAddress(text);
+  if (address === null) return false;
+  useBoards.setState(({ typed }) => ({ typed: [...typed.filter((one) => one !== address), address] }));
+  connectBoard(address);
+  return true;
+}
+
+export function removeAddress(address: string): void {
+  useBoards.setState(({ typed, refused }) => ({
+    typed: typed.filter((one) => one !== address),
+    refused: without(refused, address),
+  }));
+  if (useBoards.getState().boards[address] !== undefined) disconnectBoard(address);
+}
+
+/** To the vertex where the robot stopped by itself. */
+export function goToFault(address: string): void {
+  const fault = useBoards.getState().boards[address]?.fault;
+  if (fault !== null && fault !== undefined && fault.vertex !== "") reveal(fault.program, [fault.vertex]);
+}

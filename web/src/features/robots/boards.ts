@@ -1,0 +1,171 @@
+/**
+ * The real robots as the page knows them: ports, robots that a page of this studio talks with, and what was chosen for each.
+ *
+ * The server tells; this only keeps. A robot's message is whole each time. Which program is to go to which robot, and the
+ * addresses on the network that were typed, are remembered in this browser. Left to others: the socket (`line.ts`), what can
+ * be done (`acts.ts`), the run that the canvas shows (`shown.ts`).
+ */
+import { create } from "zustand";
+
+import type { Mission, Problem } from "../../model/types";
+import type { Board, BoardsMessage, Port } from "./wire";
+
+/** What this page sent or greeted a robot with: later edits do not reach it. */
+export interface Given {
+  path: string;
+  program: string;
+  mission: Mission;
+}
+
+export interface Refusal {
+  message: string;
+  help: string;
+  problems: Problem[];
+}
+
+export interface BoardsState {
+  /** By what name the server knows this page; "" without a connection. */
+  you: string;
+  /** Why there is no connection to the server, or why it does not want one; null when all is well. */
+  barred: Refusal | null;
+  /** null until the server has looked. */
+  ports: Port[] | null;
+  boards: Record<string, Board>;
+  /** address → what the server last refused about it. */
+  refused: Record<string, Refusal>;
+  given: Record<string, Given>;
+  /** address → program that is to go there. */
+  chosen: Record<string, string>;
+  /** Addresses on the network. */
+  typed: string[];
+}
+
+const KEY = "kitrobot.robots";
+const MOST_KEPT = 50;
+export const MOST_ADDRESS = 200;
+const NETWORK = /^(?:socket|rfc2217):\/\/(?:\[[0-9a-f:.]+\]|[^\s/:@?#[\]]+):(\d{1,5})\/?$/i;
+
+/** An address on the network as it is asked for, or null when it is none: `host:port` is a socket. */
+export function networkAddress(text: string): string | null {
+  const trimmed = text.trim();
+  const whole = trimmed.includes("://") ? trimmed : `socket://${trimmed}`;
+  const port = Number(NETWORK.exec(whole)?.[1] ?? 0);
+  return port >= 1 && port <= 65535 && whole.length <= MOST_ADDRESS ? whole : null;
+}
+
+type Kept = Pick<BoardsState, "chosen" | "typed">;
+
+/** What was remembered, as far as it makes sense. */
+export function readKept(text: string | null): Kept {
+  const kept: Kept = { chosen: {}, typed: [] };
+  let found: unknown;
+  try {
+    found = JSON.parse(text ?? "null");
+  } catch {
+    return kept;
+  }
+  if (typeof found !== "object" || found === null) return kept;
+  const { chosen, typed } = found as { chosen?: unknown; typed?: unknown };
+  if (typeof chosen === "object" && chosen !== null) {
+    const entries = Object.entries(chosen).filter((one): one is [string, string] => typeof one[1] === "string");
+    kept.chosen = Object.fromEntries(entries.slice(-MOST_KEPT));
+  }
+  if (Array.isArray(typed)) {
+    kept.typed = typed
+      .filter((one): one is string => typeof one === "string" && networkAddress(one) !== null)
+      .slice(-MOST_KEPT);
+  }
+  return kept;
+}
+
+function stored(): string | null {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}
+
+export const NOBODY: Pick<BoardsState, "you" | "ports" | "boards"> = { you: "", ports: null, boards: {} };
+
+export const useBoards = create<BoardsState>(() => ({
+  ...NOBODY,
+  barred: null,
+  refused: {},
+  given: {},
+  ...readKept(stored()),
+}));
+
+useBoards.subscribe(({ chosen, typed }, before) => {
+  if (chosen === before.chosen && typed === before.typed) return;
+  try {
+    localStorage.setItem(KEY, JSON.stringify({ chosen, typed }));
+  } catch {
+    // It then holds until the page is closed.
+  }
+});
+
+/** The record without one entry; the same object where there is none. */
+export function without<Value>(record: Record<string, Value>, key: string): Record<string, Value> {
+  if (!(key in record)) return record;
+  return Object.fromEntries(Object.entries(record).filter(([one]) => one !== key));
+}
+
+/** What a message of the server changes. */
+export function applyMessage(state: BoardsState, message: BoardsMessage): Partial<BoardsState> {
+  switch (message.type) {
+    case "welcome":
+      return { you: message.you, barred: null };
+    case "ports":
+      return { ports: message.ports };
+    case "board":
+      return { boards: { ...state.boards, [message.address]: message } };
+    case "gone":
+      return { boards: without(state.boards, message.address), given: without(state.given, message.address) };
+    case "refused": {
+      const { message: said, help, problems } = message;
+      const refusal = { message: said, help, problems };
+      if (message.address === "") return { barred: refusal };
+      return { refused: { ...state.refused, [message.address]: refusal } };
+    }
+  }
+}
+
+/** One line of the panel: a robot, or a place where one may be. */
+export interface Place {
+  address: string;
+  name: string;
+  description: string;
+  /** null while no page talks with it. */
+  board: Board | null;
+}
+
+/** Robots and ports as they are listed: the ports in the server's order, then what is on the network or was pulled out. */
+export function placesOf({ ports, boards, typed }: Pick<BoardsState, "ports" | "boards" | "typed">): Place[] {
+  const listed = ports ?? [];
+  const found: Place[] = listed.map((port) => ({ ...port, board: boards[port.address] ?? null }));
+  const there = new Set(listed.map(({ address }) => address));
+  const others = [...typed, ...Object.keys(boards).filter((address) => !typed.includes(address))];
+  for (const address of others) {
+    if (there.has(address)) continue;
+    const board = boards[address] ?? null;
+    found.push({ address, name: board?.name ?? address.replace(/^\w+:\/\//, ""), description: "", board });
+  }
+  return found;
+}
+
+/** The program that goes to a robot: the chosen one, else the one that it has, else the one that is open. */
+export function programFor(
+  { chosen, boards }: Pick<BoardsState, "chosen" | "boards">,
+  address: string,
+  programs: readonly string[],
+  open: string,
+): string {
+  const wanted = [chosen[address], boards[address]?.program, open];
+  return wanted.find((one) => one !== undefined && programs.includes(one)) ?? programs[0] ?? "";
+}
+
+/** Whether this page talks with it, so that it may do more than stop it. */
+export function isMine(state: Pick<BoardsState, "you">, board: Board | null): boolean {
+  return board === null || board.holder === state.you;
+}

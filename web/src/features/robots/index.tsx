@@ -1,0 +1,75 @@
+/** Real robots: their panel in the place of the arena, sending to them, and STOP. The panel is fetched when it is opened. */
+import type { ReactNode } from "react";
+
+import { t } from "../../i18n/words";
+import { complain } from "../../session/document";
+import { type Feature, stopEverything } from "../../session/features";
+import { keyFor } from "../../session/key-table";
+import type { MenuEntries } from "../../session/menu-table";
+import { Icon } from "../../theme";
+import { later } from "../../ui/later";
+import { menuItem } from "../../ui/menu-model";
+import { runOnRobots } from "./commands";
+import { showRobots, useRobotsPanel } from "./state";
+
+const Robots = later(
+  () => import("./Robots").then((chunk) => chunk.Robots),
+  (cause) => {
+    showRobots(false);
+    complain(cause);
+  },
+);
+
+/** The arena comes back when the panel is closed. */
+function RobotsOrArena({ children }: { children: ReactNode }) {
+  return useRobotsPanel((state) => state.open) ? <Robots /> : children;
+}
+
+function RunOnRobots() {
+  return (
+    <>
+      <span className="tool-line" data-fold={5} />
+      <button
+        type="button"
+        className="tool tool-named"
+        data-testid="run-on-robot"
+        data-fold={5}
+        aria-label={t("boards.run")}
+        title={`${t("boards.run")} (${keyFor.page("runOnRobot")})`}
+        onClick={runOnRobots}
+      >
+        <Icon name="upload" size={18} />
+        <span data-fold={1}>{t("boards.run")}</span>
+      </button>
+    </>
+  );
+}
+
+function useMenu(): MenuEntries {
+  const { open, running } = useRobotsPanel();
+  return {
+    "robots-panel": [
+      {
+        kind: "check",
+        id: "robots-panel",
+        label: t("boards.panel"),
+        keys: keyFor.page("robots"),
+        checked: open,
+        run: () => showRobots(!open),
+      },
+    ],
+    robots: [
+      menuItem("robots-run", t("boards.run"), keyFor.page("runOnRobot"), runOnRobots),
+      menuItem("robots-stop", t("boards.stop-all"), keyFor.page("stop"), stopEverything, running === 0),
+    ],
+  };
+}
+
+export const robots: Feature = {
+  name: "robots",
+  panels: { arena: RobotsOrArena },
+  slots: { tools: RunOnRobots },
+  commands: { runOnRobot: runOnRobots, robots: () => showRobots(!useRobotsPanel.getState().open) },
+  useMenu,
+  stop: () => useRobotsPanel.getState().stopAll?.(),
+};

@@ -1,0 +1,57 @@
+/**
+ * The socket to the server's robots. It is opened when somebody first wants a robot and stays as long as one is held or the panel
+ * is open; when it closes, the server lets the robots go, and those that are held stop.
+ */
+import { token } from "../../api/token";
+import { languageInUse, t } from "../../i18n/words";
+import { applyMessage, NOBODY, useBoards } from "./boards";
+import { useRobotsPanel } from "./state";
+import type { BoardsMessage, BoardsRequest } from "./wire";
+
+let socket: WebSocket | null = null;
+let waiting: BoardsRequest[] = [];
+
+function address(): URL {
+  const found = new URL("api/boards", window.location.href);
+  found.protocol = found.protocol === "https:" ? "wss:" : "ws:";
+  found.search = `?language=${languageInUse()}&token=${encodeURIComponent(token())}`;
+  found.hash = "";
+  return found;
+}
+
+/** Why the connection ended: refused before it began, or broken. */
+function lost(): void {
+  socket = null;
+  waiting = [];
+  useBoards.setState((state) => ({
+    ...NOBODY,
+    given: {},
+    barred: state.barred ?? { message: t("boards.server-lost"), help: t("boards.server-lost-help"), problems: [] },
+  }));
+}
+
+/** Opens the socket, if it is not. */
+export function connect(): void {
+  if (socket !== null) return;
+  const opened = new WebSocket(address());
+  socket = opened;
+  useBoards.setState({ barred: null });
+  useRobotsPanel.setState({ stopAll: () => send({ type: "stop", address: "" }) });
+  opened.addEventListener("open", () => {
+    for (const request of waiting) opened.send(JSON.stringify(request));
+    waiting = [];
+  });
+  opened.addEventListener("message", (event: MessageEvent<string>) => {
+    if (socket !== opened) return;
+    useBoards.setState((state) => applyMessage(state, JSON.parse(event.data) as BoardsMessage));
+  });
+  opened.addEventListener("close", () => {
+    if (socket === opened) lost();
+  });
+}
+
+export function send(request: BoardsRequest): void {
+  connect();
+  if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(request));
+  else waiting.push(request);
+}

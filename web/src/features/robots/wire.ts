@@ -1,0 +1,35 @@
+/** What travels over the socket of real robots; the server's models say what each means. */
+import type {
+  BoardCancelRequest,
+  BoardConnectRequest,
+  BoardForceRequest,
+  BoardForgetRequest,
+  BoardGoneMessage,
+  BoardIdentifyRequest,
+  BoardMessage,
+  BoardPort,
+  BoardPortsMessage,
+  BoardRefusedMessage,
+  BoardSendRequest,
+  BoardSetRequest,
+  BoardsLookRequest,
+  BoardStartRequest,
+  BoardStopRequest,
+  BoardsWelcomeMessage,
+} from "../../api/generated";
+
+export type Board = BoardMessage;
+export type Port = BoardPort;
+export type BoardsMessage =
+  BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage;
+export type BoardsRequest =
+  | BoardsLookRequest
+  | BoardConnectRequest
+  | BoardSendRequest
+  | BoardCancelRequest
+  | BoardStartRequest
+  | BoardStopRequest
+  | BoardIdentifyRequest
+  | BoardForceRequest
+  | BoardSetRequest
+  | BoardForgetRequest;

@@ -1,0 +1,26 @@
+import { describe, expect, it } from "vitest";
+
+import type { RunEvent } from "../../api/wire";
+import { axisFor, thinned } from "./EventStrip";
+
+describe("the strip of events", () => {
+  const event = (tick: number, kind: RunEvent["kind"]): RunEvent => ({
+    tick,
+    kind,
+    agent: "a",
+    text: "",
+    cause: "program",
+  });
+
+  it("doubles its axis before the label of the moment leaves it", () => {
+    expect(axisFor(0).length).toBe(60);
+    expect(axisFor(51).length).toBe(60);
+    expect(axisFor(52).length).toBe(120);
+    expect(axisFor(600).length).toBe(960);
+  });
+
+  it("keeps the weightier of two events that would lie on each other", () => {
+    const events = [event(8, "message"), event(11, "load"), event(50, "unload")];
+    expect(thinned(events, (one) => one.tick, 9).map((one) => one.kind)).toEqual(["load", "unload"]);
+  });
+});

@@ -1,0 +1,82 @@
+/** The tools of the run: begin, pause, step, stop, and its speed. */
+import { t } from "../../i18n/words";
+import { pause, run, stepVertex } from "../../session/actions";
+import { stopEverything } from "../../session/features";
+import { keyFor } from "../../session/key-table";
+import { canGoBack, isLive, useRun } from "../../session/run";
+import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
+import { SpeedControl } from "./SpeedControl";
+
+export function RunTools() {
+  const status = useRun((state) => state.status);
+  const watching = useRun((state) => state.watching);
+  const real = useRun((state) => state.real);
+  const goesBack = useRun((state) => canGoBack(state.status) && state.tick > 0 && !state.watching && !state.real);
+  // What another page steers is not paused here, whatever it does there.
+  const paused = status === "paused" && !watching;
+  const live = isLive(status);
+  return (
+    <>
+      <button
+        type="button"
+        className="run-button"
+        data-testid="run-button"
+        disabled={live && !paused}
+        title={`${paused ? t("run.resume") : t("run.run")} (${keyFor.page("run")})`}
+        onClick={run}
+      >
+        <Icon name="play" size={16} />
+        {paused ? t("run.resume") : t("run.run")}
+      </button>
+      <Tool
+        icon="pause"
+        label={t("run.pause")}
+        keys={keyFor.page("pause")}
+        disabled={(status !== "running" || watching || real) && !paused}
+        aria-pressed={paused}
+        testId="pause-button"
+        data-fold={8}
+        onClick={pause}
+      />
+      <Tool
+        icon="step-back"
+        label={t("run.step-back")}
+        keys={keyFor.page("stepBack")}
+        disabled={!goesBack}
+        testId="step-back-button"
+        data-fold={3}
+        onClick={() => useRun.getState().step("tick", true)}
+      />
+      <Tool
+        icon="step-forward"
+        label={t("run.step")}
+        keys={keyFor.page("step")}
+        disabled={!paused}
+        testId="step-button"
+        data-fold={4}
+        onClick={() => useRun.getState().step()}
+      />
+      <Tool
+        icon="redo-dot"
+        label={t("run.step-vertex")}
+        keys={keyFor.page("stepVertex")}
+        disabled={!paused}
+        testId="step-vertex-button"
+        data-fold={2}
+        onClick={() => stepVertex(false)}
+      />
+      <Tool
+        icon="square"
+        label={t(watching ? "watching.leave" : "run.stop")}
+        keys={keyFor.page("stop")}
+        disabled={!live}
+        testId="stop-button"
+        data-fold={6}
+        onClick={stopEverything}
+      />
+      <span className="tool-line" data-fold={5} />
+      <SpeedControl />
+    </>
+  );
+}

@@ -1,0 +1,33 @@
+/** Across the page: a run of this mission goes on in another window and can be watched, or is watched. */
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { useRun } from "../../session/run";
+import { Icon } from "../../theme";
+
+export function WatchingBar({ run }: { run: string }) {
+  const watching = useRun((state) => state.watching);
+  const another = useRun((state) => state.another);
+  return (
+    <div className="banner banner-note" role="status" data-testid="watching-bar" data-watching={watching}>
+      <Icon name="eye" size={18} />
+      <p>
+        <strong>{t(watching ? "watching.on" : "watching.offer")}</strong>{" "}
+        {watching && another ? t("watching.another") : null}
+      </p>
+      {watching ? (
+        <button type="button" className="button" data-testid="watch-leave" onClick={useRun.getState().reset}>
+          {t("watching.leave")}
+        </button>
+      ) : (
+        <button
+          type="button"
+          className="button"
+          data-testid="watch-run"
+          onClick={() => useRun.getState().watch({ mission: useStudio.getState().mission, run })}
+        >
+          {t("watching.watch")}
+        </button>
+      )}
+    </div>
+  );
+}

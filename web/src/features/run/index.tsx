@@ -1,0 +1,86 @@
+/** The run: its tools, what it is doing, its timeline, and the bars of recordings and of runs in other windows. */
+import "./strip.css";
+
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { changeSpeed, pause, run as begin, stepVertex } from "../../session/actions";
+import { complain } from "../../session/document";
+import { type Feature, stopEverything } from "../../session/features";
+import { keyFor } from "../../session/key-table";
+import type { MenuEntries } from "../../session/menu-table";
+import { saveRun, useOpenRecording } from "../../session/recordings";
+import { canGoBack, isLive, useRun } from "../../session/run";
+import { later } from "../../ui/later";
+import { menuItem } from "../../ui/menu-model";
+import { EventStrip } from "./EventStrip";
+import { Running } from "./Running";
+import { RunStatus } from "./RunStatus";
+import { RunTools } from "./RunTools";
+import { Watching } from "./Watching";
+
+const RecordingBar = later(() => import("./RecordingBar").then((chunk) => chunk.RecordingBar), complain);
+
+function Bars() {
+  const recording = useOpenRecording();
+  return (
+    <>
+      {recording === null ? null : <RecordingBar open={recording} />}
+      <Watching />
+    </>
+  );
+}
+
+function RunningInView() {
+  const program = useStudio((studio) => studio.activeProgram);
+  return <Running program={program} />;
+}
+
+function useMenu(): MenuEntries {
+  const status = useRun((state) => state.status);
+  const speed = useRun((state) => state.speed);
+  const { step, setSpeed, tick, name, watching, real } = useRun.getState();
+  const goesBack = tick > 0 && canGoBack(status) && !watching && !real;
+  const paused = status === "paused" && !watching;
+  const live = isLive(status);
+  const key = keyFor.page;
+  return {
+    run: [
+      menuItem("run-run", paused ? t("run.resume") : t("run.run"), key("run"), begin, live && !paused),
+      menuItem("run-pause", t("run.pause"), key("pause"), pause, status !== "running" || watching || real),
+      menuItem("run-step", t("run.step"), key("step"), () => step(), !paused),
+      menuItem("run-step-vertex", t("run.step-vertex"), key("stepVertex"), () => stepVertex(false), !paused),
+      menuItem("run-step-back", t("run.step-back"), key("stepBack"), () => step("tick", true), !goesBack),
+      menuItem(
+        "run-step-vertex-back",
+        t("run.step-vertex-back"),
+        key("stepVertexBack"),
+        () => stepVertex(true),
+        !goesBack,
+      ),
+      menuItem("run-stop", t(watching ? "watching.leave" : "run.stop"), key("stop"), stopEverything, !live),
+      menuItem("run-save", t("recording.save"), null, () => saveRun().catch(complain), name === ""),
+      { kind: "heading", id: "run-speed", label: t("run.speed") },
+      menuItem("run-slower", t("run.slower"), key("slower"), () => changeSpeed(-1)),
+      menuItem("run-faster", t("run.faster"), key("faster"), () => changeSpeed(1)),
+      { kind: "radio", id: "run-real-time", label: t("run.real-time"), checked: speed === 1, run: () => setSpeed(1) },
+      { kind: "radio", id: "run-as-fast", label: t("run.as-fast"), checked: speed === 0, run: () => setSpeed(0) },
+    ],
+  };
+}
+
+export const run: Feature = {
+  name: "run",
+  slots: { banner: Bars, tools: RunTools, status: RunStatus, "tabs-end": RunningInView, bottom: EventStrip },
+  commands: {
+    run: begin,
+    pause,
+    step: () => useRun.getState().step(),
+    stepBack: () => useRun.getState().step("tick", true),
+    stepVertex: () => stepVertex(false),
+    stepVertexBack: () => stepVertex(true),
+    slower: () => changeSpeed(-1),
+    faster: () => changeSpeed(1),
+  },
+  useMenu,
+  stop: () => useRun.getState().stop(),
+};

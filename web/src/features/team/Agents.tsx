@@ -1,0 +1,215 @@
+/** The robots that take part: name, program and start of each; added, copied, moved and removed. */
+import { type KeyboardEvent, useRef } from "react";
+
+import { NameCell } from "../../components/NameCell";
+import { t } from "../../i18n/words";
+import type { Command } from "../../model/command";
+import {
+  addAgent,
+  copyAgent,
+  giveProgram,
+  giveStart,
+  moveAgent,
+  removeAgent,
+  renameAgent,
+  startOf,
+} from "../../model/commands/changeAgents";
+import { placeAgents } from "../../model/commands/placeAgents";
+import { useStudio } from "../../model/studio";
+import type { Agent } from "../../model/types";
+import { Icon } from "../../theme";
+import { Select } from "../../ui/Select";
+import { Tool } from "../../ui/Tool";
+import { freeStartOf, nameLike, withoutStart } from "./starts";
+
+function execute(command: Command | null): boolean {
+  if (command === null) return false;
+  useStudio.getState().execute(command);
+  return true;
+}
+
+/** Why a robot cannot have that name, or "". */
+function wrongName(name: string): string {
+  if (name === "") return t("team.name-empty");
+  const taken = useStudio.getState().mission.agents.some((agent) => agent.name === name);
+  return taken ? t("team.name-taken", { name }) : "";
+}
+
+function newAgent(): void {
+  const { mission, world, activeProgram } = useStudio.getState();
+  const free = freeStartOf(mission, world);
+  const names = mission.agents.map((agent) => agent.name);
+  const name = free !== null && !names.includes(free) ? free : nameLike(names.at(-1) ?? "robot", names);
+  execute(addAgent(mission, name, activeProgram, free ?? world?.starts[0]?.name ?? ""));
+}
+
+function duplicate(at: number): void {
+  const { mission, world } = useStudio.getState();
+  const agent = mission.agents[at];
+  if (agent === undefined) return;
+  const name = nameLike(
+    agent.name,
+    mission.agents.map((one) => one.name),
+  );
+  execute(copyAgent(mission, at, name, freeStartOf(mission, world) ?? startOf(agent)));
+}
+
+interface RowProps {
+  agent: Agent;
+  at: number;
+  onKey: (event: KeyboardEvent, at: number) => void;
+  focus: (at: number, what: string) => void;
+}
+
+function Row({ agent, at, onKey, focus }: RowProps) {
+  const programs = useStudio((studio) => studio.mission.programs);
+  const agents = useStudio((studio) => studio.mission.agents);
+  const world = useStudio((studio) => studio.world);
+  const { name, program } = agent;
+  const start = startOf(agent);
+  const starts = world?.starts.map((one) => one.name) ?? [];
+  const lost = world !== null && !starts.includes(start);
+  const others = new Set(agents.filter((one) => one !== agent).map(startOf));
+  const now = () => useStudio.getState().mission;
+  const tools: [string, string, string, boolean, () => void][] = [
+    ["copy", "copy", t("team.duplicate", { name }), false, () => duplicate(at)],
+    ["up", "arrow-up", t("team.up", { name }), at === 0, () => move(-1)],
+    ["down", "arrow-down", t("team.down", { name }), at === agents.length - 1, () => move(1)],
+    ["remove", "trash-2", t("team.remove", { name }), false, remove],
+  ];
+  function move(by: number) {
+    if (execute(moveAgent(now(), at, at + by))) focus(at + by, by < 0 ? "up" : "down");
+  }
+  function remove() {
+    if (execute(removeAgent(now(), at))) focus(Math.min(at, agents.length - 2), "remove");
+  }
+  return (
+    <li
+      className="team-row team-agent"
+      data-testid={`agent-${String(at)}`}
+      data-name={name}
+      onKeyDown={(event) => onKey(event, at)}
+    >
+      <NameCell
+        name={name}
+        label={`${t("team.agent")} ${String(at + 1)}`}
+        testId={`agent-name-${String(at)}`}
+        wrong={wrongName}
+        keep={(wanted) => execute(renameAgent(now(), at, wanted))}
+      />
+      <Select
+        label={`${t("team.program")}: ${name}`}
+        testId={`agent-program-${String(at)}`}
+        value={program}
+        options={programs.map((one) => one.name)}
+        missing={t("team.no-program", { program })}
+        keep={(wanted) => execute(giveProgram(now(), at, wanted))}
+      />
+      <Select
+        label={`${t("team.start")}: ${name}`}
+        testId={`agent-start-${String(at)}`}
+        value={start}
+        options={starts.map((one) => [one, others.has(one) ? t("team.start-taken", { start: one }) : one])}
+        missing={lost ? t("team.no-start", { start }) : start}
+        wrong={lost}
+        keep={(wanted) => execute(giveStart(now(), at, wanted))}
+      />
+      <span className="team-tools">
+        {tools.map(([what, icon, label, disabled, act]) => (
+          <Tool
+            key={what}
+            small
+            icon={icon}
+            label={label}
+            testId={`agent-${what}-${String(at)}`}
+            data-what={what}
+            aria-disabled={disabled}
+            onClick={() => {
+              if (!disabled) act();
+            }}
+          />
+        ))}
+      </span>
+    </li>
+  );
+}
+
+export function Agents() {
+  const mission = useStudio((studio) => studio.mission);
+  const world = useStudio((studio) => studio.world);
+  const list = useRef<HTMLUListElement>(null);
+  const button = useRef<HTMLButtonElement>(null);
+  const { agents } = mission;
+  const lost = withoutStart(mission, world).length;
+  const place =
+    world === null
+      ? null
+      : placeAgents(
+          mission,
+          world.starts.map((start) => start.name),
+        );
+
+  const focus = (at: number, what: string) => {
+    requestAnimationFrame(() => {
+      const row = list.current?.children[at];
+      const found = row?.querySelector<HTMLElement>(`[data-what="${what}"]`) ?? button.current;
+      found?.focus();
+    });
+  };
+  const onKey = (event: KeyboardEvent, at: number) => {
+    if (!event.altKey || (event.key !== "ArrowUp" && event.key !== "ArrowDown")) return;
+    event.preventDefault();
+    const by = event.key === "ArrowUp" ? -1 : 1;
+    const field = (event.target as HTMLElement).dataset["testid"]?.replace(/\d+$/, String(at + by));
+    if (!execute(moveAgent(useStudio.getState().mission, at, at + by)) || field === undefined) return;
+    requestAnimationFrame(() => list.current?.querySelector<HTMLElement>(`[data-testid="${field}"]`)?.focus());
+  };
+
+  return (
+    <section className="team-part" aria-labelledby="team-agents">
+      <h2 id="team-agents">{t("team.agents")}</h2>
+      {agents.length === 0 ? (
+        <p className="team-note">{t("team.agents-none")}</p>
+      ) : (
+        <>
+          <div className="team-row team-agent team-heads" aria-hidden="true">
+            <span>{t("team.agent")}</span>
+            <span>{t("team.program")}</span>
+            <span>{t("team.start")}</span>
+          </div>
+          <ul ref={list}>
+            {agents.map((agent, at) => (
+              <Row key={at} agent={agent} at={at} onKey={onKey} focus={focus} />
+            ))}
+          </ul>
+        </>
+      )}
+      {lost > 0 ? (
+        <p className="team-note team-hint" role="status">
+          <Icon name="triangle-alert" size={16} /> {t("team.place-help", { count: lost })}{" "}
+          {place === null ? null : (
+            <button type="button" className="button" data-testid="place-agents" onClick={() => execute(place)}>
+              {t("team.place")}
+            </button>
+          )}
+        </p>
+      ) : null}
+      <button
+        type="button"
+        className="button"
+        ref={button}
+        data-testid="add-agent"
+        onClick={() => {
+          newAgent();
+          requestAnimationFrame(() => {
+            const field = list.current?.lastElementChild?.querySelector<HTMLInputElement>("input");
+            field?.focus();
+            field?.select();
+          });
+        }}
+      >
+        <Icon name="plus" size={16} /> {t("team.add-agent")}
+      </button>
+    </section>
+  );
+}

@@ -1,0 +1,113 @@
+/** What goes wrong in every run, and when: the schedule of failures. */
+import { t } from "../../i18n/words";
+import { setFailures } from "../../model/commands/changeTrial";
+import { useStudio } from "../../model/studio";
+import type { ScheduledFailure } from "../../model/types";
+import { Select } from "../../ui/Select";
+import { Chance } from "./Chance";
+import { RemoveTool, RowList, type RowProps } from "./RowList";
+
+const KINDS = ["fail", "stall", "mute", "revive"] as const;
+const LATEST_S = 1_000_000;
+/** When the next failure is proposed: so long after the last one. */
+const LATER_S = 10;
+const NONE: readonly ScheduledFailure[] = [];
+
+function put(failures: readonly ScheduledFailure[]): void {
+  const { mission, execute } = useStudio.getState();
+  const command = setFailures(mission, failures);
+  if (command !== null) execute(command);
+}
+
+function Row({ item: failure, at, removed }: RowProps<ScheduledFailure>) {
+  const failures = useStudio((studio) => studio.mission.failures ?? NONE);
+  const agents = useStudio((studio) => studio.mission.agents);
+  const change = (what: Partial<ScheduledFailure>) => {
+    put(failures.map((one, index) => (index === at ? { ...one, ...what } : one)));
+  };
+  const time = String(failure.at_s);
+  const changeTime = (written: string) => {
+    const wanted = Number(written);
+    if (written.trim() === "" || !Number.isFinite(wanted)) return;
+    change({ at_s: Math.round(Math.min(Math.max(wanted, 0), LATEST_S) * 1000) / 1000 });
+  };
+  return (
+    <li className="team-row team-failure" data-testid={`failure-${String(at)}`}>
+      <Select
+        label={t("team.failure-who")}
+        testId={`failure-agent-${String(at)}`}
+        value={failure.agent}
+        options={agents.map(({ name }) => name)}
+        missing={t("team.failure-gone", { agent: failure.agent })}
+        keep={(agent) => change({ agent })}
+      />
+      <Select
+        label={`${t("team.failure-what")}: ${failure.agent}`}
+        testId={`failure-kind-${String(at)}`}
+        value={failure.kind}
+        options={KINDS.map((kind) => [kind, t(`team.${kind}`)])}
+        keep={(wanted) => change({ kind: KINDS.find((kind) => kind === wanted) ?? "fail" })}
+      />
+      <input
+        // Sorted by time once it is left, so that a row does not run away under the fingers.
+        key={time}
+        className="field"
+        type="number"
+        min="0"
+        max={LATEST_S}
+        step="any"
+        data-testid={`failure-at-${String(at)}`}
+        aria-label={`${t("team.failure-when")}: ${failure.agent}`}
+        defaultValue={time}
+        onBlur={(event) => changeTime(event.target.value)}
+        onKeyDown={(event) => {
+          if (event.key === "Enter") changeTime(event.currentTarget.value);
+        }}
+      />
+      <RemoveTool
+        testId={`failure-remove-${String(at)}`}
+        label={t("team.remove-failure", { agent: failure.agent, time })}
+        onClick={() => {
+          put(failures.filter((_, index) => index !== at));
+          removed();
+        }}
+      />
+    </li>
+  );
+}
+
+export function Failures() {
+  const failures = useStudio((studio) => studio.mission.failures ?? NONE);
+  const first = useStudio((studio) => studio.mission.agents[0]?.name);
+  const add = (agent: string) => {
+    const { failures: before = [] } = useStudio.getState().mission;
+    const last = before.at(-1)?.at_s ?? 0;
+    put([...before, { agent, at_s: Math.min(last + LATER_S, LATEST_S), kind: "fail" }]);
+  };
+  const note =
+    failures.length > 0 ? "team.failures-help" : first === undefined ? "team.failures-nobody" : "team.failures-none";
+  return (
+    <section className="team-part" aria-labelledby="team-failures" data-testid="failures">
+      <h2 id="team-failures">{t("team.failures")}</h2>
+      <p className="team-note">{t(note)}</p>
+      <RowList
+        items={failures}
+        Row={Row}
+        heads={
+          <div className="team-row team-heads team-failure-heads" aria-hidden="true">
+            <span>{t("team.failure-who")}</span>
+            <span>{t("team.failure-what")}</span>
+            <span>{t("team.failure-when")}</span>
+          </div>
+        }
+        add={{
+          testId: "add-failure",
+          label: t("team.add-failure"),
+          can: first !== undefined,
+          run: () => add(first ?? ""),
+        }}
+      />
+      <Chance />
+    </section>
+  );
+}

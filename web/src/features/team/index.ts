@@ -1,0 +1,16 @@
+/** The team: agents, goals, failures and the world they are in. */
+import { t } from "../../i18n/words";
+import type { Feature } from "../../session/features";
+import { keyFor } from "../../session/key-table";
+import { openTeam } from "../../session/team-view";
+import { menuItem } from "../../ui/menu-model";
+import { teamTab } from "./TeamTab";
+
+export const team: Feature = {
+  name: "team",
+  tab: teamTab,
+  commands: { team: () => openTeam() },
+  useMenu: () => ({
+    team: [menuItem("program-team", t("team.open"), keyFor.page("team"), () => openTeam())],
+  }),
+};

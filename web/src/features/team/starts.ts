@@ -1,0 +1,25 @@
+/** Which starts of the world are taken, and by whom. */
+import { startOf } from "../../model/commands/changeAgents";
+import type { Mission, World } from "../../model/types";
+
+/** The first start that no agent uses, or null. */
+export function freeStartOf(mission: Mission, world: World | null): string | null {
+  const taken = new Set(mission.agents.map(startOf));
+  return world?.starts.find((start) => !taken.has(start.name))?.name ?? null;
+}
+
+/** The agents whose start the world has not, by their place in the list. */
+export function withoutStart(mission: Mission, world: World | null): number[] {
+  if (world === null) return [];
+  const known = new Set(world.starts.map((start) => start.name));
+  return mission.agents.flatMap((agent, at) => (known.has(startOf(agent)) ? [] : [at]));
+}
+
+/** A free name like the given one: `carrier-1` gives `carrier-2`. */
+export function nameLike(name: string, taken: readonly string[]): string {
+  const stem = name.replace(/[-\s]?\d+$/, "");
+  for (let number = 1; ; number++) {
+    const next = `${stem === "" ? "robot" : stem}-${String(number)}`;
+    if (!taken.includes(next)) return next;
+  }
+}

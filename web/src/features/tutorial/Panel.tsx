@@ -1,0 +1,264 @@
+/** The tutorial that is on, docked above the graph: the step to do now, how far it is, and the ways on. */
+import { useEffect, useRef } from "react";
+
+import type { Tutorial } from "../../api/generated";
+import { t } from "../../i18n/words";
+import { partsOf } from "../../model/parts";
+import { programInView, useStudio } from "../../model/studio";
+import { text } from "../../model/texts";
+import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
+import { beginAnew } from "./opening";
+import { goToPoint, type Page, selectorOf, told, wordsOf } from "./points";
+import { doneSteps } from "./progress";
+import { goBack, goForward, goTo, leave, showHint, useTutorial } from "./state";
+import { keepWatching } from "./watching";
+import "./tutorial.css";
+
+function usePage(): Page {
+  const program = useStudio(programInView);
+  const catalogue = useStudio((studio) => studio.catalogue);
+  return { program, parts: partsOf(catalogue, program?.robot ?? "") };
+}
+
+function nameOf(tutorial: Tutorial, step: number, page: Page): string {
+  return told(tutorial.steps[step]?.label ?? {}, page);
+}
+
+interface StepProps {
+  tutorial: Tutorial;
+  done: readonly boolean[];
+  page: Page;
+}
+
+/** The steps as numbers: each a button that goes there. */
+function Steps({ tutorial, done, page }: StepProps) {
+  const { at, skipped } = useTutorial((state) => state.progress);
+  return (
+    <ol className="tutorial-steps" aria-label={t("tutorial.steps")}>
+      {done.map((is, step) => {
+        const state = is ? "done" : skipped.includes(step) ? "skipped" : "open";
+        const words = { number: step + 1, name: nameOf(tutorial, step, page) };
+        const label = t(
+          is ? "tutorial.step-done" : state === "skipped" ? "tutorial.step-skipped" : "tutorial.step",
+          words,
+        );
+        return (
+          <li key={step}>
+            <button
+              type="button"
+              className="tutorial-dot"
+              data-state={state}
+              data-testid={`tutorial-step-${String(step + 1)}`}
+              aria-label={label}
+              aria-current={step === at ? "step" : undefined}
+              title={label}
+              onClick={() => {
+                goTo(step);
+              }}
+            >
+              {is ? <Icon name="check" size={14} /> : step + 1}
+            </button>
+          </li>
+        );
+      })}
+    </ol>
+  );
+}
+
+/** One calm ring around everything that the step points at. */
+function Ring({ selector }: { selector: string }) {
+  if (selector === "") return null;
+  return (
+    <style data-testid="tutorial-ring">
+      {`:is(${selector}) { outline: var(--tutorial-ring); outline-offset: var(--tutorial-ring-away); border-radius: var(--radius-inner); }`}
+    </style>
+  );
+}
+
+function StepView({ tutorial, done, page }: StepProps) {
+  const { progress, hinted } = useTutorial();
+  const step = tutorial.steps[progress.at];
+  if (step === undefined) return null;
+  const is = done[progress.at] === true;
+  const read = !step.asks && step.events.length === 0;
+  const hint = told(step.hint, page);
+  const points = step.points.filter((point) => selectorOf(point, page) !== "");
+  return (
+    <>
+      {is ? null : <Ring selector={points.map((point) => selectorOf(point, page)).join(", ")} />}
+      <div className="tutorial-words">
+        <h3>{told(step.label, page)}</h3>
+        <p>{told(step.help, page)}</p>
+        {is ? (
+          <p className="tutorial-is-done">
+            <Icon name="circle-check" size={16} /> {t("tutorial.is-done")}
+          </p>
+        ) : null}
+        {hinted && hint !== "" ? (
+          <p className="tutorial-hint" role="status" data-testid="tutorial-hint">
+            <Icon name="lightbulb" size={16} />
+            <span>
+              <strong>{t("tutorial.hint")}</strong> {hint}
+            </span>
+          </p>
+        ) : null}
+        {hinted ? (
+          <ul className="tutorial-points">
+            {points.map((point) => (
+              <li key={`${point.kind} ${point.name}`}>
+                <button
+                  type="button"
+                  className="button small"
+                  data-testid={`tutorial-go-${point.kind}-${point.name}`}
+                  onClick={() => {
+                    goToPoint(point, page);
+                  }}
+                >
+                  <Icon name="crosshair" size={14} />
+                  {t("tutorial.go", { what: wordsOf(point, page) })}
+                </button>
+              </li>
+            ))}
+          </ul>
+        ) : null}
+      </div>
+      <div className="tutorial-ways">
+        {is || hinted || (hint === "" && points.length === 0) ? null : (
+          <button type="button" className="button" data-testid="tutorial-show" onClick={showHint}>
+            <Icon name="lightbulb" size={16} />
+            {t("tutorial.show-me")}
+          </button>
+        )}
+        <button
+          type="button"
+          className="button"
+          data-testid="tutorial-back"
+          disabled={progress.at === 0}
+          onClick={goBack}
+        >
+          {t("tutorial.back")}
+        </button>
+        <button type="button" className="button" data-testid="tutorial-next" onClick={goForward}>
+          {t(is || read ? "tutorial.next" : "tutorial.skip")}
+        </button>
+      </div>
+    </>
+  );
+}
+
+function End({ tutorial, done, page }: StepProps) {
+  const whole = done.every(Boolean);
+  const open = done.findIndex((is) => !is);
+  return (
+    <>
+      <div className="tutorial-words" data-testid="tutorial-end">
+        <h3>{whole ? t("tutorial.finished", { name: text(tutorial.label) }) : t("tutorial.left-over")}</h3>
+        <p>{whole ? t("tutorial.finished-help") : t("tutorial.open-again", { number: open + 1 })}</p>
+      </div>
+      <div className="tutorial-ways">
+        {whole ? (
+          <button
+            type="button"
+            className="button"
+            onClick={() => {
+              beginAnew(tutorial);
+            }}
+            data-testid="tutorial-again"
+          >
+            {t("tutorial.again")}
+          </button>
+        ) : (
+          <button
+            type="button"
+            className="button"
+            onClick={() => {
+              goTo(open);
+            }}
+            data-testid="tutorial-open-step"
+          >
+            {t("tutorial.step", { number: open + 1, name: nameOf(tutorial, open, page) })}
+          </button>
+        )}
+        <button type="button" className="button" onClick={leave} data-testid="tutorial-close">
+          {t("tutorial.leave")}
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** What is said aloud: what was done, and what comes now. */
+function spoken({ tutorial, done, page }: StepProps, at: number, last: number): string {
+  const did = last >= 0 ? `${t("tutorial.did", { name: nameOf(tutorial, last, page) })} ` : "";
+  const step = tutorial.steps[at];
+  if (step !== undefined) {
+    return `${did}${t("tutorial.step", { number: at + 1, name: told(step.label, page) })}. ${told(step.help, page)}`;
+  }
+  return did + (done.every(Boolean) ? t("tutorial.finished", { name: text(tutorial.label) }) : t("tutorial.left-over"));
+}
+
+export function TutorialPanel() {
+  const { tutorial, progress, fits, last } = useTutorial();
+  const page = usePage();
+  const section = useRef<HTMLElement>(null);
+  const name = tutorial?.name;
+  useEffect(keepWatching, []);
+  useEffect(() => {
+    if (name !== undefined) section.current?.focus();
+  }, [name]);
+  if (tutorial === null) return null;
+  const done = doneSteps(tutorial, fits, progress);
+  const count = done.filter(Boolean).length;
+  const undone = done.findIndex((is, step) => !is && step < progress.at && !progress.skipped.includes(step));
+  return (
+    <section
+      ref={section}
+      className="tutorial"
+      tabIndex={-1}
+      data-testid="tutorial"
+      data-step={progress.at + 1}
+      aria-label={t("tutorial.of", { name: text(tutorial.label) })}
+    >
+      <header className="tutorial-head">
+        <Icon name={tutorial.icon} size={18} />
+        <h2>{text(tutorial.label)}</h2>
+        <Steps tutorial={tutorial} done={done} page={page} />
+        <span className="tutorial-count" data-testid="tutorial-count">
+          {t("tutorial.done-of", { done: count, total: done.length })}
+        </span>
+        {progress.at < done.length && undone >= 0 ? (
+          <button
+            type="button"
+            className="tutorial-undone"
+            data-testid="tutorial-undone"
+            onClick={() => {
+              goTo(undone);
+            }}
+          >
+            <Icon name="undo-2" size={14} />
+            {t("tutorial.open-again", { number: undone + 1 })}
+          </button>
+        ) : null}
+        <Tool
+          small
+          icon="x"
+          className="tutorial-leave"
+          label={t("tutorial.leave")}
+          testId="tutorial-leave"
+          onClick={leave}
+        />
+      </header>
+      <div className="tutorial-body">
+        {progress.at < done.length ? (
+          <StepView tutorial={tutorial} done={done} page={page} />
+        ) : (
+          <End tutorial={tutorial} done={done} page={page} />
+        )}
+      </div>
+      <p className="only-spoken" role="status" data-testid="tutorial-said">
+        {spoken({ tutorial, done, page }, progress.at, last)}
+      </p>
+    </section>
+  );
+}

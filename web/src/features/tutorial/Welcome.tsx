@@ -1,0 +1,30 @@
+/** The first visit: offers a tutorial above the open mission. Shown once. */
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { text } from "../../model/texts";
+import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
+import { begin } from "./opening";
+import { useTutorial, welcome } from "./state";
+import "./welcome.css";
+
+export function Welcome() {
+  const { all, tutorial, welcomed } = useTutorial();
+  const path = useStudio((studio) => studio.file.path);
+  const [first] = (all ?? []).filter((one) => one.steps.length > 0);
+  // Not above a mission of the folder; a new mission begins where the folder has none.
+  if (welcomed || tutorial !== null || first === undefined) return null;
+  if (path !== "" && !path.startsWith("example:")) return null;
+  return (
+    <section className="welcome" aria-label={t("tutorial.welcome")} data-testid="welcome">
+      <Icon name="graduation-cap" size={18} />
+      <p>
+        <strong>{t("tutorial.welcome")}</strong> {t("tutorial.welcome-help")}
+      </p>
+      <button type="button" className="button" data-testid="welcome-tutorial" onClick={() => void begin(first)}>
+        {text(first.label)}
+      </button>
+      <Tool small icon="x" label={t("tutorial.not-now")} testId="welcome-close" onClick={welcome} />
+    </section>
+  );
+}

@@ -1,0 +1,154 @@
+/**
+ * Where a step points: what of the page a point means, in words, as a CSS selector for the ring, and how to get there.
+ *
+ * A ring follows by itself: a rule of style sits on whatever the selector finds, now and after the page was drawn anew.
+ */
+import type { Point } from "../../api/generated";
+import { type Key, t } from "../../i18n/words";
+import { type Parts, shortTitle } from "../../model/parts";
+import { text } from "../../model/texts";
+import type { Program, Texts } from "../../model/types";
+import { reveal as revealVertex } from "../../session/actions";
+import { reveal } from "../../session/reveal";
+import { useView } from "../../session/view";
+
+const BUTTONS: Readonly<Record<string, { testid: string; words: Key }>> = {
+  run: { testid: "run-button", words: "tutorial.point-run" },
+  pause: { testid: "pause-button", words: "run.pause" },
+  step: { testid: "step-button", words: "run.step" },
+  stop: { testid: "stop-button", words: "run.stop" },
+  speed: { testid: "speed", words: "tutorial.point-speed" },
+  undo: { testid: "undo", words: "edit.undo" },
+  redo: { testid: "redo", words: "edit.redo" },
+  "add-program": { testid: "add-program", words: "tabs.add" },
+  problems: { testid: "problems", words: "problems.title" },
+  "file-menu": { testid: "menu-File", words: "tutorial.point-file-menu" },
+};
+
+const PANELS: Readonly<Record<string, { selector: string; words: Key }>> = {
+  palette: { selector: ".parts", words: "view.palette" },
+  canvas: { selector: "#canvas-panel", words: "app.canvas" },
+  inspector: { selector: '[data-testid="inspector"]', words: "view.inspector" },
+  code: { selector: '[data-testid="code"]', words: "view.code" },
+  arena: { selector: '[data-testid="arena"]', words: "view.arena" },
+};
+
+/** What a point is about: the program in view and its parts. */
+export interface Page {
+  program: Program | undefined;
+  parts: Parts;
+}
+
+function byTestid(id: string): string {
+  return `[data-testid="${CSS.escape(id)}"]`;
+}
+
+/** The vertices of the program in view that a point means, in their order. */
+function vertices({ name }: Point, { program }: Page): string[] {
+  return program?.vertices.filter((vertex) => vertex.element === name).map((vertex) => vertex.id) ?? [];
+}
+
+/** What the ring goes around; "" where there is nothing of the kind. */
+export function selectorOf(point: Point, page: Page): string {
+  switch (point.kind) {
+    case "part": {
+      const row = byTestid(`part-${point.name}`);
+      const object = page.parts.all.find((one) => one.element === point.name)?.object;
+      if (object == null) return row;
+      // In a folded object, its heading is what can be seen.
+      return `${row}, [data-row="${CSS.escape(`object ${object.category} ${object.name}`)}"][aria-expanded="false"]`;
+    }
+    case "vertex": {
+      const [first] = vertices(point, page);
+      if (first === undefined) return "";
+      if (point.inner === "") return byTestid(`vertex-${first}`);
+      return [
+        byTestid(`slot-${first}.${point.inner}`),
+        `.inspector-number:has(${byTestid(`field-${first}.${point.inner}`)})`,
+        `body:not(:has(${byTestid(`field-${first}.${point.inner}`)})):not(:has(${byTestid(`slot-${first}.${point.inner}`)})) ${byTestid(`vertex-${first}`)}`,
+      ].join(", ");
+    }
+    case "button": {
+      const button = BUTTONS[point.name];
+      return button === undefined ? "" : byTestid(button.testid);
+    }
+    case "panel":
+      return PANELS[point.name]?.selector ?? "";
+    case "program":
+      return byTestid(`tab-${point.name}`);
+  }
+}
+
+function partName(element: string, { parts }: Page): string {
+  const shape = parts.all.find((one) => one.element === element);
+  if (shape === undefined) return element;
+  return shape.object === null
+    ? shortTitle(shape)
+    : `${text(shape.object.label, shape.object.name)} ${shortTitle(shape)}`;
+}
+
+/** What a text says in braces, as the page names it: {Wheel}, {Wheel.Advance}, {Wheel.Advance speed}; null for none. */
+function nameIn(braces: string, { parts }: Page): string | null {
+  const shape = parts.all.find((one) => one.element === braces);
+  if (shape !== undefined) return shortTitle(shape);
+  const object = parts.all.find((one) => one.object?.name === braces)?.object;
+  if (object != null) return text(object.label, object.name);
+  const space = braces.lastIndexOf(" ");
+  const owner = parts.all.find((one) => one.element === braces.slice(0, space));
+  const name = braces.slice(space + 1);
+  const inner = [...(owner?.fields ?? []), ...(owner?.plugs ?? []), ...(owner?.flows ?? [])];
+  const found = inner.find((one) => one.name === name);
+  return found === undefined ? null : text(found.label, name);
+}
+
+/** A text of a tutorial, with the names of parts as the reader sees them in the palette. */
+export function told(texts: Texts, page: Page): string {
+  return text(texts).replace(/\{([^{}]+)\}/g, (whole, braces: string) => nameIn(braces, page) ?? whole);
+}
+
+/** A point in words: "Wheel Advance in the parts". */
+export function wordsOf(point: Point, page: Page): string {
+  switch (point.kind) {
+    case "part":
+      return t("tutorial.point-part", { name: partName(point.name, page) });
+    case "vertex":
+      return t("tutorial.point-vertex", { name: partName(point.name, page) });
+    case "button":
+      return t(BUTTONS[point.name]?.words ?? "tutorial.title");
+    case "panel":
+      return t(PANELS[point.name]?.words ?? "tutorial.title");
+    case "program":
+      return t("tutorial.point-program", { name: point.name });
+  }
+}
+
+function focus(selector: string): void {
+  const found = selector === "" ? null : document.querySelector<HTMLElement>(selector);
+  if (found === null) return;
+  const inner = found.matches("button, input, a[href], [tabindex]")
+    ? found
+    : found.querySelector<HTMLElement>("button:not(:disabled), input, [tabindex]");
+  found.scrollIntoView({ block: "nearest", inline: "nearest" });
+  (inner ?? found).focus({ preventScroll: true });
+}
+
+/** Brings what a point means into view and gives it the focus. */
+export function goToPoint(point: Point, page: Page): void {
+  if (point.kind === "part") {
+    reveal(point.name);
+    return;
+  }
+  if (point.kind !== "vertex") {
+    focus(selectorOf(point, page));
+    return;
+  }
+  const [first] = vertices(point, page);
+  if (first === undefined || page.program === undefined) return;
+  revealVertex(page.program.name, [first]);
+  useView.getState().viewport?.focus();
+  if (point.inner === "") return;
+  // The inspector shows the vertex once it is selected.
+  requestAnimationFrame(() => {
+    focus(byTestid(`field-${first}.${point.inner}`));
+  });
+}

@@ -1,0 +1,92 @@
+/** The outline of a floor, a line or a road: its corners, and whether it is closed. */
+import { type Key, t } from "../../i18n/words";
+import type { Corner } from "../../model/types";
+import { withClosed, withPoints } from "../../model/world/roads";
+import { LARGEST_MM, type Part, tidy } from "../../model/world/thing";
+import { withPart } from "../../model/world/things";
+import { Tool } from "../../ui/Tool";
+import { NumberField } from "./NumberField";
+import { type PartProps, set } from "./part-fields";
+
+/** The corners of a floor, a line or a road: each with its place and radius; put in and taken out. */
+export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"floor"> | Part<"road">>) {
+  const closed = thing.kind === "floor" || ("closed" in part && part.closed);
+  const least = closed ? 3 : 2;
+  const { points } = part;
+  const keep = (after: Corner[], what = "", stepped = false) =>
+    set(world, thing, withPoints(world, thing, after), what, stepped);
+  const insert = (at: number) => {
+    const [a, b] = [points[at], points[(at + 1) % points.length]];
+    if (a === undefined || b === undefined) return;
+    const between =
+      at === points.length - 1 && !closed
+        ? { x: tidy(a.x + 100), y: a.y, radius: 0 }
+        : { x: tidy((a.x + b.x) / 2), y: tidy((a.y + b.y) / 2), radius: 0 };
+    keep([...points.slice(0, at + 1), between, ...points.slice(at + 1)]);
+  };
+  return (
+    <fieldset className="world-corners">
+      <legend>{t("world.corners")}</legend>
+      {points.map((point, at) => (
+        <div className="world-corner" key={at}>
+          <span className="world-corner-number">{at + 1}</span>
+          {(["x", "y", "radius"] as const).map((name) => (
+            <NumberField
+              key={name}
+              label={t(`world.${name}` as Key)}
+              unit=""
+              value={point[name]}
+              min={name === "radius" ? 0 : -LARGEST_MM}
+              max={LARGEST_MM}
+              testId={`world-corner-${String(at)}-${name}`}
+              keep={(value, stepped) =>
+                keep(
+                  points.map((one, index) => (index === at ? { ...one, [name]: tidy(value) } : one)),
+                  `${name}${String(at)}`,
+                  stepped,
+                )
+              }
+            />
+          ))}
+          <Tool
+            small
+            icon="plus"
+            iconSize={14}
+            label={t("world.corner-add", { number: at + 1 })}
+            testId={`world-corner-${String(at)}-add`}
+            onClick={() => insert(at)}
+          />
+          <Tool
+            small
+            icon="x"
+            iconSize={14}
+            label={t("world.corner-remove", { number: at + 1 })}
+            testId={`world-corner-${String(at)}-remove`}
+            disabled={points.length <= least}
+            onClick={() => keep(points.filter((_, index) => index !== at))}
+          />
+        </div>
+      ))}
+    </fieldset>
+  );
+}
+
+export function Closed({ world, thing, part }: PartProps<Part<"line"> | Part<"road">>) {
+  return (
+    <label className="world-check">
+      <input
+        type="checkbox"
+        data-testid="world-closed"
+        checked={part.closed}
+        disabled={!part.closed && part.points.length < 3}
+        onChange={(event) => {
+          const closed = event.target.checked;
+          const after =
+            thing.kind === "road" ? withClosed(world, thing.at, closed) : withPart(world, thing, { ...part, closed });
+          set(world, thing, after);
+        }}
+      />
+      {t("world.closed")}
+    </label>
+  );
+}

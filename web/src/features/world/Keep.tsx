@@ -1,0 +1,68 @@
+/** The mission's world as a file of its own, for other missions: its name, and why it cannot be. */
+import { useState } from "react";
+
+import { t } from "../../i18n/words";
+import { saveWorldFile } from "../../session/world-edits";
+import { ownWorld } from "../../session/world-view";
+
+export function Keep() {
+  const [name, setName] = useState<string | null>(null);
+  const [why, setWhy] = useState("");
+  if (name === null) {
+    return (
+      <div className="world-keep">
+        <button
+          type="button"
+          className="button"
+          data-testid="save-world"
+          onClick={() => setName(ownWorld()?.name ?? "")}
+        >
+          {t("world.save-file")}
+        </button>
+      </div>
+    );
+  }
+  return (
+    <form
+      className="world-keep"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void saveWorldFile(name).then((wrong) => {
+          setWhy(wrong);
+          if (wrong === "") setName(null);
+        });
+      }}
+    >
+      <label className="field-label" htmlFor="world-file">
+        {t("world.file-name")}
+      </label>
+      <span className="world-file">
+        <input
+          id="world-file"
+          className="field"
+          data-testid="world-file"
+          autoFocus
+          spellCheck={false}
+          value={name}
+          aria-invalid={why !== ""}
+          aria-describedby={why === "" ? undefined : "world-file-why"}
+          onChange={(event) => setName(event.target.value)}
+          onKeyDown={(event) => {
+            if (event.key !== "Escape") return;
+            event.stopPropagation();
+            setName(null);
+          }}
+        />
+        <span dir="ltr">.world.xml</span>
+      </span>
+      {why === "" ? null : (
+        <p className="team-wrong" id="world-file-why" role="alert">
+          {why}
+        </p>
+      )}
+      <button type="submit" className="button" data-testid="world-file-save">
+        {t("world.file-keep")}
+      </button>
+    </form>
+  );
+}

@@ -1,0 +1,65 @@
+/**
+ * The world in the place of the canvas: the place itself to draw on, beside it a list of what is there and the numbers of
+ * what is chosen.
+ *
+ * A world of a file is shown and can be copied into the mission; only a world of the mission's own is changed.
+ */
+import { useEffect } from "react";
+
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { editWorld } from "../../session/world-edits";
+import { chosenIn, choose, useWorld } from "../../session/world-view";
+import { Fields } from "./Fields";
+import { Keep } from "./Keep";
+import { Stage } from "./Stage";
+import { Things } from "./Things";
+import { Tools } from "./Tools";
+import "./world.css";
+
+function FromFile() {
+  const world = useStudio((studio) => studio.world);
+  const href = useStudio((studio) => studio.mission.world);
+  return (
+    <section className="world-note" aria-labelledby="world-from-file">
+      <h2 id="world-from-file">{world?.name ?? t("world.tab")}</h2>
+      <p>{href === "" ? t("world.of-empty") : t("world.of-file", { file: href })}</p>
+      <p>{t("world.copy-help")}</p>
+      <button type="button" className="button" data-testid="edit-world" onClick={() => void editWorld()}>
+        {t("world.edit")}
+      </button>
+    </section>
+  );
+}
+
+export default function World() {
+  const own = useStudio((studio) => studio.mission.own_world ?? null);
+  const said = useWorld((state) => state.said);
+  useEffect(() => {
+    const { chosen } = useWorld.getState();
+    const there = chosenIn(own, chosen);
+    if (there.length !== chosen.length) choose(there);
+  }, [own]);
+  return (
+    <div className="world" id="world-panel" role="tabpanel" aria-label={t("world.tab")} data-testid="world">
+      <div className="world-place">
+        {own === null ? null : <Tools />}
+        <Stage />
+      </div>
+      <div className="world-side">
+        {own === null ? (
+          <FromFile />
+        ) : (
+          <>
+            <Fields world={own} />
+            <Things world={own} />
+            <Keep />
+          </>
+        )}
+      </div>
+      <p className="only-spoken" role="status">
+        {said}
+      </p>
+    </div>
+  );
+}

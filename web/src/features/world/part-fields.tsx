@@ -1,0 +1,98 @@
+/** Fields that several kinds of things have: numbers in mm, a choice, a colour, a count. */
+import type { ComponentProps } from "react";
+
+import { type Key, t } from "../../i18n/words";
+import type { OwnWorld } from "../../model/types";
+import { nameOf } from "../../model/world/names";
+import { LARGEST_MM, type Part, type Thing, tidy } from "../../model/world/thing";
+import { withPart } from "../../model/world/things";
+import { change } from "../../session/world-edits";
+import { Select } from "../../ui/Select";
+import { NumberField } from "./NumberField";
+
+const MOST = 65535;
+
+export interface PartProps<P> {
+  world: OwnWorld;
+  thing: Thing;
+  part: P;
+}
+
+export function set(world: OwnWorld, thing: Thing, after: OwnWorld, what = "", stepped = false): void {
+  const label = t("command.edit", { name: nameOf(world, thing) });
+  change(label, after, stepped ? `world ${thing.kind} ${String(thing.at)} ${what}` : undefined);
+}
+
+/** Fields that are numbers in mm, by their names in the part. */
+export function Numbers<P extends Part<Thing["kind"]>>({
+  world,
+  thing,
+  part,
+  names,
+  least = 0,
+}: PartProps<P> & { names: readonly (keyof P & string)[]; least?: number }) {
+  return (
+    <div className="world-fields">
+      {names.map((name) => (
+        <NumberField
+          key={name}
+          label={t(`world.${name}` as Key)}
+          value={part[name] as number}
+          min={least}
+          max={LARGEST_MM}
+          testId={`world-${name}`}
+          keep={(value, stepped) =>
+            set(world, thing, withPart(world, thing, { ...part, [name]: tidy(value) }), name, stepped)
+          }
+        />
+      ))}
+    </div>
+  );
+}
+
+/** A choice with its label before it. */
+export function Choice(props: ComponentProps<typeof Select>) {
+  return (
+    <label className="world-field">
+      <span>{props.label}</span>
+      <Select {...props} />
+    </label>
+  );
+}
+
+export function Colour({ world, thing, part }: PartProps<Part<"line"> | Part<"floor">>) {
+  return (
+    <Choice
+      label={t("world.colour")}
+      testId="world-colour"
+      value={part.colour}
+      options={(["red", "green", "blue"] as const).map((one) => [one, t(`world.${one}` as Key)])}
+      keep={(colour) => set(world, thing, withPart(world, thing, { ...part, colour } as typeof part))}
+    />
+  );
+}
+
+export function Count({
+  label,
+  value,
+  name,
+  keep,
+}: {
+  label: string;
+  value: number;
+  name: string;
+  keep: (n: number) => void;
+}) {
+  return (
+    <NumberField
+      label={label}
+      value={value}
+      unit=""
+      min={0}
+      max={MOST}
+      step={1}
+      testId={`world-${name}`}
+      keep={(one) => keep(Math.round(one))}
+    />
+  );
+}

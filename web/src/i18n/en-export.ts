@@ -1,0 +1,24 @@
+/** English for what leaves the studio: files to keep and the printed sheet. */
+import type { Sentence } from "./words";
+
+export const EXPORT_EN = {
+  "out.download-kri": "Download image of {name} (.kri)",
+  "out.download-kra": "Download three-address code of {name} (.kra)",
+  "out.no-image": "“{name}” has errors, so there is no image of it yet.",
+  "out.no-image-help": "Mend what the list of problems shows; F8 goes to the next one.",
+  "out.show-problem": "Show the error",
+  "out.export-pdf": "Export graph as PDF",
+  "out.export-pdf-all": "Export all graphs as PDF",
+  "out.print": "Print…",
+  "out.print-failed": "The sheet could not be made: load the page again.",
+
+  "sheet.team": "The team",
+  "sheet.agent": "Agent",
+  "sheet.program": "Program",
+  "sheet.robot": "Robot",
+  "sheet.start": "Starts at",
+  "sheet.world": "World: {name}",
+  "sheet.part": "{name} · graph, part {number} of {total}",
+  "sheet.graph": "Graph of {name}",
+  "sheet.no-code": "This program has no text yet: its errors come first.",
+} as const satisfies Record<string, Sentence>;

@@ -1,0 +1,51 @@
+/** Faults of robots, in French. */
+import type { Table } from "./words";
+
+export const FAILURES_FR = {
+  "harm.menu": "Ce qui arrive à {name}",
+  "harm.fail": "Mettre en panne",
+  "harm.stall": "Figer : manque ses tops",
+  "harm.mute": "Couper sa radio",
+  "harm.revive": "Remettre en marche",
+  "harm.follow": "Suivre",
+  "harm.unfollow": "Ne plus suivre",
+  "harm.needs-run": "Lancez d’abord",
+  "arena.stalled": "figé",
+  "arena.muted": "sans radio",
+  "arena.chosen": "{name} choisi",
+  "arena.now": "{name} : {states}",
+  "arena.well": "remis en marche",
+  "arena.crowd": { one: "{count} robot", other: "{count} robots" },
+  "arena.crowd-of": "{count} × {program}",
+  "arena.crowd-all": "Tous les programmes : {count}",
+  "arena.crowd-filter": "Quels robots sont mis en avant",
+  "arena.crowd-failed": "{count} en panne",
+  "tabs.state-stalled": "figé",
+  "strip.failure": "défaillance",
+  "strip.revival": "remise en marche",
+  "strip.planned": "Prévu à {time} : {agent} : {kind}",
+  "strip.failures": { one: "{count} défaillance.", other: "{count} défaillances." },
+  "help.keys-robot-menu": "Menu du robot choisi",
+  "team.failures": "Défaillances",
+  "team.failures-help":
+    "Ce qui tourne mal à chaque exécution, et quand. Un robot en panne reste où il est et gêne les autres.",
+  "team.failures-none":
+    "Rien ne tourne mal à heure fixe. Mettez un robot en panne ici, ou par son menu dans l’arène pendant l’exécution.",
+  "team.failures-nobody": "Il faut un robot : ajoutez-en un ci-dessus.",
+  "team.add-failure": "Ajouter une défaillance",
+  "team.chance": "Par hasard, chaque robot tombe en panne pour de bon en une minute avec une probabilité de",
+  "team.chance-help":
+    "La graine décide quand : la même graine donne les mêmes pannes. Vaut pour les exécutions de cette fenêtre jusqu’à ce qu’on ouvre une autre mission ; ce n’est pas gardé dans la mission.",
+  "team.chance-wrong": "Un nombre de 0 à 100, s’il vous plaît.",
+  "team.chance-on":
+    "Par hasard, chaque robot tombe en panne en une minute avec une probabilité de {percent} % (onglet Équipe)",
+  "team.failure-who": "Qui",
+  "team.failure-when": "À, en secondes",
+  "team.failure-what": "Ce qui arrive",
+  "team.failure-gone": "{agent} (pas dans l’équipe)",
+  "team.remove-failure": "Retirer : {agent} à {time} s",
+  "team.fail": "tombe en panne",
+  "team.stall": "se fige",
+  "team.mute": "perd sa radio",
+  "team.revive": "se remet en marche",
+} satisfies Table;

@@ -1,0 +1,58 @@
+/**
+ * The language of the page: chosen in the View menu and remembered, at first the browser's.
+ *
+ * What is spoken is written on the root element as lang and dir, which turns the whole page for a language that runs
+ * from right to left.
+ */
+import { create } from "zustand";
+
+import { bestLanguage, isLanguage, type Language, LANGUAGES, languageInUse, speak } from "./words";
+
+const KEY = "kitrobot.language";
+
+function remembered(): Language | null {
+  try {
+    const value = localStorage.getItem(KEY) ?? "";
+    return isLanguage(value) ? value : null;
+  } catch {
+    return null;
+  }
+}
+
+interface LanguageState {
+  language: Language;
+  choose: (language: Language) => Promise<void>;
+}
+
+export const useLanguage = create<LanguageState>((set) => ({
+  language: languageInUse(),
+  choose: async (wanted) => {
+    const language = await speak(wanted);
+    if (language === wanted) {
+      try {
+        localStorage.setItem(KEY, wanted);
+      } catch {
+        // A browser without storage keeps the choice until the page is closed.
+      }
+    }
+    write(language);
+    set({ language });
+  },
+}));
+
+function write(language: Language): void {
+  document.documentElement.lang = language;
+  document.documentElement.dir = LANGUAGES[language].dir;
+}
+
+/** Speaks the reader's language before anything is drawn. */
+export async function installLanguage(): Promise<void> {
+  const language = await speak(remembered() ?? bestLanguage(navigator.languages));
+  write(language);
+  useLanguage.setState({ language });
+}
+
+/** Whether the page runs from right to left. */
+export function mirrored(): boolean {
+  return LANGUAGES[languageInUse()].dir === "rtl";
+}

@@ -1,0 +1,88 @@
+/** What lies at a place of a world, and where something that is dragged comes to lie: on the grid or on an end nearby. */
+import type { OwnWorld } from "../types";
+import { lineOf } from "./drawn";
+import { gripsOf } from "./grips";
+import { nearestOn, offStretch } from "./line";
+import { anchorOf } from "./moving";
+import { GRID_MM, type Kind, partsOfKind, sameThing, type Thing } from "./thing";
+
+const DOCK_MM = 70;
+const ROBOT_MM = 55;
+
+function offThing(world: OwnWorld, thing: Thing, x: number, y: number): number {
+  switch (thing.kind) {
+    case "wall": {
+      const wall = world.walls[thing.at];
+      return wall === undefined ? Infinity : offStretch(x, y, [wall.x1, wall.y1], [wall.x2, wall.y2]).off;
+    }
+    case "line":
+    case "road": {
+      const part = partsOfKind(world, thing.kind)[thing.at];
+      const line = part === undefined ? null : lineOf(part.points, part.closed);
+      return line === null || part === undefined ? Infinity : nearestOn(line, x, y).off - part.width_mm / 2;
+    }
+    case "floor": {
+      const border = lineOf(world.floors[thing.at]?.points ?? [], true)?.points ?? [];
+      let inside = false;
+      border.forEach(([bx, by], index) => {
+        const [ax, ay] = border[(index + border.length - 1) % border.length] ?? [bx, by];
+        if (by > y !== ay > y && x < ((ax - bx) * (y - by)) / (ay - by) + bx) inside = !inside;
+      });
+      return inside ? 0 : Infinity;
+    }
+    case "storehouse": {
+      const house = world.storehouses[thing.at];
+      if (house === undefined) return Infinity;
+      const [px, py] = [x - house.x_mm, y - house.y_mm];
+      return px >= 0 && px <= house.width_mm && py >= 0 && py <= house.height_mm ? 0 : Infinity;
+    }
+    case "dock":
+    case "start": {
+      const place = anchorOf(world, thing);
+      const reach = thing.kind === "dock" ? DOCK_MM : ROBOT_MM;
+      return place === null ? Infinity : Math.hypot(place.x - x, place.y - y) - reach;
+    }
+  }
+}
+
+const ON_TOP: readonly Kind[] = ["start", "wall", "dock", "storehouse", "line", "road", "floor"];
+
+/** What lies at a place, at most `reach` mm off: what is drawn on top comes first. */
+export function thingAt(world: OwnWorld, x: number, y: number, reach: number): Thing | null {
+  for (const kind of ON_TOP) {
+    const near = partsOfKind(world, kind)
+      .map((_, at) => ({ at, off: offThing(world, { kind, at }, x, y) }))
+      .filter(({ off }) => off <= (kind === "floor" ? 0 : reach))
+      .sort((a, b) => a.off - b.off || b.at - a.at)[0];
+    if (near !== undefined) return { kind, at: near.at };
+  }
+  return null;
+}
+
+/** The ends of walls and lines that something dragged may take hold of. */
+export function endsOf(world: OwnWorld, but: readonly Thing[]): { x: number; y: number }[] {
+  const kinds: Kind[] = ["wall", "floor", "line", "road"];
+  return kinds.flatMap((kind) =>
+    partsOfKind(world, kind).flatMap((_, at) =>
+      but.some((one) => sameThing(one, { kind, at }))
+        ? []
+        : gripsOf(world, { kind, at }).filter((grip) => !grip.id.startsWith("cut")),
+    ),
+  );
+}
+
+/** A place on the grid, or on an end within reach. */
+export function snapped(
+  x: number,
+  y: number,
+  ends: readonly { x: number; y: number }[],
+  reach: number,
+): { x: number; y: number; end: boolean } {
+  let best: { x: number; y: number; off: number } | null = null;
+  for (const end of ends) {
+    const off = Math.hypot(end.x - x, end.y - y);
+    if (off <= reach && (best === null || off < best.off)) best = { x: end.x, y: end.y, off };
+  }
+  if (best !== null) return { x: best.x, y: best.y, end: true };
+  return { x: Math.round(x / GRID_MM) * GRID_MM + 0, y: Math.round(y / GRID_MM) * GRID_MM + 0, end: false };
+}

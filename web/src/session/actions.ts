@@ -1,0 +1,133 @@
+/** Actions on the run and on programs, shared by menus, toolbar and keys. */
+import { t } from "../i18n/words";
+import { becomes, type Command } from "../model/command";
+import { addProgram, removeProgram } from "../model/commands/changePrograms";
+import { moveProgram } from "../model/commands/moveProgram";
+import { useStudio } from "../model/studio";
+import type { Mission, World } from "../model/types";
+import { dismissBanner, useDocument } from "./document";
+import { isLive, useRun, watchedAgent } from "./run";
+import { closeTeam, openTeam } from "./team-view";
+import { useView } from "./view";
+
+export function run(): void {
+  const { status, start, resume } = useRun.getState();
+  if (status === "paused") {
+    resume();
+  } else if (!isLive(status)) {
+    const { mission, file } = useStudio.getState();
+    start({ mission, path: file.path });
+  }
+}
+
+export function pause(): void {
+  const { status, pause: hold, resume } = useRun.getState();
+  if (status === "paused") resume();
+  else hold();
+}
+
+/** To the next vertex of the agent that is watched in the open program, or back to the one before. */
+export function stepVertex(back: boolean): void {
+  const { activeProgram } = useStudio.getState();
+  const state = useRun.getState();
+  state.step("vertex", back, watchedAgent(state, activeProgram)?.name ?? "");
+}
+
+/** `stem-1`, `stem-2`, …: the first that is not taken. */
+export function freeName(stem: string, taken: readonly string[]): string {
+  for (let number = 1; ; number++) {
+    const name = `${stem}-${String(number)}`;
+    if (!taken.includes(name)) return name;
+  }
+}
+
+/** The first start of the world that no agent uses. */
+export function freeStart(mission: Mission, world: World | null): string | null {
+  const taken = mission.agents.flatMap((agent) => [agent.name, agent.start === "" ? agent.name : agent.start]);
+  return world?.starts.find((start) => !taken.includes(start.name))?.name ?? null;
+}
+
+/**
+ * A new program and, where the world has a place for it, one agent that runs it: what is drawn should also move.
+ */
+export function programWithAgent(
+  mission: Mission,
+  robot: string,
+  world: World | null,
+): { command: Command; name: string } | null {
+  const names = mission.programs.map((program) => program.name);
+  const name = freeName("program", names);
+  const inner = addProgram(mission, name, robot);
+  const start = freeStart(mission, world);
+  if (inner === null || start === null) return inner === null ? null : { command: inner, name };
+  const agent = { name: start, program: name, start: "" };
+  const after = inner.execute(mission);
+  return { command: becomes(inner.label, { ...after, agents: [...after.agents, agent] }), name };
+}
+
+export function addProgramFor(robot: string): void {
+  const { mission, world, execute, setActiveProgram } = useStudio.getState();
+  const added = programWithAgent(mission, robot, world);
+  if (added === null) return;
+  execute(added.command);
+  setActiveProgram(added.name);
+  if (useStudio.getState().mission.agents.some((agent) => agent.program === added.name)) return;
+  const message = t("team.no-free-start", { name: added.name });
+  const open = () => {
+    dismissBanner();
+    openTeam();
+  };
+  useDocument.setState({
+    banner: { kind: "note", message, help: "", actions: [{ label: t("team.open"), run: open }] },
+  });
+}
+
+export function removeProgramNamed(name: string): void {
+  const { mission, execute } = useStudio.getState();
+  const command = removeProgram(mission, name);
+  if (command !== null) execute(command);
+}
+
+/** Speeds that the menu and the keys step through; 0 is as fast as it goes. */
+export const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 0] as const;
+
+/** The neighbour of a speed on the scale. */
+export function nextSpeed(speed: number, by: 1 | -1): number {
+  const rank = (one: number) => (one === 0 ? Infinity : one);
+  const ordered = by > 0 ? SPEEDS : [...SPEEDS].reverse();
+  return ordered.find((one) => (by > 0 ? rank(one) > rank(speed) : rank(one) < rank(speed))) ?? speed;
+}
+
+export function changeSpeed(by: 1 | -1): void {
+  const { speed, setSpeed } = useRun.getState();
+  setSpeed(nextSpeed(speed, by));
+}
+
+/** Opens the program of the neighbouring tab; after the last comes the first. */
+export function goToProgram(by: 1 | -1): void {
+  const { mission, activeProgram, setActiveProgram } = useStudio.getState();
+  const { programs } = mission;
+  const at = programs.findIndex((one) => one.name === activeProgram);
+  const next = programs[(at + by + programs.length) % programs.length];
+  closeTeam();
+  if (next !== undefined) setActiveProgram(next.name);
+}
+
+/** Moves the open program's tab one place on. */
+export function moveActiveProgram(by: 1 | -1): void {
+  const { mission, activeProgram, execute } = useStudio.getState();
+  const command = moveProgram(mission, activeProgram, by);
+  if (command !== null) execute(command);
+}
+
+/** Brings a vertex into view: its program's tab, then the vertex itself. */
+export function reveal(program: string, vertices: string[]): void {
+  closeTeam();
+  const { setActiveProgram, select } = useStudio.getState();
+  setActiveProgram(program);
+  const [first] = vertices;
+  if (first === undefined) return;
+  select(vertices);
+  // The canvas draws the other program first.
+  requestAnimationFrame(() => useView.getState().viewport?.reveal(first));
+}

@@ -1,0 +1,99 @@
+/**
+ * What surrounds the open mission: the session, one banner (a failure or a question, never a blocking dialog) and which sheet
+ * lies over the page. The mission itself is in `useStudio`; how it is opened and saved in `opening.ts`, `open-requests.ts`
+ * and `saving.ts`.
+ */
+import { create } from "zustand";
+
+import { ApiError } from "../api/client";
+import type { Session } from "../api/generated";
+import { type Key, sentence, t } from "../i18n/words";
+import { useStudio } from "../model/studio";
+import type { Problem } from "../model/types";
+
+export interface BannerAction {
+  label: string;
+  run: () => void;
+}
+
+export interface Banner {
+  kind: "error" | "question" | "note";
+  message: string;
+  help: string;
+  actions: BannerAction[];
+}
+
+export type Overlay = "open" | "save-as" | "shortcuts" | "about" | "difference" | null;
+
+interface DocumentState {
+  session: Session | null;
+  /** False until the first mission is there. */
+  ready: boolean;
+  saving: boolean;
+  /** Whether another mission is on its way. */
+  opening: boolean;
+  banner: Banner | null;
+  overlay: Overlay;
+  /** What was wrong with the file itself when it was read; it goes away with the next save. */
+  fileProblems: Problem[];
+}
+
+export const useDocument = create<DocumentState>(() => ({
+  session: null,
+  ready: false,
+  saving: false,
+  opening: false,
+  banner: null,
+  overlay: null,
+  fileProblems: [],
+}));
+
+const set = useDocument.setState;
+
+export function show(overlay: Overlay): void {
+  set({ overlay });
+}
+
+/** Closes the sheet that lies over the page. */
+export function closeOverlay(): void {
+  set({ overlay: null });
+}
+
+export function dismissBanner(): void {
+  set({ banner: null });
+}
+
+function placed({ line, message }: Problem): string {
+  return line > 0 ? t("banner.line", { line, message }) : sentence(message);
+}
+
+/** Says that something failed, with a way to try again where there is one. */
+export function complain(cause: unknown, again?: () => void): void {
+  const message = cause instanceof Error ? cause.message : String(cause);
+  const help =
+    cause instanceof ApiError ? [...cause.problems.slice(0, 1).map(placed), cause.help].join(" ").trim() : "";
+  const actions = again === undefined ? [] : [{ label: t("banner.retry"), run: again }];
+  set({ banner: { kind: "error", message, help, actions } });
+}
+
+/** Asks, without standing in the way; each answer takes the question away. */
+export function question(message: string, choices: [Key, () => void][], kind: Banner["kind"] = "question", help = "") {
+  const actions = choices.map(([key, run]) => ({
+    label: t(key),
+    run: () => {
+      dismissBanner();
+      run();
+    },
+  }));
+  set({ banner: { kind, message, help, actions } });
+}
+
+/** A file's name without its folders. */
+export function shownName(name: string): string {
+  return name.split("/").at(-1) || t("file.untitled");
+}
+
+/** The open file's name as the page shows it. */
+export function fileName(): string {
+  return shownName(useStudio.getState().file.name);
+}

@@ -1,0 +1,74 @@
+/**
+ * What a feature gives the page, as one value: its panels, commands, menu entries and sheets.
+ *
+ * `app/features.ts` has the only list of features and installs it here. `app` makes menus, keys and layout of it; a feature
+ * draws what others give through `components/Slot`, so that none imports another.
+ */
+import type { ComponentType, ReactNode } from "react";
+
+import type { Key } from "../i18n/words";
+import type { Overlay } from "./document";
+import type { PAGE_KEYS } from "./key-table";
+import type { Panel } from "./layout";
+import type { MenuEntries } from "./menu-table";
+
+export type PageCommand = keyof typeof PAGE_KEYS;
+
+/**
+ * Places where parts of several features stand side by side: under the head, in the toolbar, at its end, behind the tabs,
+ * above and below the graph, in the bottom bar, over the page, after the page, and on top of the sheet for opening.
+ */
+export type SlotName =
+  "banner" | "tools" | "status" | "tabs-end" | "above" | "below" | "bottom" | "over-page" | "after-page" | "open-lists";
+
+/** Places for one part at a time; `graph` is the centre, `empty-program` lies under a program without parts. */
+export type PanelPlace = Panel | "graph" | "empty-program";
+
+/** A tab behind those of the programs. Its element is `tab-of-NAME`, its panel's is `NAME-panel`. */
+export interface FeatureTab {
+  name: string;
+  icon: string;
+  label: Key;
+  isOpen: () => boolean;
+  open: () => void;
+  /** What the tab shows: whether it is open, whether there are errors, and how many agents there are (none: no number). */
+  useTab: () => { open: boolean; errors: boolean; count?: number };
+  /** Lies over the graph; draws nothing while the tab is not open. */
+  Panel: ComponentType;
+}
+
+export interface Feature {
+  name: string;
+  slots?: Partial<Record<SlotName, ComponentType>>;
+  /** `children` is what stands there without this feature: it may be drawn or replaced. */
+  panels?: Partial<Record<PanelPlace, ComponentType<{ children: ReactNode }>>>;
+  tab?: FeatureTab;
+  /** What keys of the page do; each key belongs to one feature. */
+  commands?: Partial<Record<PageCommand, () => void>>;
+  /** A hook: the entries as they are now. */
+  useMenu?: () => MenuEntries;
+  sheets?: Partial<Record<NonNullable<Overlay>, ComponentType>>;
+  /** What Escape closes now, or null. */
+  escape?: () => (() => void) | null;
+  /** STOP was pressed. */
+  stop?: () => void;
+  /** Files were dropped on the page. */
+  takeFiles?: (files: File[]) => void;
+  /** Begins what goes on while the page is there; the returned function ends it. */
+  start?: () => () => void;
+}
+
+let installed: readonly Feature[] = [];
+
+export function install(features: readonly Feature[]): void {
+  installed = features;
+}
+
+export function features(): readonly Feature[] {
+  return installed;
+}
+
+/** STOP: the run, and every real robot. */
+export function stopEverything(): void {
+  for (const { stop } of installed) stop?.();
+}

@@ -1,0 +1,26 @@
+/** Notices about the journal: it fails, the studio came back, or another server answers at its address. */
+import { ApiError } from "../api/client";
+import { type Key, t } from "../i18n/words";
+import { question } from "./document";
+import { isKept } from "./journal";
+import { save } from "./saving";
+
+/** Says that changes are in no journal at the moment: what is not saved would be lost with the page. */
+export function complainOfJournal(cause: unknown, again: () => void): void {
+  const why = cause instanceof ApiError ? [cause.message, cause.help] : [];
+  const choices: [Key, () => void][] = [
+    ["banner.save", () => void save()],
+    ["banner.retry", again],
+  ];
+  question(t("journal.failed"), choices, "error", [...why, t("journal.failed-help")].join(" "));
+}
+
+/** The studio started anew, and the page has gone on with it. */
+export function sayReturned(): void {
+  question(t("journal.returned"), [], "note", isKept() ? t("journal.returned-help") : t("journal.failed"));
+}
+
+/** Another server answers at the studio's address. */
+export function sayStranger(): void {
+  question(t("journal.stranger"), [], "error", t("journal.stranger-help"));
+}

@@ -1,0 +1,111 @@
+/** What a person asks to open. Whatever would throw unsaved changes away asks first. */
+import { api, ApiError } from "../api/client";
+import type { Left } from "../api/generated";
+import { journalApi } from "../api/journal";
+import { traceApi } from "../api/traces";
+import { type Key, t } from "../i18n/words";
+import { useStudio } from "../model/studio";
+import { complain, fileName, question, shownName, useDocument } from "./document";
+import { flush, isKept } from "./journal";
+import { bringMission, bringRecording, takeLeft, whileOpening } from "./opening";
+import { isRecording } from "./recordings";
+import { save } from "./saving";
+
+/** While the first mission is on its way. */
+let beginning: Promise<void> | null = null;
+
+/** What is asked before the first mission is there waits for it, and is not covered by it then. */
+export function holdUntil(begun: Promise<void>): Promise<void> {
+  beginning = begun.finally(() => {
+    beginning = null;
+  });
+  return beginning;
+}
+
+/** Goes on where nothing is unsaved; else asks. `path` is what will be open then, "" for nothing that has a place. */
+function unlessUnsaved(go: () => Promise<boolean>, path = ""): void {
+  if (beginning !== null) {
+    void whileOpening(beginning.then(() => unlessUnsaved(go, path)));
+    return;
+  }
+  const { dirty, file } = useStudio.getState();
+  if (!dirty) {
+    void go();
+    return;
+  }
+  const name = fileName();
+  // The same file again: its unsaved changes are to be discarded.
+  const again = path !== "" && path === file.path;
+  question(
+    t("banner.unsaved", { name }),
+    [
+      ["banner.save", () => void save().then((saved) => saved && go())],
+      again ? ["journal.discard", () => void go()] : ["banner.discard", () => void leave(go, name)],
+      ["banner.cancel", () => undefined],
+    ],
+    "question",
+    t(again ? "journal.again-help" : "journal.leave-help"),
+  );
+}
+
+/** Goes on from unsaved work that is in the journal, and says where it is; asks once more when it is not there. */
+async function leave(go: () => Promise<boolean>, name: string): Promise<void> {
+  await flush();
+  if (!isKept()) {
+    question(
+      t("journal.not-kept", { name }),
+      [
+        ["banner.save", () => void save().then((saved) => saved && go())],
+        ["journal.discard", () => void go()],
+        ["banner.cancel", () => undefined],
+      ],
+      "error",
+    );
+    return;
+  }
+  if (!(await go()) || useDocument.getState().banner !== null) return;
+  question(t("journal.left", { name }), [], "note", t("journal.left-help"));
+}
+
+/** Opens work that was left behind, when the person asks for it. */
+export function openLeft(journal: string): void {
+  unlessUnsaved(async () => {
+    try {
+      if (await takeLeft(journal)) return true;
+      complain(new ApiError(t("journal.gone")));
+    } catch (cause) {
+      complain(cause);
+    }
+    return false;
+  });
+}
+
+/** Says that work on a new mission was left behind, which no file's name leads to. */
+export function offerLeft(left: readonly Left[]): void {
+  const [first] = left.filter((one) => one.path === "");
+  if (first === undefined || useDocument.getState().banner !== null) return;
+  const choices: [Key, () => void][] = [
+    ["journal.open", () => openLeft(first.journal)],
+    ["journal.discard", () => void journalApi.forget(first.journal).then(offerLeft, complain)],
+    ["journal.later", () => undefined],
+  ];
+  question(t("journal.left", { name: shownName(first.name) }), choices);
+}
+
+export function newMission(): void {
+  unlessUnsaved(() => bringMission(api.newMission));
+}
+
+export function openPath(path: string): void {
+  const go = () =>
+    isRecording(path) ? bringRecording(() => traceApi.open(path)) : bringMission(() => api.mission(path));
+  unlessUnsaved(go, path);
+}
+
+/** Opens a file that the person chose or dropped; it has no place on our disk until it is saved. */
+export function openFromComputer(file: File): void {
+  unlessUnsaved(() => {
+    if (isRecording(file.name)) return bringRecording(async () => traceApi.read(file.name, await file.arrayBuffer()));
+    return bringMission(async () => api.readMission(file.name, await file.arrayBuffer()));
+  });
+}

@@ -1,0 +1,106 @@
+/** How a mission becomes the open one: from a file, a recording, or the work that was left on it. */
+import { api } from "../api/client";
+import type { Claimed, Recording } from "../api/generated";
+import { t } from "../i18n/words";
+import { isUnsaved } from "../model/history";
+import { useStudio } from "../model/studio";
+import type { MissionFile } from "../model/types";
+import { complain, fileName, question, useDocument } from "./document";
+import { claim, openWith } from "./journal";
+import { recover } from "./journal-records";
+import { begin as play } from "./recordings";
+import { useRun } from "./run";
+import { holdParts } from "./world-files";
+
+/** Opens a mission with its unsaved work; `journal` names the journal, "" for any. */
+export async function take(file: MissionFile, journal = ""): Promise<void> {
+  resume(file, await claim(file.path, journal));
+}
+
+/** Opens a mission with what its journal holds, as far as that is still of use. */
+function resume(file: MissionFile, claimed: Claimed | null): void {
+  const found = recover(claimed?.records ?? []);
+  const unsaved = found !== null && isUnsaved(found.history);
+  const back = found !== null && (unsaved || found.revision === file.revision) ? found : null;
+  openWith(back?.history ?? null);
+  useRun.getState().reset();
+  useStudio.getState().openMission(back === null ? file : { ...file, revision: back.revision }, back?.history);
+  holdParts(file.parts ?? "");
+  useDocument.setState({ ready: true, banner: null, overlay: null, fileProblems: file.problems });
+  if (!unsaved) return;
+  const help = t(
+    found.lost === "steps"
+      ? "journal.back-steps"
+      : claimed?.damaged === true
+        ? "journal.back-damaged"
+        : "journal.back-help",
+  );
+  question(t("journal.back", { name: fileName() }), [["journal.discard", discard]], "note", help);
+}
+
+/** Away with what is not saved: the file as it is on disk, or a new one. */
+function discard(): void {
+  const { path } = useStudio.getState().file;
+  void bringMission(() => (path === "" ? api.newMission() : api.mission(path)));
+}
+
+/** Opens work that was left behind; false when it is gone. */
+export async function takeLeft(journal: string): Promise<boolean> {
+  const claimed = await claim("", journal);
+  if (claimed === null || claimed.records.length === 0) return false;
+  resume({ ...(await under(claimed.path)), path: claimed.path, name: claimed.name }, claimed);
+  return true;
+}
+
+/** What lies under unsaved work: its file, or nothing when that is gone. */
+async function under(path: string): Promise<MissionFile> {
+  if (path === "") return api.newMission();
+  try {
+    return await api.mission(path);
+  } catch {
+    return api.newMission();
+  }
+}
+
+/** Opens the file on disk in place of what is open. */
+export function loadFromDisk(): void {
+  const { path } = useStudio.getState().file;
+  void bringMission(() => api.mission(path));
+}
+
+let underWay = 0;
+
+export async function whileOpening<T>(work: Promise<T>): Promise<T> {
+  underWay++;
+  useDocument.setState({ opening: true });
+  try {
+    return await work;
+  } finally {
+    underWay--;
+    useDocument.setState({ opening: underWay > 0 });
+  }
+}
+
+/** True when what `get` gives is open; a failure is reported, and the open mission stays. */
+function bring<T>(get: () => Promise<T>, open: (found: T) => Promise<void>): Promise<boolean> {
+  return whileOpening(
+    get()
+      .then(open)
+      .then(
+        () => true,
+        (cause: unknown) => {
+          complain(cause);
+          return false;
+        },
+      ),
+  );
+}
+
+export const bringMission = (get: () => Promise<MissionFile>) => bring(get, take);
+
+/** Opens the mission of a recording, and plays it. */
+export const bringRecording = (get: () => Promise<Recording>) =>
+  bring(get, async (found) => {
+    await take(found.file);
+    play(found);
+  });

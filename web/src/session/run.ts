@@ -1,0 +1,354 @@
+/**
+ * The run that is on, as the page knows it: status, clock, what each agent does, stock and deliveries.
+ *
+ * One run at a time. Agents are in the server's order, the order of the binary pose frames too; an agent's `active` keeps
+ * its identity while the same vertices are active, so that a canvas redraws only when something changed. Poses are not
+ * here but in `poses.ts`. Real robots are shown as a run too (`showReal`). The mission that runs is the one that was given
+ * to `start`; later edits do not reach it.
+ *
+ * A run that another page steers can be watched: then nothing here steers it, and STOP ends the watching.
+ */
+import { useMemo } from "react";
+import { create } from "zustand";
+
+import { openRunSocket, type RunSocket } from "../api/socket";
+import type { AgentReport, Hit, RunEvent, RunMessage, RunRequest, StartedAgent } from "../api/wire";
+import type { Mission, Problem } from "../model/types";
+import { clearFrames, pushFrame } from "./poses";
+import type { RunAgent, RunState, RunStatus } from "./run-state";
+
+export type { RunAgent, RunState, RunStatus } from "./run-state";
+
+const MOST_EVENTS = 5000;
+
+const NOTHING = {
+  status: "idle" as RunStatus,
+  tick: 0,
+  latest: 0,
+  hits: [] as Hit[],
+  seconds: 0,
+  tickMs: 20,
+  sentence: "",
+  agents: [] as RunAgent[],
+  world: null,
+  stock: {},
+  delivered: {},
+  total: 0,
+  collisions: 0,
+  events: [] as RunEvent[],
+  error: null,
+  problems: [] as Problem[],
+  mission: null as Mission | null,
+  name: "",
+  recording: false,
+  watching: false,
+  another: false,
+  real: false,
+};
+
+let socket: RunSocket | null = null;
+
+function sameActive(a: RunAgent["active"], b: RunAgent["active"]): boolean {
+  return a.length === b.length && a.every(([slot, vertex], i) => b[i]?.[0] === slot && b[i][1] === vertex);
+}
+
+function merge(agents: RunAgent[], reports: Record<string, AgentReport>): RunAgent[] {
+  if (Object.keys(reports).length === 0) return agents;
+  return agents.map((agent) => {
+    const report = reports[agent.name];
+    if (report === undefined) return agent;
+    const active = sameActive(agent.active, report.active) ? agent.active : report.active;
+    return { ...agent, ...report, active };
+  });
+}
+
+function statusAfter(before: RunStatus, ended: boolean): RunStatus {
+  if (before === "connecting") return "idle";
+  return ended && isLive(before) ? "stopped" : before;
+}
+
+function eventsAfter(before: RunEvent[], { again, events }: { again: boolean; events: RunEvent[] }): RunEvent[] {
+  if (again) return events;
+  return events.length === 0 ? before : [...before, ...events].slice(-MOST_EVENTS);
+}
+
+/** Whether these are real robots: nobody knows where they are, and no seed began their run. */
+export function areReal(agents: readonly StartedAgent[]): boolean {
+  return agents.length > 0 && agents.every(({ placed }) => !placed);
+}
+
+/** What a message of the server changes. */
+export function applyMessage(state: RunState, message: RunMessage): Partial<RunState> {
+  switch (message.type) {
+    case "started":
+      return {
+        ...NOTHING,
+        mission: state.mission,
+        name: String(message.run),
+        recording: message.recording,
+        watching: message.watching,
+        another: message.another,
+        failRate: message.fail_rate,
+        status: "running",
+        tickMs: message.tick_ms,
+        seed: areReal(message.agents) ? state.seed : message.seed,
+        world: message.world,
+        stock: message.stock,
+        total: message.total,
+        agents: message.agents.map((agent) => ({
+          ...agent,
+          active: [],
+          state: "idle",
+          values: {},
+          inputs: {},
+          shown: {},
+          fault: 0,
+          forced: [],
+        })),
+      };
+    case "state":
+      return {
+        status: message.status,
+        tick: message.tick,
+        seconds: message.seconds,
+        sentence: message.sentence,
+        hits: message.hits,
+        problems: message.problems,
+      };
+    case "tick":
+      return {
+        tick: message.tick,
+        latest: message.latest,
+        seconds: message.seconds,
+        agents: merge(state.agents, message.agents),
+        stock: message.stock,
+        delivered: message.delivered,
+        collisions: message.collisions,
+        events: eventsAfter(state.events, message),
+      };
+    case "problems":
+      return { ...NOTHING, problems: message.problems };
+    case "error":
+      return {
+        status: statusAfter(state.status, message.ended),
+        watching: state.watching && !message.ended,
+        error: { message: message.message, help: message.help },
+      };
+  }
+}
+
+export function isLive(status: RunStatus): boolean {
+  return status === "connecting" || status === "running" || status === "paused";
+}
+
+/** Whether the run has a past that can be gone to: one that was stopped is over. */
+export function canGoBack(status: RunStatus): boolean {
+  return status === "running" || status === "paused" || isEnded(status);
+}
+
+/** Whether the person here may do something to what runs. */
+export function canInterfere({ status, recording, watching }: RunState): boolean {
+  return canGoBack(status) && !recording && !watching;
+}
+
+/** Whether it stands at its end. */
+export function isEnded(status: RunStatus): boolean {
+  return status === "done" || status === "failed" || status === "stuck" || status === "time" || status === "end";
+}
+
+/** While the handle of the timeline is dragged, only the newest place is asked for, and one at a time. */
+let wanted: number | null = null;
+let seeking = false;
+
+function sendSeek(): void {
+  if (wanted === null) return;
+  socket?.send({ type: "seek", tick: wanted });
+  wanted = null;
+  seeking = true;
+}
+
+function sought(): void {
+  seeking = false;
+  sendSeek();
+}
+
+/** Of more agents than this the server reports only those that are looked at. */
+const MANY = 100;
+const MOST_LOOKED_AT = 200;
+
+function sendLook({ agents, selectedAgent }: Pick<RunState, "agents" | "selectedAgent">): void {
+  if (agents.length <= MANY) return;
+  socket?.send({ type: "look", agents: Object.values(selectedAgent).slice(0, MOST_LOOKED_AT) });
+}
+
+/** Names of the runs that this page started: those that others started can be watched. */
+const ours = new Set<string>();
+
+export function isOurs(run: string): boolean {
+  return ours.has(run);
+}
+
+function hangUp(): void {
+  wanted = null;
+  seeking = false;
+  socket?.close();
+  socket = null;
+}
+
+/** Shows real robots as the run, in the place of what was on; `line` takes what is asked of them. */
+export function showReal(line: RunSocket, run: Partial<RunState>): void {
+  if (!useRun.getState().real) {
+    hangUp();
+    clearFrames();
+    useRun.setState(NOTHING);
+    socket = line;
+  }
+  useRun.setState({ ...run, real: true });
+}
+
+/** Begins a run, or plays a recording, in the place of what was on. */
+function connect(mission: Mission, ...requests: RunRequest[]): void {
+  hangUp();
+  clearFrames();
+  useRun.setState({ ...NOTHING, status: "connecting", mission });
+  socket = openRunSocket({
+    onOpen: (opened) => {
+      for (const request of requests) opened.send(request);
+    },
+    onMessage: (message) => {
+      useRun.setState((state) => applyMessage(state, message));
+      if (message.type === "started") {
+        if (!message.watching) ours.add(String(message.run));
+        sendLook(useRun.getState());
+      }
+      if (seeking && message.type === "tick") sought();
+      if (
+        message.type === "problems" ||
+        (message.type === "error" && (message.ended || !canGoBack(useRun.getState().status)))
+      )
+        hangUp();
+    },
+    onFrame: (frame) => pushFrame(frame, performance.now()),
+    onLost: (failure) => {
+      socket = null;
+      const { status } = useRun.getState();
+      if (isLive(status)) useRun.setState({ status: status === "connecting" ? "idle" : "stopped", error: failure });
+    },
+  });
+}
+
+/** Asks something of the run; of one that another page steers nothing is asked. */
+function steer(request: RunRequest): void {
+  if (!useRun.getState().watching) socket?.send(request);
+}
+
+export const useRun = create<RunState>((set, get) => ({
+  ...NOTHING,
+  seed: 1,
+  speed: 1,
+  failRate: 0,
+  selectedAgent: {},
+
+  start: ({ mission, path }) => {
+    const { seed, speed, failRate } = get();
+    connect(mission, { type: "start", mission, path, seed, speed, fail_rate: failRate });
+  },
+  watch: ({ mission, run }) => connect(mission, { type: "watch", run, mission }),
+  replay: ({ mission, recording, breakpoints }) =>
+    connect(
+      mission,
+      { type: "replay", recording, speed: get().speed },
+      ...(breakpoints.length > 0 ? [{ type: "breakpoints", breakpoints } as const] : []),
+    ),
+  pause: () => {
+    if (get().status === "running") steer({ type: "pause" });
+  },
+  resume: () => {
+    if (get().status === "paused") steer({ type: "resume" });
+  },
+  stop: () => {
+    if (get().watching) {
+      get().reset();
+      return;
+    }
+    if (socket === null || !isLive(get().status)) return;
+    if (get().status === "connecting") {
+      hangUp();
+      set({ status: "idle" });
+    } else {
+      socket.send({ type: "stop" });
+    }
+  },
+  step: (by = "tick", back = false, agent = "") => {
+    const { status, tick } = get();
+    if (back ? tick > 0 && canGoBack(status) : status === "paused") steer({ type: "step", by, back, agent });
+  },
+  seek: (tick) => {
+    if (!canGoBack(get().status) || get().watching) return;
+    wanted = Math.round(tick);
+    if (!seeking) sendSeek();
+  },
+  force: (agent, sensor, value) => {
+    steer({ type: "force", agent, sensor, value });
+  },
+  pauseAt: (breakpoints) => {
+    steer({ type: "breakpoints", breakpoints });
+  },
+  setVariable: (agent, variable, value) => {
+    steer({ type: "set", agent, variable, value });
+  },
+  harm: (agent, kind) => {
+    steer({ type: "harm", agent, kind });
+  },
+  setSpeed: (speed) => {
+    set({ speed });
+    if (isLive(get().status)) steer({ type: "speed", value: speed });
+  },
+  selectAgent: (name, program) => {
+    set((state) => {
+      const tab = program ?? state.agents.find((one) => one.name === name)?.program;
+      return tab === undefined ? {} : { selectedAgent: { ...state.selectedAgent, [tab]: name } };
+    });
+    sendLook(get());
+  },
+  reset: () => {
+    hangUp();
+    clearFrames();
+    set({ ...NOTHING, selectedAgent: {}, failRate: 0 });
+  },
+  dismissError: () => set({ error: null, problems: [] }),
+}));
+
+/** The agent that is watched for a program: the chosen one, else the first. */
+export function watchedAgent(state: Pick<RunState, "agents" | "selectedAgent">, program: string): RunAgent | undefined {
+  const chosen = state.selectedAgent[program];
+  let first: RunAgent | undefined;
+  for (const agent of state.agents) {
+    if (agent.program !== program) continue;
+    if (agent.name === chosen) return agent;
+    first ??= agent;
+  }
+  return first;
+}
+
+const NOBODY: RunAgent["active"] = [];
+
+/**
+ * Where the watched agent of a program stands: vertex → numbers of the threads there. Empty when nothing runs; a run that
+ * got stuck or ran out of time still shows where everybody stood.
+ */
+export function useActiveVertices(program: string): Map<string, number[]> {
+  const active = useRun((state) =>
+    state.status === "stopped" ? NOBODY : (watchedAgent(state, program)?.active ?? NOBODY),
+  );
+  return useMemo(() => {
+    const map = new Map<string, number[]>();
+    for (const [slot, vertex] of active) map.set(vertex, [...(map.get(vertex) ?? []), slot]);
+    return map;
+  }, [active]);
+}
+
+/** The watched agent of a program, for live values beside the graph; undefined without a run. */
+export function useWatchedAgent(program: string): RunAgent | undefined {
+  return useRun((state) => watchedAgent(state, program));
+}

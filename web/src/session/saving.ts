@@ -1,0 +1,111 @@
+/** Saving, and the questions that come up on the way: a name that is taken, a file that somebody else changed. */
+import { api, ApiError } from "../api/client";
+import type { Saved } from "../api/generated";
+import { t } from "../i18n/words";
+import { useStudio } from "../model/studio";
+import type { Mission } from "../model/types";
+import { complain, fileName, question, show, useDocument } from "./document";
+import { loadFromDisk } from "./opening";
+import { isFromRecording } from "./recordings";
+
+const set = useDocument.setState;
+
+/** Whether Save has a place to write to: examples and new missions need a name first. */
+export function hasPlace(path: string): boolean {
+  return path !== "" && !path.startsWith("example:") && !isFromRecording(path);
+}
+
+/** Saves where the mission is from, or asks for a name. True when it is on disk. */
+export async function save(): Promise<boolean> {
+  // One after another: the next needs the revision that this one gives.
+  while (writing !== null) await writing;
+  const { path, revision } = useStudio.getState().file;
+  if (!hasPlace(path)) {
+    show("save-as");
+    return false;
+  }
+  return write(path, revision);
+}
+
+/** Whether it was said already that the folder has no file locks. */
+let toldOfLocks = false;
+
+/** A mission is on disk, as it was when `before` was open and asked to be saved; true when that is what is shown. */
+function written({ path, revision, locked }: Saved, mission: Mission, before: unknown): boolean {
+  const studio = useStudio.getState();
+  // Another one was opened meanwhile: its place is its own.
+  if (studio.file !== before) return false;
+  studio.markSaved(path, revision, undefined, mission);
+  saidOfSave(locked);
+  return studio.mission === mission;
+}
+
+function saidOfSave(locked: boolean | undefined): void {
+  set({ banner: null, overlay: null, fileProblems: [] });
+  if (locked !== false || toldOfLocks) return;
+  toldOfLocks = true;
+  question(t("disk.no-locks"), [], "note", t("disk.no-locks-help"));
+}
+
+/** The save that is on its way. */
+let writing: Promise<boolean> | null = null;
+
+export async function write(path: string, revision: string): Promise<boolean> {
+  const mine = writeNow(path, revision).finally(() => {
+    if (writing === mine) writing = null;
+  });
+  writing = mine;
+  return mine;
+}
+
+async function writeNow(path: string, revision: string): Promise<boolean> {
+  const { mission, file } = useStudio.getState();
+  set({ saving: true });
+  try {
+    return written(await api.saveMission(path, revision, mission), mission, file);
+  } catch (cause) {
+    if (cause instanceof ApiError && cause.status === 409 && path === useStudio.getState().file.path) {
+      conflict(path, cause.revision);
+    } else {
+      complain(cause);
+    }
+    return false;
+  } finally {
+    set({ saving: false });
+  }
+}
+
+function conflict(path: string, revision: string): void {
+  if (revision === "") {
+    question(t("disk.removed", { name: fileName() }), [
+      ["disk.write", () => void write(path, revision)],
+      ["banner.conflict-as", () => show("save-as")],
+      ["banner.cancel", () => undefined],
+    ]);
+    return;
+  }
+  question(t("banner.conflict", { name: fileName() }), [
+    ["banner.conflict-keep", () => void write(path, revision)],
+    ["banner.conflict-theirs", loadFromDisk],
+    ["disk.difference", () => showDifference(() => conflict(path, revision))],
+    ["banner.conflict-as", () => show("save-as")],
+  ]);
+}
+
+/** Shows what is different between the open mission and its file; the question stays meanwhile. */
+export function showDifference(again: () => void): void {
+  show("difference");
+  again();
+}
+
+/** A new name inside the workspace: null when saved, else the revision of the file that is already there. */
+export async function saveAs(path: string, over: string): Promise<{ taken: string } | null> {
+  const { mission, file } = useStudio.getState();
+  try {
+    written(await api.saveMission(path, over, mission), mission, file);
+    return null;
+  } catch (cause) {
+    if (cause instanceof ApiError && cause.status === 409) return { taken: cause.revision };
+    throw cause;
+  }
+}

@@ -1,0 +1,113 @@
+/** What the canvas shows besides the document: the selected arc, the open type-to-add, and the calls of its viewport. */
+import { create } from "zustand";
+
+import type { Point } from "../model/layout";
+import { useStudio } from "../model/studio";
+import type { Place } from "../model/tree";
+
+/** An open type-to-add: the vertex beside which it opens (else the selected arc), and the slot it is for, if any. */
+export interface Adding {
+  vertex: string | null;
+  slot: (Place & { kind: "slot" }) | null;
+  /** Whether the part goes around the selection. */
+  wrap?: boolean;
+}
+
+/** Calls of the viewport, for menus, keys and the canvas's own tools. */
+export interface Viewport {
+  zoomIn: () => void;
+  zoomOut: () => void;
+  /** Zoom 1, Start on top. */
+  home: () => void;
+  fit: () => void;
+  /** The selection as large as it is readable; without one, everything. */
+  zoomToSelection: () => void;
+  /** Scrolls so far that the vertex is in view. */
+  reveal: (id: string) => void;
+  /** A point of the graph on the canvas, in px from its corner. */
+  place: (point: Point) => Point;
+  focus: () => void;
+}
+
+interface ViewState {
+  /** "SOURCE.OUT", or null. A selected arc and selected vertices exclude each other. */
+  arc: string | null;
+  adding: Adding | null;
+  viewport: Viewport | null;
+  /** A sentence about what was tried and could not be done; "" for none. */
+  said: string;
+  /** The vertex whose note is being written. */
+  noting: string | null;
+  /** Whether the canvas moves along with the run. */
+  following: boolean;
+  minimap: boolean;
+  /** Whether the find panel is open. */
+  finding: boolean;
+  /** Where the menu of the canvas is open, in px of the window. */
+  menu: Point | null;
+  selectArc: (arc: string | null) => void;
+  setAdding: (adding: Adding | null) => void;
+}
+
+export const useView = create<ViewState>((set) => ({
+  arc: null,
+  adding: null,
+  viewport: null,
+  said: "",
+  noting: null,
+  following: false,
+  minimap: false,
+  finding: false,
+  menu: null,
+  selectArc: (arc) => {
+    set({ arc });
+    if (arc !== null) useStudio.getState().select([]);
+  },
+  setAdding: (adding) => {
+    set({ adding });
+  },
+}));
+
+/** Opens the find panel; what was typed in an open one is there to be typed over. */
+export function openFind(): void {
+  useView.setState({ finding: true });
+  document.querySelector<HTMLInputElement>(".find input")?.select();
+}
+
+export function toggleFollowing(): void {
+  useView.setState({ following: !useView.getState().following });
+}
+
+export function toggleMinimap(): void {
+  useView.setState({ minimap: !useView.getState().minimap });
+}
+
+let still_until_ms = 0;
+
+/** What is selected by pointing at it is in view already: the canvas does not move for it. */
+export function holdStill(): void {
+  still_until_ms = performance.now() + 60;
+}
+
+export function standsStill(): boolean {
+  return performance.now() < still_until_ms;
+}
+
+useStudio.subscribe((state, before) => {
+  if (state.activeProgram !== before.activeProgram)
+    useView.setState({ arc: null, adding: null, menu: null, noting: null });
+  else if (state.selection !== before.selection && state.selection.length > 0) useView.setState({ arc: null });
+});
+
+/** Puts the focus into the first field of what is selected; false when it has none. */
+export function editSelected(): boolean {
+  const field = document.querySelector<HTMLElement>("[data-inspector-field]");
+  field?.focus();
+  return field !== null;
+}
+
+/** Opens type-to-add behind what is selected. */
+export function openAdding(): boolean {
+  useView.getState().setAdding({ vertex: useStudio.getState().selection.at(-1) ?? null, slot: null });
+  return true;
+}

@@ -1,0 +1,176 @@
+/** What people do to the world with keys, buttons and menus; each is one command of the document. */
+import { partsApi } from "../api/parts";
+import { t } from "../i18n/words";
+import type { Command } from "../model/command";
+import { bringWorld, changeOwnWorld, isFreeName, isNamed, removeThings } from "../model/commands/changeOwnWorld";
+import { changeWorld } from "../model/commands/changeWorld";
+import { useStudio } from "../model/studio";
+import type { OwnWorld } from "../model/types";
+import { drawNew, type Spot } from "../model/world/make";
+import { moved, startMoved } from "../model/world/moving";
+import { nameOf } from "../model/world/names";
+import { type Kind, partOf, type Thing } from "../model/world/thing";
+import { added, withDependents } from "../model/world/things";
+import { complain, dismissBanner, useDocument } from "./document";
+import { chosenIn, choose, ownWorld, say, useWorld } from "./world-view";
+
+export function execute(command: Command | null): boolean {
+  if (command === null) return false;
+  useStudio.getState().execute(command);
+  return true;
+}
+
+/** The mission's world becomes `world`, as one step. */
+export function change(label: string, world: OwnWorld, joins?: string): boolean {
+  return execute(changeOwnWorld(useStudio.getState().mission, label, world, joins));
+}
+
+/** What the mission's world is made of: its own, or that of its file; null with a word about why. */
+export async function worldAsPlan(): Promise<OwnWorld | null> {
+  const { mission, file } = useStudio.getState();
+  if (mission.own_world != null) return mission.own_world;
+  try {
+    const { world, problems } = await partsApi.plan(file.path, mission.world);
+    if (world !== null) return world;
+    complain(new Error(problems[0]?.message ?? t("world.no-file", { name: mission.world })));
+  } catch (cause) {
+    complain(cause);
+  }
+  return null;
+}
+
+/** Copies the world of the file into the mission, so that it can be changed. */
+export async function editWorld(): Promise<void> {
+  const world = await worldAsPlan();
+  const { mission } = useStudio.getState();
+  if (world === null || mission.own_world != null) return;
+  execute(bringWorld(mission, world));
+  say(t("world.brought", { name: world.name }));
+}
+
+/** The names of several things, as a label of undo. */
+export function called(world: OwnWorld, things: readonly Thing[]): string {
+  const [first] = things;
+  return things.length === 1 && first !== undefined
+    ? nameOf(world, first)
+    : t("world.things", { count: things.length });
+}
+
+export function removeChosen(): void {
+  const { mission } = useStudio.getState();
+  const world = ownWorld();
+  const things = chosenIn(world, useWorld.getState().chosen);
+  if (world === null || things.length === 0) return;
+  const label = t("command.delete", { name: called(world, things) });
+  const more = withDependents(world, things).length - things.length;
+  if (!execute(removeThings(mission, label, things))) return;
+  choose([]);
+  say(more > 0 ? `${label}. ${t("world.deleted-more", { count: more })}` : label);
+}
+
+const STEP_MM = 40;
+
+export function duplicateChosen(): void {
+  const world = ownWorld();
+  const things = chosenIn(world, useWorld.getState().chosen);
+  if (world === null || things.length === 0) return;
+  let after = world;
+  const made: Thing[] = [];
+  for (const thing of things) {
+    let part = partOf(after, thing);
+    if (part === undefined) continue;
+    if (isNamed(thing.kind) && "name" in part) part = { ...part, name: copyName(after, thing.kind, part.name) };
+    const copied = added(after, thing.kind, part);
+    made.push(copied.thing);
+    after = moved(copied.world, copied.thing, STEP_MM, -STEP_MM);
+  }
+  const label = t("command.copy", { name: called(world, things) });
+  if (!change(label, after)) return;
+  choose(made);
+  say(label);
+}
+
+function copyName(world: OwnWorld, kind: "road" | "storehouse" | "dock" | "start", name: string): string {
+  const stem = name.replace(/-\d+$/, "");
+  for (let number = 2; ; number++) {
+    const next = `${stem}-${String(number)}`;
+    if (isFreeName(world, kind, next)) return next;
+  }
+}
+
+/** Moves what is chosen by so many mm; presses that follow each other closely are one step. */
+export function nudge(dx: number, dy: number): void {
+  const world = ownWorld();
+  const things = chosenIn(world, useWorld.getState().chosen);
+  if (world === null || things.length === 0) return;
+  const after = things.reduce((one, thing) => moved(one, thing, dx, dy), world);
+  const which = things.map(({ kind, at }) => `${kind}${String(at)}`).join(" ");
+  change(t("command.move", { name: called(world, things) }), after, `world-move ${which}`);
+}
+
+/** Puts a new thing into the world and chooses it; false where it cannot be. */
+export function put(kind: Kind, from: Spot, to: Spot | null): boolean {
+  const world = ownWorld();
+  const made = world === null ? null : drawNew(world, kind, from, to);
+  if (made === null) {
+    say(t("world.no-dock"));
+    useDocument.setState({
+      banner: { kind: "note", message: t("world.no-dock"), help: "", actions: [] },
+    });
+    return false;
+  }
+  const label = t("command.add", { name: nameOf(made.world, made.thing) });
+  change(label, made.world);
+  useWorld.setState({ chosen: [made.thing], tool: null, draft: null });
+  say(label);
+  return true;
+}
+
+/** Writes the mission's world to a file beside it; "" for done, else why not. */
+export async function saveWorldFile(name: string): Promise<string> {
+  const world = ownWorld();
+  if (world === null) return "";
+  const { path } = useStudio.getState().file;
+  const stem = name.trim().replace(/(\.world)?\.xml$/i, "");
+  if (stem === "") return t("world.file-empty");
+  try {
+    const text = await partsApi.worldText({ ...world, name: stem });
+    const bytes = new TextEncoder().encode(text).buffer;
+    const { file } = await partsApi.add(path, `${stem}.world.xml`, bytes);
+    const use = () => {
+      dismissBanner();
+      execute(changeWorld(useStudio.getState().mission, file));
+    };
+    const message = t("world.file-saved", { file });
+    useDocument.setState({
+      banner: { kind: "note", message, help: "", actions: [{ label: t("world.file-use"), run: use }] },
+    });
+    return "";
+  } catch (cause) {
+    return cause instanceof Error ? cause.message : String(cause);
+  }
+}
+
+/** A robot dropped somewhere before a run starts there; the world is copied into the mission first where it must be. */
+export async function moveStart(name: string, x: number, y: number): Promise<void> {
+  const plan = await worldAsPlan();
+  const { mission } = useStudio.getState();
+  const at = plan?.starts.findIndex((start) => start.name === name) ?? -1;
+  if (plan === null || at < 0) return;
+  const world = startMoved(plan, at, x, y);
+  if (world === plan) return;
+  const label = t("command.move", { name });
+  if (mission.own_world != null) {
+    change(label, world);
+    return;
+  }
+  execute({ ...bringWorld(mission, world), label });
+  const message = t("world.brought", { name: plan.name });
+  const back = () => {
+    dismissBanner();
+    useStudio.getState().undo();
+  };
+  useDocument.setState({
+    banner: { kind: "note", message, help: "", actions: [{ label: t("world.undo"), run: back }] },
+  });
+}

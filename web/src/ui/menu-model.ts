@@ -1,0 +1,65 @@
+/** What a menu is made of, without knowing how it is drawn. */
+
+export interface MenuItem {
+  kind: "item" | "radio" | "check";
+  id: string;
+  label: string;
+  run: () => void;
+  /** As it is written beside the label: "Ctrl+S". */
+  keys?: string;
+  disabled?: boolean;
+  checked?: boolean;
+}
+
+export type MenuEntry = MenuItem | { kind: "line"; id: string } | { kind: "heading"; id: string; label: string };
+
+/** An entry that does something; `keys` is null where no key does the same. */
+export function menuItem(
+  id: string,
+  label: string,
+  keys: string | null,
+  run: () => unknown,
+  disabled = false,
+): MenuItem {
+  return { kind: "item", id, label, ...(keys === null ? {} : { keys }), disabled, run: () => void run() };
+}
+
+export interface MenuPart {
+  id: string;
+  label: string;
+  entries: MenuEntry[];
+}
+
+/** One menu in place of several, each under its name. */
+export function menuInCommon(menus: readonly MenuPart[], label: string): MenuPart {
+  const entries = menus.flatMap((menu): MenuEntry[] => [
+    { kind: "heading", id: `${menu.id}-heading`, label: menu.label },
+    ...menu.entries,
+  ]);
+  return { id: "more", label, entries };
+}
+
+export function isItem(entry: MenuEntry): entry is MenuItem {
+  return entry.kind !== "line" && entry.kind !== "heading";
+}
+
+/** The item that the keyboard goes to from `from` (-1: before the first), skipping what cannot be chosen. */
+export function stepItem(entries: readonly MenuEntry[], from: number, by: 1 | -1): number {
+  const count = entries.length;
+  for (let move = 1; move <= count; move++) {
+    const at = ((((from < 0 && by < 0 ? count : from) + by * move) % count) + count) % count;
+    const entry = entries[at];
+    if (entry !== undefined && isItem(entry)) return at;
+  }
+  return -1;
+}
+
+/** The next item after `from` whose label begins with a letter. */
+export function itemByLetter(entries: readonly MenuEntry[], from: number, letter: string): number {
+  for (let move = 1; move <= entries.length; move++) {
+    const at = (Math.max(from, -1) + move) % entries.length;
+    const entry = entries[at];
+    if (entry !== undefined && isItem(entry) && entry.label.toLowerCase().startsWith(letter.toLowerCase())) return at;
+  }
+  return -1;
+}
