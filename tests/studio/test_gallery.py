@@ -11,7 +11,7 @@ from tests.studio.conftest import EXAMPLES, Studio
 
 pytestmark = pytest.mark.browser
 
-OpenStudio = Callable[[str | None], Studio]
+OpenStudio = Callable[..., Studio]
 
 
 def test_a_new_program_offers_four_examples_with_pictures_drawn_from_them(open_studio: OpenStudio) -> None:
@@ -28,6 +28,21 @@ def test_a_new_program_offers_four_examples_with_pictures_drawn_from_them(open_s
     expect(cards.first.locator('.picture-node[data-colour="action"]')).to_have_count(2)
     cards.first.click()
     studio.expect_code("Captor.GreaterThan(8)")
+
+
+def test_an_example_that_gets_the_focus_comes_into_sight_and_stays_there(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt", viewport={"width": 1280, "height": 720})
+    studio.at("menu-File").click()
+    studio.at("menu-file-new").click()
+    studio.expect_opened()
+    last = studio.page.locator(".examples .card").last
+    expect(last.locator("svg.picture")).to_be_attached()
+    last.focus()
+    # A frame for the browser's scrolling, and one for what answers it.
+    studio.page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    expect(last).to_be_in_viewport(ratio=0.9)
+    last.click()
+    studio.expect_code("Cargo.IsPressed")
 
 
 def test_open_shows_every_example_and_the_keyboard_opens_one_that_runs_to_its_end(open_studio: OpenStudio) -> None:

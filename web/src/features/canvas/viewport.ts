@@ -15,7 +15,7 @@ const MOVE_MS = 140;
 const CLOSEST = 1.25;
 const START_AT = 40;
 const EMPTY_START_AT = 116;
-const LOW = 700;
+const LOW = 900;
 
 /** How wide the canvas was when it was last opened: the first guess for the next time. */
 let lastWidth = 904;
@@ -133,6 +133,22 @@ export function useViewport(
       }),
     [],
   );
+  useEffect(() => {
+    const canvas = root.current;
+    if (canvas === null) return;
+    // React Flow undoes scrolling, so what the browser scrolled into view (focus, find in page) would go out of it again.
+    const pan = ({ target }: Event) => {
+      if (!(target instanceof HTMLElement) || !target.classList.contains("react-flow")) return;
+      const { scrollLeft, scrollTop } = target;
+      target.scrollTo({ left: 0, top: 0, behavior: "instant" });
+      const { x, y, zoom } = flow.getViewport();
+      void flow.setViewport({ x: x - scrollLeft, y: y - scrollTop, zoom });
+    };
+    canvas.addEventListener("scroll", pan, true);
+    return () => {
+      canvas.removeEventListener("scroll", pan, true);
+    };
+  }, [flow, root]);
   const onReady = () => {
     const width = root.current?.clientWidth ?? 0;
     if (!remembered.has(name) && width > 0 && width !== lastWidth) void flow.setViewport(homeOf(width, drawing));
