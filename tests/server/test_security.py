@@ -32,7 +32,15 @@ def test_a_wrong_token_gets_a_page_for_people(stranger):
     answer = stranger.get("/?token=wrong")
     assert answer.status_code == 403
     assert answer.headers["content-type"] == "text/html; charset=utf-8"
-    assert "Open the address that <code>kitrobot</code> printed." in answer.text
+    assert "has ended" in answer.text
+    assert "Run <code>kitrobot</code> in the same folder" in answer.text
+
+
+def test_a_page_at_the_name_goes_to_the_number_where_it_can_know_its_studio_again(stranger):
+    answer = stranger.get(f"/?token={TOKEN}", headers={"Host": "localhost:8765"}, follow_redirects=False)
+    assert (answer.status_code, answer.headers["location"]) == (307, f"{HOST}/?token={TOKEN}")
+    # The far end of a tunnel has a port of its own.
+    assert stranger.get(f"/?token={TOKEN}", headers={"Host": "localhost:9000"}).text.endswith("the page</title>")
 
 
 def test_the_page_itself_is_told_in_json(stranger):

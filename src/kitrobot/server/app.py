@@ -8,7 +8,7 @@ from typing import Any
 
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
-from fastapi.responses import FileResponse, HTMLResponse, JSONResponse, Response
+from fastapi.responses import FileResponse, HTMLResponse, JSONResponse, RedirectResponse, Response
 from pydantic.json_schema import models_json_schema
 from starlette.exceptions import HTTPException
 
@@ -104,7 +104,12 @@ def _serve_page(app: FastAPI, static: Path) -> None:
     index = static / "index.html"
 
     @app.get("/", include_in_schema=False)
-    def page() -> Response:
+    def page(request: Request) -> Response:
+        if request.url.hostname == "localhost" and request.url.port == request.scope["server"][1]:
+            # A page at the number can know the studio again that it was opened from (handshake); `localhost` may be
+            # another server's, at the other kind of address.
+            number = request.scope["server"][0]
+            return RedirectResponse(str(request.url.replace(hostname=f"[{number}]" if ":" in number else number)))
         if index.is_file():
             return FileResponse(index, media_type="text/html")
         message, help = (

@@ -116,7 +116,10 @@ class Guard:
             await refuse(scope, dressed, 403, "this request comes from another page", _ADDRESS)
             return
         if not _is_public(scope) and not self._token_is_right(scope, headers):
-            await refuse(scope, dressed, 403, "the token of this request is missing or wrong", _ADDRESS)
+            if scope["path"] == "/":
+                await refuse(scope, dressed, 403, "the studio that this address belongs to has ended", _START_AGAIN)
+            else:
+                await refuse(scope, dressed, 403, "the token of this request is missing or wrong", _ADDRESS)
             return
         most = self.largest_trace_bytes if scope["path"] == TRACE_PATH else self.largest_body_bytes
         if _announced_too_much(headers, most):
@@ -149,6 +152,9 @@ class Guard:
 
 
 _ADDRESS = "open the address that `kitrobot` printed"
+_START_AGAIN = (
+    "run `kitrobot` in the same folder: it opens the page of the studio that runs there, with the work that was not saved"
+)
 _REPORT = "start it with KITROBOT_DEBUG=1 to see where, and please report it"
 
 

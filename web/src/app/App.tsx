@@ -11,7 +11,7 @@ import { useStudio } from "../model/studio";
 import { checkAgain, keepChecking } from "../session/checking";
 import { hearOfDisk, watchDisk } from "../session/disk";
 import { useDocument } from "../session/document";
-import { isKept, keepJournal } from "../session/journal";
+import { flush, isKept, keepJournal } from "../session/journal";
 import { complainOfJournal, sayReturned, sayStranger } from "../session/journal-notices";
 import { useLayout } from "../session/layout";
 import { useNarrow } from "../session/narrow";
@@ -75,9 +75,16 @@ function useDocumentFlow(): void {
   useEffect(() => {
     const ask = (event: BeforeUnloadEvent) => {
       if (useStudio.getState().dirty && !isKept()) event.preventDefault();
+      void flush();
     };
+    // A browser may end a page that is not seen without a further word.
+    const hide = () => void flush();
     window.addEventListener("beforeunload", ask);
-    return () => window.removeEventListener("beforeunload", ask);
+    document.addEventListener("visibilitychange", hide);
+    return () => {
+      window.removeEventListener("beforeunload", ask);
+      document.removeEventListener("visibilitychange", hide);
+    };
   }, []);
 }
 
