@@ -21,7 +21,7 @@ WIDTHS += [1024, 1100, 1101, 1200, 1280, 1281, 1366, 1440, 1600, 1920, 2560]
 
 # Rows of controls. What is cut where it is longer than its place ends in "…", and a title says it all.
 AMISS = """() => {
-    const rows = '.head, .tabs, .side-tabs, .side-head, .robots-head, .bottom, .narrow-tabs';
+    const rows = '.head, .tabs, .side-tabs, .side-head, .robots-head, .bottom-bar, .narrow-tabs';
     const pressed = 'button, a[href], input, select, [role=tab], [role^=menuitem], [role=slider], h1, h2, '
         + '[data-testid=saved-state], .run-status-words, .side-note';
     const there = (one) => one.checkVisibility({ opacityProperty: true, visibilityProperty: true })

@@ -204,7 +204,7 @@ function Studio() {
           </aside>
         ) : null}
       </div>
-      <footer className="bottom">
+      <footer className="bottom-bar">
         <Slot name="bottom" />
       </footer>
       <Slot name="over-page" />
