@@ -1,6 +1,6 @@
 """The compiled step: `stepping.advance` through Numba, compiled once for a machine and kept in the user's cache folder.
 
-Compiling takes a minute, so nobody waits for it: `ask` begins it in a process of its own with low
+Compiling takes about 40 s, so nobody waits for it: `ask` begins it in a process of its own with low
 priority, or, when it was done before, loads what is kept in a thread beside; `compiled` gives the step once it is
 there. Numba works on the very functions that CPython runs: they are told to it here, and nothing is decorated. The
 folder's name is a digest of their sources, of the constants they use and of what compiles them, so nothing stale is
@@ -33,6 +33,9 @@ _OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False
 """One core, other threads go on beside. No division by zero can happen. Nothing is allocated, so the references to the
 arrays need not be counted, which alone would take two thirds of the time of a ray. Calls are inlined: a call copies the
 places of all arrays of the state that it is given, which would double the time of a step of few robots."""
+
+_CALLED: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+"""Of what the step calls. Python calls none of it, and unpacking a state for that takes a third of compiling."""
 
 READY = "ready"
 """The file in the cache folder that says that all of it is there."""
@@ -191,12 +194,12 @@ def _told(folder: Path) -> Advance:
         return copy_row
 
     # Numba's annotations know fewer options than Numba does.
-    options: Any = _OPTIONS
+    options: Any = _CALLED
     extending.overload(rows.same, jit_options=options)(same_arrays)
     extending.overload(rows.copy_row, jit_options=options)(copy_arrays)
     for loop in loops().values():
         if loop.__module__ != rows.__name__:
-            extending.register_jitable(**_OPTIONS)(loop)
+            extending.register_jitable(**_CALLED)(loop)
     config: Any = numba.config
     kept = config.CACHE_DIR
     config.CACHE_DIR = str(folder)
