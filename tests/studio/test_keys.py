@@ -204,7 +204,7 @@ def test_f7_goes_through_the_rooms_and_the_arena_answers_keys(open_studio: OpenS
         keys.press("F7")
         if rooms.count("canvas") == 2:
             break
-    assert {"menubar", "toolbar", "parts", "tabs", "canvas", "side-code", "side-arena", "bottom"} <= set(rooms)
+    assert {"menubar", "toolbar", "parts", "tabs", "canvas", "side-code", "side-arena", "bottom-bar"} <= set(rooms)
     studio.at("arena-canvas").focus()
     for key in ("ArrowLeft", "+", "-", "0"):
         keys.press(key)

@@ -9,7 +9,7 @@ const ROOMS = [
   ".side-inspector",
   ".side-code",
   ".side-arena",
-  "footer.bottom",
+  "footer.bottom-bar",
 ] as const;
 
 const CAN_HAVE_FOCUS =
