@@ -198,7 +198,8 @@ def test_f7_goes_through_the_rooms_and_the_arena_answers_keys(open_studio: OpenS
     keys = studio.page.keyboard
     studio.at("canvas").focus()
     rooms: list[str] = []
-    selectors = "'.menubar, .toolbar, .parts, .tabs, .canvas, .side-inspector, .side-code, .side-arena, footer.bottom-bar'"
+    sides = ".side-inspector, .side-code, .side-arena"
+    selectors = f"'.menubar, .toolbar, .parts, .tabs, .canvas, {sides}, footer.bottom-bar'"
     for _ in range(9):
         rooms.append(studio.page.evaluate(f"document.activeElement.closest({selectors})?.className.split(' ').at(-1)"))
         keys.press("F7")
