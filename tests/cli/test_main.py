@@ -39,9 +39,12 @@ def test_a_mission_called_like_a_command_opens_by_its_path(kitrobot, opened, her
     assert len(opened) == 1
 
 
-@pytest.mark.parametrize(("word", "offer"), [("frmat", "kitrobot format"), ("chek", "kitrobot check")])
-def test_a_word_that_is_no_command_gets_the_nearest_one(kitrobot, opened, word, offer):
-    said = kitrobot(word, studio=opened.append)
+@pytest.mark.parametrize(
+    ("words", "offer"),
+    [(["frmat"], "kitrobot format"), (["chek"], "kitrobot check"), (["chek", "a.krt", "--json"], "kitrobot check")],
+)
+def test_a_word_that_is_no_command_gets_the_nearest_one(kitrobot, opened, words, offer):
+    said = kitrobot(*words, studio=opened.append)
     assert (said.status, opened) == (2, [])
     assert offer in " ".join(said.err.split())
 

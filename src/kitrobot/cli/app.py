@@ -193,6 +193,9 @@ def _with_command(arguments: list[str]) -> list[str]:
     names = {command.name for command in app.registered_commands}
     if first in names or first in ("-h", "--help", "--version") or first.startswith(("--install-", "--show-")):
         return arguments
+    if first and not first.startswith("-") and not os.path.lexists(first):
+        # A command that there is not; what follows was meant for that.
+        return ["studio", first]
     return ["studio", *arguments]
 
 
