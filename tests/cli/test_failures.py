@@ -41,7 +41,7 @@ def shell(command: str, *arguments: object) -> subprocess.CompletedProcess[bytes
         (["run"], 2, "Missing argument"),
         (["run", "none.krt", "--none"], 2, "No such option"),
         (["convert", "a", "b"], 2, "No such option"),
-        (["nonsense"], 2, "No such option"),
+        (["nonsense"], 2, "is no command"),
     ],
 )
 def test_who_asks_for_json_gets_an_object_of_what_went_wrong(kitrobot, here, arguments, status, error):

@@ -153,7 +153,8 @@ class Guard:
 
 _ADDRESS = "open the address that `kitrobot` printed"
 _START_AGAIN = (
-    "run `kitrobot` in the same folder: it opens the page of the studio that runs there, with the work that was not saved"
+    "run `kitrobot` in the same folder: it opens the page of the studio that runs there, "
+    "with the work that was not saved"
 )
 _REPORT = "start it with KITROBOT_DEBUG=1 to see where, and please report it"
 
