@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-from kitrobot.text import TextPositions
+from kitrobot.text import Sentence, TextPositions
 
 
 class Severity(StrEnum):
@@ -153,7 +153,7 @@ _RULES: dict[str, Rule] = {}
 def rule(code: str, severity: Severity, title: str, explanation: str) -> Rule:
     """Makes and registers a rule; a code is used once, for ever."""
     assert code not in _RULES, f"the code {code} is taken"
-    made = _RULES[code] = Rule(code, severity, title, explanation)
+    made = _RULES[code] = Rule(code, severity, title, Sentence(explanation))
     return made
 
 

@@ -29,7 +29,6 @@ from kitrobot.server.live_run import LiveRun
 from kitrobot.server.realtime_clock import SLOWEST, UNPACED, Pace
 from kitrobot.server.replay import Replay
 from kitrobot.server.routing import studio_of
-from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     REQUEST,
     ErrorMessage,
@@ -51,6 +50,7 @@ from kitrobot.server.shapes import (
 from kitrobot.server.steering import Job, goes_back, job_of
 from kitrobot.server.studio import Studio
 from kitrobot.server.watched_run import WatchedRun
+from kitrobot.text import Sentence
 from kitrobot.workspace import RunOptions
 
 LARGEST_MESSAGE_BYTES = 16 * 1024 * 1024
@@ -121,7 +121,10 @@ class Session:
         self._studio.watches.pop(self._name, None)
         self._studio.broadcasts.pop(self._name, None)
         if self._broadcast is not None:
-            self._broadcast.end("the page that steered this run is gone, and the run with it", "start one of your own")
+            self._broadcast.end(
+                Sentence("the page that steered this run is gone, and the run with it"),
+                Sentence("start one of your own"),
+            )
 
     def _close_watch(self) -> None:
         if self._watch is not None:
@@ -133,8 +136,10 @@ class Session:
         except ValidationError as error:
             first = error.errors(include_url=False, include_input=False)[0]
             where = ".".join(str(part) for part in first["loc"])
-            message = f"the request was not understood: {first['msg']}{f' ({where})' if where else ''}"
-            await self._fail(message, "load the page again: it may be older than the studio")
+            message = Sentence(
+                "the request was not understood: {reason}{where}", first["msg"], f" ({where})" if where else ""
+            )
+            await self._fail(message, Sentence("load the page again: it may be older than the studio"))
             return
         if isinstance(request, StartRequest | ReplayRequest):
             await self._start(request)
@@ -144,14 +149,17 @@ class Session:
             if isinstance(request, LookRequest):
                 self._subscriber.look(request.agents)
             else:
-                await self._fail("the page that started this run steers it", "to steer one, start a run of your own")
+                await self._fail(
+                    Sentence("the page that started this run steers it"),
+                    Sentence("to steer one, start a run of your own"),
+                )
         elif self._task is not None and not self._task.done():
             self._steer(request)
 
     async def _start(self, request: StartRequest | ReplayRequest) -> None:
         if self._task is not None and not self._task.done():
             if self._counts:
-                await self._fail("a run is on already", "stop it first")
+                await self._fail(Sentence("a run is on already"), Sentence("stop it first"))
                 return
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
@@ -174,7 +182,7 @@ class Session:
 
     async def _sit_down(self, request: WatchRequest) -> None:
         if self._task is not None and not self._task.done():
-            await self._fail("a run is on already", "stop it first")
+            await self._fail(Sentence("a run is on already"), Sentence("stop it first"))
             return
         await self._stand_up()
         try:
@@ -184,9 +192,11 @@ class Session:
             return
         broadcast = self._studio.broadcasts.get(request.run)
         if broadcast is None or not broadcast.on:
-            await self._fail("this run is over", "start one of your own", ended=True)
+            await self._fail(Sentence("this run is over"), Sentence("start one of your own"), ended=True)
         elif len(broadcast) >= MOST_WATCHERS:
-            await self._fail(f"{MOST_WATCHERS} pages watch this run already", "try again later", ended=True)
+            await self._fail(
+                Sentence("{most} pages watch this run already", MOST_WATCHERS), Sentence("try again later"), ended=True
+            )
         else:
             self._subscriber = Subscriber(broadcast, self._socket, another=not broadcast.is_of(mission))
 
@@ -247,7 +257,9 @@ class Session:
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a run broke: %s: %s", type(error).__name__, error, exc_info=debugging)
-            await self._break_off("something went wrong inside KitRobot", "the run has ended; please report it")
+            await self._break_off(
+                Sentence("something went wrong inside KitRobot"), Sentence("the run has ended; please report it")
+            )
 
     async def _break_off(self, message: str, help: str) -> None:
         """Says to everybody why the run is over."""
@@ -268,7 +280,10 @@ class Session:
             self._count(False)
 
     async def _no_place(self) -> None:
-        await self._fail(f"this studio has {MOST_RUNS} runs already", "stop one of them, perhaps in another tab")
+        await self._fail(
+            Sentence("this studio has {most} runs already", MOST_RUNS),
+            Sentence("stop one of them, perhaps in another tab"),
+        )
 
     def _count(self, counts: bool) -> None:
         self._studio.runs += counts - self._counts
@@ -381,7 +396,7 @@ class Session:
             status=status,
             tick=watch.tick,
             seconds=watch.seconds,
-            sentence=spoken(watch.sentence),
+            sentence=watch.sentence,
             hits=watch.hits if status == "paused" else [],
             problems=problem_shapes(watch.advice),
         )
@@ -393,7 +408,7 @@ class Session:
         await self._socket.send_text(message.model_dump_json())
 
     async def _fail(self, message: str, help: str, ended: bool = False) -> None:
-        await self._tell(ErrorMessage(message=spoken(message), help=spoken(help), ended=ended))
+        await self._tell(ErrorMessage(message=message, help=help, ended=ended))
 
 
 def _speed(wanted: float) -> float:

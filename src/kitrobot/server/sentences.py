@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import PlainSerializer
+from pydantic import PlainSerializer, SkipValidation
 from starlette.datastructures import Headers, QueryParams
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from kitrobot.translation import best_language, reading_in, said
+from kitrobot.translation import STOPS, best_language, reading_in, said, said_in
 
 
 def readable(words: str) -> str:
@@ -16,21 +16,26 @@ def readable(words: str) -> str:
     return words.encode(errors="surrogatepass").decode(errors="replace")
 
 
-def _told(words: str) -> str:
+def clause(words: str) -> str:
+    """A message in the reader's language."""
     return readable(said(words))
 
 
+def spoken(words: str) -> str:
+    """A message in the reader's language as a sentence of its own: a capital letter and a full stop."""
+    text = clause(words)
+    return text and text[0].upper() + text[1:] + ("" if text[-1] in _ENDS else STOPS[said_in()])
+
+
+_ENDS = (*STOPS.values(), "?", "!", "؟")
+
 FileName = Annotated[str, PlainSerializer(readable, return_type=str)]
 """A field for the name of a file on the disk, which the page shows."""
-Sentence = Annotated[str, PlainSerializer(_told, return_type=str)]
-"""A field for people: English until it is sent, in the language of the request that it answers when it is."""
-
-
-def spoken(words: str) -> str:
-    """A message as a sentence of its own: a capital letter and a full stop."""
-    if not words:
-        return ""
-    return words[0].upper() + words[1:] + ("" if words.endswith((".", "?", "!")) else ".")
+Clause = Annotated[str, SkipValidation, PlainSerializer(clause, return_type=str)]
+"""A field for people, said in the language of the request that it answers when it is sent. It takes the message as it
+is, for checking it would make a plain `str` of a `kitrobot.text.Sentence`."""
+Spoken = Annotated[str, SkipValidation, PlainSerializer(spoken, return_type=str)]
+"""The same as a sentence of its own."""
 
 
 class InReadersLanguage:

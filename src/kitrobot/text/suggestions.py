@@ -10,6 +10,8 @@ import difflib
 from collections.abc import Iterable
 from itertools import islice
 
+from kitrobot.text.sentences import Sentence
+
 _COMPARED = 1000
 """Known words that an unknown one is compared with, at most."""
 
@@ -48,7 +50,7 @@ class Suggestions:
     def did_you_mean(self, word: str, words: Iterable[str]) -> str:
         """`did you mean X?` for a help line, or ""."""
         near = self.nearest(word, words)
-        return f"did you mean {near}?" if near else ""
+        return Sentence("did you mean {near}?", near) if near else ""
 
 
 def nearest(word: str, words: Iterable[str]) -> str:
