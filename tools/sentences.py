@@ -22,6 +22,19 @@ SOURCES = ROOT / "src" / "kitrobot"
 TABLES = SOURCES / "translation"
 LANGUAGES = ("fr", "ur")
 
+TERMINAL = (
+    "cli/",
+    "files/forms.py",
+    "image/",
+    "server/start.py",
+    "workspace/checking.py",
+    "workspace/conversion.py",
+    "workspace/executables.py",
+    "workspace/inputs.py",
+    "workspace/watching.py",
+)
+"""What speaks only in a terminal, in English."""
+
 BY_HAND = ("word", "part")
 """Contexts whose entries stand in no literal."""
 
@@ -48,6 +61,8 @@ def sentences() -> Catalog:
     found = Catalog()
     for path in sorted(SOURCES.rglob("*.py")):
         name = path.relative_to(SOURCES).as_posix()
+        if name.startswith(TERMINAL):
+            continue
         for context, id in _templates(ast.parse(path.read_text(encoding="utf-8"))):
             found.add(id, locations=[(name, 0)], context=context)
     return found

@@ -62,7 +62,13 @@ class _Checker:
         self.found: list[Diagnostic] = []
 
     def report(
-        self, rule: Rule, message: str, node: Node, help: str = "", start: int | None = None, fix: Fix | None = None
+        self,
+        rule: Rule,
+        message: Sentence,
+        node: Node,
+        help: str = "",
+        start: int | None = None,
+        fix: Fix | None = None,
     ) -> None:
         place = self.source.place(node.start if start is None else start, node.end)
         vertices = (node.vertex,) if node.vertex else ()

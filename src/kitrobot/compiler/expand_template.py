@@ -50,7 +50,7 @@ class Walk(Protocol):
     def put(self, vertex: Vertex, seq: Seq, more: Seq) -> None:
         """Adds instructions, and the hole among them, to a body."""
 
-    def report(self, rule: Rule, message: str, *vertices: str, help: str = "") -> None:
+    def report(self, rule: Rule, message: Sentence, *vertices: str, help: str = "") -> None:
         """Collects a diagnostic."""
 
     def number(self, vertex: Vertex, name: str, text: str, low: int, high: int) -> int:

@@ -97,7 +97,7 @@ class _Walk:
     def report(
         self,
         rule: Rule,
-        message: str,
+        message: Sentence,
         *vertices: str,
         help: str = "",
         arc: Arc | None = None,
@@ -219,7 +219,7 @@ class _Walk:
             help = Sentence("draw an arc to the `return` of `{constructor}`", inside)
         self.report(rules.NOT_CLOSED, message, vertex, help=help, arc=arc)
 
-    def wrong_way(self, arc: Arc, message: str) -> None:
+    def wrong_way(self, arc: Arc, message: Sentence) -> None:
         self.report(
             rules.WRONG_WAY, message, arc.source, arc.target, help=Sentence("delete the arc, or draw it anew"), arc=arc
         )

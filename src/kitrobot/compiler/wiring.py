@@ -141,7 +141,7 @@ class Wiring:
             if arc.at not in (IN, RETURN):
                 self.fills[arc.target, arc.at] = arc.source
 
-    def _twice(self, message: str, arc: Arc, other: Arc, name: ArcName) -> None:
+    def _twice(self, message: Sentence, arc: Arc, other: Arc, name: ArcName) -> None:
         self.report(
             rules.TWO_ARCS(
                 message,

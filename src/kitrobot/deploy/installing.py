@@ -246,7 +246,7 @@ class _Job:
                 return None
             raise
         if hello.generation != self.new.generation or hello.program != self.name[2:]:
-            raise SilentError("the board starts something else")
+            raise SilentError(Sentence("the board starts something else"))
         fault = board.last_fault() if hello.free >= WORKING else None
         self._said = "" if fault is None else Series(Sentence(": "), filter(None, (fault.meaning, fault.text.strip())))
         return hello

@@ -103,7 +103,7 @@ class Diagnostic:
 
     code: str
     severity: Severity
-    message: str
+    message: Sentence
     place: Place | None = None
     help: str = ""
     program: str = ""
@@ -134,7 +134,7 @@ class Rule:
 
     def __call__(
         self,
-        message: str,
+        message: Sentence,
         place: Place | None = None,
         *,
         help: str = "",
@@ -166,7 +166,7 @@ def rules() -> Mapping[str, Rule]:
 class KitRobotError(Exception):
     """The root of what KitRobot raises when an operation failed: one sentence, a way out, and what was found."""
 
-    message: str
+    message: Sentence
     help: str = ""
     diagnostics: tuple[Diagnostic, ...] = field(default=())
 

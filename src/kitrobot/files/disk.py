@@ -261,7 +261,7 @@ def _new_file_mode() -> int:
     return 0o666 & ~mask
 
 
-def _unreadable(path: Path, message: str, help: str) -> FileError:
+def _unreadable(path: Path, message: Sentence, help: str) -> FileError:
     return FileError(message, help, path=path)
 
 

@@ -63,7 +63,9 @@ class Cursor:
         self.last_end = token[2]
         return token
 
-    def report(self, rule: Rule, message: str, start: int, end: int, help: str = "", fix: Fix | None = None) -> None:
+    def report(
+        self, rule: Rule, message: Sentence, start: int, end: int, help: str = "", fix: Fix | None = None
+    ) -> None:
         self.diagnostics.append(rule(message, self.source.place(start, end), help=help, fix=fix))
 
     def found(self) -> str:

@@ -130,7 +130,7 @@ def _check_holes(constructor: Element, element: Element, template: Template) -> 
     filled: set[str] = set()
     for hole, fitting, repeats in holes(template):
         slot = slots.get(hole.name)
-        message, help = "", ""
+        message, help = Sentence(""), ""
         if slot is None:
             message, help = Sentence("the hole {{hole}} has no slot", hole.name), element.did_you_mean(hole.name, slots)
         elif hole.name in filled and slot.kind not in (SlotKind.NUMBER, SlotKind.TEXT):

@@ -115,7 +115,7 @@ def names_of(program: str, robot: Robot, compiled: Compiled) -> BoardNames:
     )
 
 
-def _cell(cells: Mapping[str, int], name: str, message: str) -> int:
+def _cell(cells: Mapping[str, int], name: str, message: Sentence) -> int:
     if name not in cells:
         has = Sentence("it has: {cells}", Series(COMMA, cells)) if cells else Sentence("it has none")
         raise NoNameError(message, did_you_mean(name, cells) or has)

@@ -56,5 +56,5 @@ def _line_feeds(text: str) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _refusal(message: str, place: Place) -> Diagnostic:
+def _refusal(message: Sentence, place: Place) -> Diagnostic:
     return rules.ENCODING(message, place, help=Sentence("save the file as UTF-8"))

@@ -241,7 +241,7 @@ class Element:
         """Where the element's start tag stands, or the value of one of its attributes."""
         return self.reader.place_of(self, attribute)
 
-    def report(self, rule: Rule, message: str, attribute: str | None = None, help: str = "") -> None:
+    def report(self, rule: Rule, message: Sentence, attribute: str | None = None, help: str = "") -> None:
         """Adds a diagnostic about this element, at the attribute when it is given and there."""
         self.add(rule(message, self.place(attribute), help=help))
 

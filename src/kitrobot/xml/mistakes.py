@@ -28,7 +28,7 @@ _SENTENCES = {
 class Mistake(NamedTuple):
     """What to say about an error of the parser, and the offset where it really is."""
 
-    message: str
+    message: Sentence
     help: str
     start: int
 
@@ -48,7 +48,7 @@ def explain(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]
     return Mistake(*_words(said, text, start, opened), start)
 
 
-def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> tuple[str, str]:
+def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> tuple[Sentence, str]:
     if said in _CUT_OFF:
         return _cut_off(text, opened)
     if said in _SENTENCES:
@@ -84,7 +84,7 @@ def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]])
     )
 
 
-def _cut_off(text: str, opened: Sequence[tuple[str, int]]) -> tuple[str, str]:
+def _cut_off(text: str, opened: Sequence[tuple[str, int]]) -> tuple[Sentence, str]:
     if not text.strip():
         return Sentence("expected an XML element, found an empty file"), ""
     if not opened:
