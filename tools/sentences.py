@@ -1,17 +1,21 @@
-"""Brings the catalogues of the translators (`.po`) up to date with the sentences of the program.
+"""Brings the catalogues of the translators (`.po`) up to date with the sentences of the program and of the page.
 
     python tools/sentences.py            lists what has no French or no Urdu yet, and what is translated for nothing
     python tools/sentences.py --write    adds those to the catalogues without a translation, and takes the others out
 
-Found are the templates of `Sentence`, `Sentence.counted` and `Recorded`, and the explanations of rules. Entries of the
-contexts "word" and "part" are kept by hand: they come from data, not from literals.
+Of the program these are the templates of `Sentence`, `Sentence.counted` and `Recorded`, and the explanations of rules;
+entries of the contexts "word" and "part" come from data, not from literals, and are kept by hand. Of the page they are
+the entries of the English tables, each with its key as the context.
 """
 
 from __future__ import annotations
 
 import ast
+import json
+import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from babel.messages.catalog import Catalog, Message
@@ -19,7 +23,7 @@ from babel.messages.pofile import read_po, write_po
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ROOT / "src" / "kitrobot"
-TABLES = SOURCES / "translation"
+PAGE = ROOT / "web" / "src" / "i18n"
 LANGUAGES = ("fr", "ur")
 
 TERMINAL = (
@@ -35,10 +39,11 @@ TERMINAL = (
 )
 """What speaks only in a terminal, in English."""
 
-BY_HAND = ("word", "part")
-"""Contexts whose entries stand in no literal."""
-
 _CONTEXTS = {"Sentence": None, "Recorded": "recorded"}
+
+_STRING = r'"(?:[^"\\\n]|\\.)*"'
+_ROW = re.compile(rf"({_STRING}):\s*(?:({_STRING})|\{{\s*one:\s*({_STRING}),\s*other:\s*({_STRING}),?\s*\}})")
+"""A row of an English table of the page: a key, and a text or one for 1 and one for other counts."""
 
 _HEADER = """\
 # How to translate: CONTRIBUTING.md, "Sentences".
@@ -55,20 +60,20 @@ msgstr ""
 Key = tuple[str | None, str]
 """Context and English template of an entry."""
 
+Id = str | tuple[str, str]
+"""The English of an entry, or that for 1 and that for other counts."""
 
-def sentences() -> Catalog:
-    """Every sentence of the rooms, each with the files that say it."""
-    found = Catalog()
+
+def _of_the_program() -> Iterator[tuple[str, str | None, Id]]:
+    """File, context and English of every sentence of the rooms."""
     for path in sorted(SOURCES.rglob("*.py")):
         name = path.relative_to(SOURCES).as_posix()
-        if name.startswith(TERMINAL):
-            continue
-        for context, id in _templates(ast.parse(path.read_text(encoding="utf-8"))):
-            found.add(id, locations=[(name, 0)], context=context)
-    return found
+        if not name.startswith(TERMINAL):
+            for context, id in _templates(ast.parse(path.read_text(encoding="utf-8"))):
+                yield name, context, id
 
 
-def _templates(tree: ast.AST) -> Iterator[tuple[str | None, str | tuple[str, str]]]:
+def _templates(tree: ast.AST) -> Iterator[tuple[str | None, Id]]:
     """Context and template (with its plural) of the sentences that a module makes, in reading order."""
     calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
     for call in sorted(calls, key=lambda node: (node.lineno, node.col_offset)):
@@ -83,19 +88,69 @@ def _templates(tree: ast.AST) -> Iterator[tuple[str | None, str | tuple[str, str
                 yield _CONTEXTS.get(called.id), texts[at]
 
 
-def catalogue(language: str) -> Catalog:
-    """A language's catalogue as it is in its file."""
-    with (TABLES / f"{language}.po").open("rb") as stream:
-        return read_po(stream, locale=language, abort_invalid=True)
+def _of_the_page() -> Iterator[tuple[str, str | None, Id]]:
+    """File, key and English of every sentence of the page."""
+    for path in sorted(PAGE.glob("en*.ts")):
+        for key, *texts in _ROW.findall(path.read_text(encoding="utf-8")):
+            one, *more = (json.loads(text) for text in texts if text)
+            yield path.name, json.loads(key), (one, more[0]) if more else one
+
+
+@dataclass(frozen=True)
+class Half:
+    """The program or the page: where its catalogues are, its sentences, and the contexts that are kept by hand."""
+
+    folder: Path
+    found: Callable[[], Iterator[tuple[str, str | None, Id]]]
+    by_hand: tuple[str, ...] = ()
+
+    def sentences(self) -> Catalog:
+        """Every sentence, each with the files that say it."""
+        made = Catalog()
+        for file, context, id in self.found():
+            made.add(id, locations=[(file, 0)], context=context)
+        return made
+
+    def catalogue(self, language: str) -> Catalog:
+        """A language's catalogue as it is in its file."""
+        with (self.folder / f"{language}.po").open("rb") as stream:
+            return read_po(stream, locale=language, abort_invalid=True)
+
+    def faults(self, language: str) -> tuple[list[Key], list[Key]]:
+        """What lacks a translation, and what is translated and said by nobody."""
+        known, wanted = entries(self.catalogue(language)), entries(self.sentences())
+        lacking = [
+            key
+            for key, one in wanted.items()
+            if key not in known or known[key].id != one.id or not all(forms(known[key]))
+        ]
+        return lacking, [key for key in known if key not in wanted and key[0] not in self.by_hand]
+
+    def update(self, language: str) -> None:
+        """Writes the catalogue with the sentences that are said and no others; what it knows of them is kept."""
+        known, said = self.catalogue(language), self.sentences()
+        for (context, _), one in entries(known).items():
+            if context in self.by_hand:
+                said.add(one.id, context=context)
+        known.update(said, no_fuzzy_matching=True)
+        known.obsolete.clear()
+        with (self.folder / f"{language}.po").open("wb") as stream:
+            stream.write(_HEADER.format(language=language, plurals=known.plural_forms).encode())
+            write_po(stream, known, width=110, omit_header=True, include_lineno=False)
+
+
+PROGRAM = Half(SOURCES / "translation", _of_the_program, ("word", "part"))
+HALVES = {"program": PROGRAM, "page": Half(PAGE, _of_the_page)}
 
 
 def entries(known: Catalog) -> dict[Key, Message]:
     """The entries of a catalogue without its header."""
-    return {(one.context, _english(one)): one for one in known if one.id}
+    return {(one.context, english(one)[0]): one for one in known if one.id}
 
 
-def _english(message: Message) -> str:
-    return message.id if isinstance(message.id, str) else message.id[0]
+def english(message: Message) -> tuple[str, ...]:
+    """An entry's English: one text, or that for 1 and that for other counts."""
+    return (message.id,) if isinstance(message.id, str) else tuple(message.id)
 
 
 def forms(message: Message) -> tuple[str, ...]:
@@ -103,45 +158,18 @@ def forms(message: Message) -> tuple[str, ...]:
     return (message.string,) if isinstance(message.string, str) else tuple(message.string or ())
 
 
-def faults(language: str, said: Catalog) -> tuple[list[Key], list[Key]]:
-    """What lacks a translation, and what is translated and said by nobody."""
-    known, wanted = entries(catalogue(language)), entries(said)
-    lacking = [
-        key for key, one in wanted.items() if key not in known or known[key].id != one.id or not all(forms(known[key]))
-    ]
-    return lacking, [key for key in known if key not in wanted and key[0] not in BY_HAND]
-
-
-def updated(language: str, said: Catalog) -> Catalog:
-    """The catalogue with the sentences that are said and no others; what it knows of them is kept."""
-    known = catalogue(language)
-    for (context, _), one in entries(known).items():
-        if context in BY_HAND:
-            said.add(one.id, context=context)
-    known.update(said, no_fuzzy_matching=True)
-    known.obsolete.clear()
-    return known
-
-
-def write(language: str, known: Catalog) -> None:
-    """Writes a language's catalogue."""
-    with (TABLES / f"{language}.po").open("wb") as stream:
-        stream.write(_HEADER.format(language=language, plurals=known.plural_forms).encode())
-        write_po(stream, known, width=110, omit_header=True, include_lineno=False)
-
-
 def main() -> int:
-    said = sentences()
     missing = 0
-    for language in LANGUAGES:
-        lacking, idle = faults(language, said)
-        missing += len(lacking) + len(idle)
-        for _, english in lacking:
-            print(f"{language}: not translated: {english}")
-        for _, english in idle:
-            print(f"{language}: nobody says any more: {english}")
-        if "--write" in sys.argv[1:]:
-            write(language, updated(language, said))
+    for name, half in HALVES.items():
+        for language in LANGUAGES:
+            lacking, idle = half.faults(language)
+            missing += len(lacking) + len(idle)
+            for _, text in lacking:
+                print(f"{name}, {language}: not translated: {text}")
+            for _, text in idle:
+                print(f"{name}, {language}: nobody says any more: {text}")
+            if "--write" in sys.argv[1:]:
+                half.update(language)
     return 1 if missing else 0
 
 
