@@ -326,7 +326,7 @@ class _Walk:
             "expected a whole number from {low} to {high} as the {parameter} of `{vertex}`, found `{found}`",
             low,
             high,
-            name,
+            Word(name),
             vertex.id,
             shown,
         )
