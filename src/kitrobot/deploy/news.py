@@ -6,11 +6,11 @@ import struct
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from kitrobot.text import Sentence
+from kitrobot.text import Sentence, Word
 
 NO_INSTRUCTION = 65535
 FAULTS = {
-    0: "none",
+    0: Word("none"),
     1: Sentence("a driver failed"),
     2: Sentence("a device did not say that it is done in its time"),
     3: Sentence("the board ran out of memory"),

@@ -27,7 +27,7 @@ LOOK_S = 0.5
 """How often a robot's state is looked at; it is asked only while it does not report that itself."""
 
 Subscriber = Callable[[Change], None]
-_STOPPED = RobotEvent("outside", Sentence("it was stopped from here"), PERSON)
+_STOPPED = RobotEvent("outside", Recorded("it was stopped from here"), PERSON)
 
 
 class NotConnectedError(KitRobotError):
@@ -92,7 +92,7 @@ class RobotSession:
         self._period_ms = 0
         events = []
         if was.lost and state.installed == was.installed:
-            events.append(RobotEvent("revival", Sentence("the link is back"), LINK))
+            events.append(RobotEvent("revival", Recorded("the link is back"), LINK))
         self._stands(state, was, events, Happening.GREETED)
 
     def watch(self, period_ms: int) -> None:
@@ -119,7 +119,7 @@ class RobotSession:
         """Begins the program that it has. Held: it stops when it hears nothing from here."""
         self.link.start(held=held)
         first = self.known.first_values() if self.known is not None else {}
-        event = RobotEvent("outside", Sentence("its program was started from here"), PERSON)
+        event = RobotEvent("outside", Recorded("its program was started from here"), PERSON)
         self._change(Happening.STARTED, self.state.started(held, first), event)
 
     def stop(self) -> None:
@@ -222,7 +222,7 @@ class RobotSession:
         """It was without power for a moment, and runs by itself as it does when that comes back. One that is held is
         stopped; another one is watched again, which it has forgotten.
         """
-        event = RobotEvent("message", Sentence("it began anew by itself"), ROBOT)
+        event = RobotEvent("message", Recorded("it began anew by itself"), ROBOT)
         if self.state.held:
             self.link.stop()
             self._change(Happening.REBOOTED, self.state.rebooted().stopped(), event, _STOPPED)

@@ -34,7 +34,7 @@ from kitrobot.server.shapes import (
     BoardStep,
     BoardWay,
 )
-from kitrobot.text import Sentence
+from kitrobot.text import Recorded, Sentence
 
 LISTEN_S = 0.05
 """How long the robot is listened to before what was asked for meanwhile is looked at."""
@@ -207,11 +207,11 @@ class RobotWorker:
     def _lose(self) -> None:
         state = self._session.state
         if state.doing != "running":
-            message = Sentence("the link to `{robot}` is lost", self.name)
+            message = Recorded("the link to `{robot}` is lost", self.name)
         elif state.held:
-            message = Sentence("the link to `{robot}` is lost: its motors stop within one second", self.name)
+            message = Recorded("the link to `{robot}` is lost: its motors stop within one second", self.name)
         else:
-            message = Sentence("the link to `{robot}` is lost; it runs on by itself", self.name)
+            message = Recorded("the link to `{robot}` is lost; it runs on by itself", self.name)
         self._session.lose(message)
         self._say(
             phase="lost", progress=None, message=message, help=Sentence("look at its cable, then press Reconnect")

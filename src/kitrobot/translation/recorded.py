@@ -27,6 +27,9 @@ def recalled(text: str, known: Catalogue, depth: int = DEEPEST) -> Sentence | No
     """The sentence that the text is; None when it is made of none of our templates."""
     if depth == 0 or len(text) > LONGEST:
         return None
+    for context in (Recorded, Sentence):
+        if known.word(context.context, text) is not None:
+            return context(text)
     for one, many, names, stretches in _templates(known):
         found = _holes(text, stretches)
         if found is None:
@@ -43,10 +46,6 @@ def recalled(text: str, known: Catalogue, depth: int = DEEPEST) -> Sentence | No
 
 def _value(text: str, known: Catalogue, depth: int) -> str:
     """What stands in a hole: a sentence, or a name."""
-    if known.word(Recorded.context, text) is not None:
-        return Recorded(text)
-    if known.word("", text) is not None:
-        return Sentence(text)
     return _clauses(text, known, depth) or _list(text, known, depth) or recalled(text, known, depth) or text
 
 
@@ -55,8 +54,9 @@ def _clauses(text: str, known: Catalogue, depth: int) -> Sentence | None:
     clauses = text.split("; ")
     if not 1 < len(clauses) <= _MOST_PARTS:
         return None
-    made = [_list(one, known, depth) or recalled(one, known, depth) or Recorded(one) for one in clauses]
-    return Series(SEMICOLON, made) if all(one.values or known.template(one) for one in made) else None
+    made = [_list(one, known, depth) or recalled(one, known, depth) for one in clauses]
+    found = [one for one in made if one is not None]
+    return Series(SEMICOLON, found) if len(found) == len(made) else None
 
 
 def _list(text: str, known: Catalogue, depth: int) -> Sentence | None:
