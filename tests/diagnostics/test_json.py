@@ -10,7 +10,7 @@ FULL = Diagnostic(
     Severity.ERROR,
     Sentence("two arcs leave `v1` at `next`"),
     Place("carrier.lll", 3, 5, 4, 1),
-    help="delete one of them",
+    help=Sentence("delete one of them"),
     program="carrier",
     vertices=("v1", "v2"),
     arcs=(("v1", "next", "v2", "in"), ("v1", "next", "v3", "in")),

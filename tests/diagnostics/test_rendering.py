@@ -19,7 +19,7 @@ class Case(NamedTuple):
 
 
 def error(source: Source, start: int, end: int, help: str = "") -> Diagnostic:
-    return Diagnostic("a-code", Severity.ERROR, Sentence("this is wrong"), source.place(start, end), help)
+    return Diagnostic("a-code", Severity.ERROR, Sentence("this is wrong"), source.place(start, end), Sentence(help))
 
 
 CASES = {
@@ -177,7 +177,7 @@ def test_help_stands_on_its_own_line() -> None:
 
 
 def test_what_has_no_place_is_a_sentence() -> None:
-    hint = Diagnostic("a-code", Severity.HINT, Sentence("think again"), help="twice")
+    hint = Diagnostic("a-code", Severity.HINT, Sentence("think again"), help=Sentence("twice"))
     assert render_one(hint, None) == "hint: think again [a-code]\n  help: twice"
 
 
@@ -225,6 +225,8 @@ mine.lll:4:12: hint: expected `;` between two instructions [missing-semicolon]
 
 
 def test_a_message_is_one_line_whatever_is_in_it() -> None:
-    told = Diagnostic("a-code", Severity.ERROR, Sentence("found `\n\x1b[2J`"), Place("a\nb.lll"), "write\rthis")
+    told = Diagnostic(
+        "a-code", Severity.ERROR, Sentence("found `\n\x1b[2J`"), Place("a\nb.lll"), Sentence("write\rthis")
+    )
     assert len(render_one(told, None).split("\n")) == 2
     assert render_one(told, None).isprintable() or "\x1b" not in render_one(told, None)

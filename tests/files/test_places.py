@@ -6,7 +6,7 @@ from kitrobot.diagnostics import Place, Rule, Severity, Source
 from kitrobot.files import Places
 from kitrobot.text import Sentence
 
-RULE = Rule("test-places", Severity.ERROR, "A test", "Only for tests.")
+RULE = Rule("test-places", Severity.ERROR, "A test", Sentence("Only for tests."))
 TEXT = """<kitrobot version="1">
   <!-- <vertex id="a" element="X"/> -->
   <program name="p &amp; q" robot='r'>

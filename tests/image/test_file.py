@@ -123,7 +123,7 @@ def test_numbers_that_do_not_fit_the_file_are_refused_when_writing(made: Image) 
 
 def test_an_error_of_an_image_is_an_error_of_ours() -> None:
     assert issubclass(ImageError, KitRobotError)
-    assert str(ImageError(Sentence("what"), "how")) == "what\nhelp: how"
+    assert str(ImageError(Sentence("what"), Sentence("how"))) == "what\nhelp: how"
     assert str(ImageError(Sentence("what"))) == "what"
 
 

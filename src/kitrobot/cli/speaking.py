@@ -51,7 +51,7 @@ def failure() -> str:
     problems = with_help(_Said.problems)
     first = next(((one.message, one.help) for one in problems if one.is_error), ("", ""))
     message, help = _Said.error if _Said.error[0] else first
-    return json_text({"error": error_object(KitRobotError(Sentence(message), help, tuple(problems)))}) + "\n"
+    return json_text({"error": error_object(KitRobotError(Sentence(message), Sentence(help), tuple(problems)))}) + "\n"
 
 
 def error_object(error: KitRobotError) -> dict[str, Any]:

@@ -37,7 +37,7 @@ from kitrobot.lll import (
     nodes,
 )
 from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
-from kitrobot.text import COMMA, Sentence, Series, Suggestions, Word, listed
+from kitrobot.text import COMMA, Help, Sentence, Series, Suggestions, Word, listed
 
 
 def check(program: Seq, target: Target, source: Source, program_name: str = "") -> list[Diagnostic]:
@@ -66,7 +66,7 @@ class _Checker:
         rule: Rule,
         message: Sentence,
         node: Node,
-        help: str = "",
+        help: Help = "",
         start: int | None = None,
         fix: Fix | None = None,
     ) -> None:
@@ -94,7 +94,7 @@ class _Checker:
         """The names of the robot's objects that can be called, in the order of the alphabet."""
         return sorted(self.methods)
 
-    def suggested(self, name: str, known: Sequence[str]) -> tuple[str, str]:
+    def suggested(self, name: str, known: Sequence[str]) -> tuple[str, Help]:
         """The most similar known name, and a help sentence with it; without one the sentence lists what there is."""
         near = self.suggestions.nearest(name, known)
         if near:
@@ -279,14 +279,14 @@ class _Checker:
                 elif meaning[1].kind is Kind.PROCEDURE:
                     self.procedure(node, Sentence("a test"), self.offer(meaning[0], Kind.TEST))
 
-    def offer(self, part: RobotObject, kind: Kind) -> str:
+    def offer(self, part: RobotObject, kind: Kind) -> Help:
         """Names the methods of that kind which an object's name offers."""
         known = [method.name for method in self.methods[part.name] if method.kind is kind]
         return (
             Sentence("`{part}` has {known}", part.name, Series(COMMA, (f"`{name}`" for name in known))) if known else ""
         )
 
-    def procedure(self, call: Call, wanted: str, help: str) -> None:
+    def procedure(self, call: Call, wanted: str, help: Help) -> None:
         self.report(
             rules.PROCEDURE_FOR_VALUE,
             Sentence(

@@ -31,7 +31,7 @@ from kitrobot.lll import (
     While,
 )
 from kitrobot.primitives import Constructor, Slot, SlotKind
-from kitrobot.text import Sentence, Word
+from kitrobot.text import Help, Sentence, Word
 
 
 class Walk(Protocol):
@@ -50,7 +50,7 @@ class Walk(Protocol):
     def put(self, vertex: Vertex, seq: Seq, more: Seq) -> None:
         """Adds instructions, and the hole among them, to a body."""
 
-    def report(self, rule: Rule, message: Sentence, *vertices: str, help: str = "") -> None:
+    def report(self, rule: Rule, message: Sentence, *vertices: str, help: Help = "") -> None:
         """Collects a diagnostic."""
 
     def number(self, vertex: Vertex, name: str, text: str, low: int, high: int) -> int:

@@ -32,7 +32,7 @@ from kitrobot.lll import (
     Seq,
 )
 from kitrobot.primitives import Catalogue, Parameter, Role
-from kitrobot.text import Sentence, Word
+from kitrobot.text import Help, Sentence, Word
 
 _WHOLE = re.compile(r"[+-]?[0-9]{1,9}")
 
@@ -99,7 +99,7 @@ class _Walk:
         rule: Rule,
         message: Sentence,
         *vertices: str,
-        help: str = "",
+        help: Help = "",
         arc: Arc | None = None,
         fix: Fix | None = None,
     ) -> None:

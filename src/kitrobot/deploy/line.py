@@ -18,7 +18,7 @@ import serial
 from serial.tools import list_ports
 
 from kitrobot.deploy.errors import LineError
-from kitrobot.text import Sentence, Word
+from kitrobot.text import Help, Sentence, Word
 
 BAUD = 115200
 _SLICE_S = 0.02
@@ -173,7 +173,7 @@ def _reason(error: BaseException) -> str:
     return Word(text.rpartition("] ")[2].partition("\n")[0][:120])
 
 
-def _way_out(address: str, error: BaseException) -> str:
+def _way_out(address: str, error: BaseException) -> Help:
     text = str(error)
     if "ermission" in text or "Access is denied" in text:
         return Sentence(

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-from kitrobot.text import Sentence, TextPositions
+from kitrobot.text import Help, Sentence, TextPositions
 
 
 class Severity(StrEnum):
@@ -105,7 +105,7 @@ class Diagnostic:
     severity: Severity
     message: Sentence
     place: Place | None = None
-    help: str = ""
+    help: Help = ""
     program: str = ""
     vertices: tuple[str, ...] = ()
     arcs: tuple[ArcName, ...] = ()
@@ -130,14 +130,14 @@ class Rule:
     code: str
     severity: Severity
     title: str
-    explanation: str
+    explanation: Sentence
 
     def __call__(
         self,
         message: Sentence,
         place: Place | None = None,
         *,
-        help: str = "",
+        help: Help = "",
         program: str = "",
         vertices: Iterable[str] = (),
         arcs: Iterable[ArcName] = (),
@@ -167,7 +167,7 @@ class KitRobotError(Exception):
     """The root of what KitRobot raises when an operation failed: one sentence, a way out, and what was found."""
 
     message: Sentence
-    help: str = ""
+    help: Help = ""
     diagnostics: tuple[Diagnostic, ...] = field(default=())
 
     def __str__(self) -> str:

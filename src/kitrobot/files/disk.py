@@ -19,7 +19,7 @@ from pathlib import Path
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, expect_regular, open_regular, rule
 from kitrobot.files.file_lock import FileLock
-from kitrobot.text import Sentence, Word
+from kitrobot.text import Help, Sentence, Word
 
 LARGEST_FILE_BYTES = 64 * 1024 * 1024
 """More than any mission, world or image; a device or a film given by mistake is refused instead of filling memory."""
@@ -261,7 +261,7 @@ def _new_file_mode() -> int:
     return 0o666 & ~mask
 
 
-def _unreadable(path: Path, message: Sentence, help: str) -> FileError:
+def _unreadable(path: Path, message: Sentence, help: Help) -> FileError:
     return FileError(message, help, path=path)
 
 
@@ -270,7 +270,7 @@ def _reason(error: Exception) -> str:
     return Word(reason[:1].lower() + reason[1:])
 
 
-def look_alike(path: Path) -> str:
+def look_alike(path: Path) -> Help:
     """The nearest name in the folder, as a help sentence; empty when nothing is near."""
     from difflib import get_close_matches
 

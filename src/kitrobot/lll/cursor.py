@@ -6,7 +6,7 @@ from kitrobot.diagnostics import Diagnostic, Fix, Rule, Source
 from kitrobot.lll import rules
 from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, OTHER, SYMBOL, Comment, Token, tokenise
 from kitrobot.lll.tree import MAX_NESTING, Instr
-from kitrobot.text import Sentence
+from kitrobot.text import Help, Sentence
 
 PARTNER = {"(": ")", "[": "]", "<": ">"}
 _NAMES = {
@@ -64,7 +64,7 @@ class Cursor:
         return token
 
     def report(
-        self, rule: Rule, message: Sentence, start: int, end: int, help: str = "", fix: Fix | None = None
+        self, rule: Rule, message: Sentence, start: int, end: int, help: Help = "", fix: Fix | None = None
     ) -> None:
         self.diagnostics.append(rule(message, self.source.place(start, end), help=help, fix=fix))
 
@@ -75,7 +75,7 @@ class Cursor:
         shown = f"`{self.text[start : min(end, start + 24)]}`"
         return Sentence("{kind} {text}", _NAMES[kind], shown) if kind in _NAMES else shown
 
-    def mistake(self, expected: str, help: str = "") -> Mistake:
+    def mistake(self, expected: str, help: Help = "") -> Mistake:
         _, start, end, _ = self.tokens[self.at]
         self.report(
             rules.SYNTAX, Sentence("expected {expected}, found {found}", expected, self.found()), start, end, help

@@ -7,7 +7,7 @@ from kitrobot.lll.cursor import PARTNER, Mistake
 from kitrobot.lll.foreign import Foreign
 from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, RESERVED, SYMBOL, Token
 from kitrobot.lll.tree import MAX_NESTING, MAX_NUMBER, And, Call, Condition, Conditional, Hole, Not, Number, Or, Param
-from kitrobot.text import Sentence
+from kitrobot.text import Help, Sentence
 
 _BEHIND_A_CALL = frozenset((";", ",", ")", "]", ">", "&", "|", MARK))
 
@@ -130,7 +130,7 @@ class Expressions(Foreign):
                 return self.conditional_as_condition()
         raise self.mistake(Sentence("a condition"), self.no_condition())
 
-    def no_condition(self) -> str:
+    def no_condition(self) -> Help:
         """What to write where no condition stands."""
         if self.at == self.for_ever_at and self.shown() not in ("0", "false"):
             return Sentence("leave the [ ] out to repeat for ever: *( … )")

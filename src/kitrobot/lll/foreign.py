@@ -7,6 +7,8 @@ from kitrobot.lll.cursor import Cursor, Mistake
 from kitrobot.lll.tokens import CALL, END, NAME, NUMBER, OTHER, SYMBOL
 from kitrobot.text import Sentence
 
+_WHOLE = Sentence("numbers are whole; where one is too coarse, look for a smaller unit")
+
 
 class Foreign(Cursor):
     """What the reader does where it meets another language."""
@@ -64,9 +66,7 @@ class Foreign(Cursor):
             _, start, end, _ = self.tokens[at]
             self.tokens[at] = (SYMBOL, start, end, sign)
 
-    def whole(
-        self, help: str = Sentence("numbers are whole; where one is too coarse, look for a smaller unit")
-    ) -> None:
+    def whole(self, help: Sentence = _WHOLE) -> None:
         """Refuses a decimal number that stands next."""
         (kind, start, _, _), behind = self.tokens[self.at], self.tokens[min(self.at + 2, len(self.tokens) - 1)]
         if kind == NUMBER and self.follows(".") and behind[0] == NUMBER:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from kitrobot.text import Sentence
+from kitrobot.text import Help, Sentence
 
 _CHANGE = re.compile(r"\s*(?P<sign>\+\+|--|[-+*/]=|:=|=(?!=))[ \t]*(?P<value>[^;#\n]*)")
 _NUMBER = re.compile(r"[0-9]{1,5}")
@@ -20,7 +20,7 @@ TRUTH = frozenset(("true", "false"))
 """Words that LLL has none for, in small letters."""
 
 
-def keyword(word: str) -> str:
+def keyword(word: str) -> Help:
     """How LLL says what a word of another language begins; "" for any other word."""
     match word.lower():
         case "if" | "elif" | "elsif" | "unless" | "switch" | "si":
@@ -55,7 +55,7 @@ def is_reserved_in_other_letters(word: str) -> bool:
     return word.upper() in ("WAIT", "BREAK") and word not in ("WAIT", "BREAK")
 
 
-def change(name: str, text: str, at: int) -> tuple[str, int] | None:
+def change(name: str, text: str, at: int) -> tuple[Sentence, int] | None:
     """How a variable is changed, where an offset behind its name begins a change; and where that ends."""
     found = _CHANGE.match(text, at)
     if found is None:
@@ -76,7 +76,7 @@ def change(name: str, text: str, at: int) -> tuple[str, int] | None:
     ), found.end()
 
 
-def comparison(name: str, text: str, at: int) -> tuple[str, int] | None:
+def comparison(name: str, text: str, at: int) -> tuple[Sentence, int] | None:
     """How something is compared, where an offset behind its name begins a comparison; and where its sign ends."""
     found = _COMPARED.match(text, at)
     if found is None:
@@ -92,7 +92,7 @@ def comparison(name: str, text: str, at: int) -> tuple[str, int] | None:
     ), end
 
 
-def joint(word: str) -> str:
+def joint(word: str) -> Help:
     """The sign for a word that joins tests elsewhere; "" for any other word."""
     match word.lower():
         case "and" | "et":
@@ -102,7 +102,7 @@ def joint(word: str) -> str:
     return ""
 
 
-def number_sign(shown: str) -> str:
+def number_sign(shown: str) -> Help:
     """What is wrong with something that was to be a number; "" where nobody knows."""
     if re.fullmatch(r"[-−][0-9]+", shown):
         return Sentence("numbers have no sign: use a method that goes the other way, such as Sub in place of Add")
@@ -111,7 +111,7 @@ def number_sign(shown: str) -> str:
     return ""
 
 
-def behind_a_number(shown: str) -> str:
+def behind_a_number(shown: str) -> Help:
     """What is wrong where something stands behind a parameter; "" where nobody knows."""
     if shown[:1] in "+-/*":
         return Sentence(

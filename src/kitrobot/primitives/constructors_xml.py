@@ -20,7 +20,7 @@ from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, Slo
 from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
 from kitrobot.primitives.templates import holes
-from kitrobot.text import Sentence, one_of, shown
+from kitrobot.text import Help, Sentence, one_of, shown
 from kitrobot.xml import (
     ICON,
     LONGEST_NAME,
@@ -130,7 +130,8 @@ def _check_holes(constructor: Element, element: Element, template: Template) -> 
     filled: set[str] = set()
     for hole, fitting, repeats in holes(template):
         slot = slots.get(hole.name)
-        message, help = Sentence(""), ""
+        message = Sentence("")
+        help: Help = ""
         if slot is None:
             message, help = Sentence("the hole {{hole}} has no slot", hole.name), element.did_you_mean(hole.name, slots)
         elif hole.name in filled and slot.kind not in (SlotKind.NUMBER, SlotKind.TEXT):

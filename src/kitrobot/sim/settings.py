@@ -64,8 +64,8 @@ def find_device(robot: Robot, part: RobotObject) -> tuple[type[Device] | None, l
                     one_of(sorted(device.procedures)),
                     method.name,
                 )
-                help = did_you_mean(method.name, device.procedures)
-                problems.append(rules.DEVICE(message, method.place or part.place, help=help))
+                near = did_you_mean(method.name, device.procedures)
+                problems.append(rules.DEVICE(message, method.place or part.place, help=near))
     assert issubclass(device, Actuator | Sensor)
     return device, problems
 

@@ -28,7 +28,7 @@ from kitrobot.sim.settings import find_device, place_problems, read_conflicts, r
 from kitrobot.sim.shared import SharedTables
 from kitrobot.sim.tables import Tables
 from kitrobot.sim.world_tables import wall_rows
-from kitrobot.text import COMMA, Sentence, Series, Suggestions, Word, collection_paused, did_you_mean, shown
+from kitrobot.text import COMMA, Help, Sentence, Series, Suggestions, Word, collection_paused, did_you_mean, shown
 from kitrobot.world import LOAD, Start, World, distance_to_stretch
 
 MAX_AGENTS = 100_000
@@ -38,7 +38,7 @@ MAX_OVERLAPS = 100
 """So many robots in one another's way are told at most; there may be millions of pairs."""
 
 
-def free_start(name: str, free: Sequence[str], suggestions: Suggestions) -> str:
+def free_start(name: str, free: Sequence[str], suggestions: Suggestions) -> Help:
     """The help for an agent whose start a world has not: the free one that was meant, or those there are."""
     if free:
         return suggestions.did_you_mean(name, free) or Sentence(
@@ -293,7 +293,7 @@ class Setup:
                             return
             cells[column, row].append(robot)
 
-    def _apart(self) -> str:
+    def _apart(self) -> Help:
         free = self._free_starts
         if not free:
             return Sentence("every start of this world is taken: add one to it, or take an agent out of the team")

@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from functools import lru_cache
-from typing import Self
+from typing import Literal, Self
 
 HOLE = re.compile(r"\{([a-z]\w*)\}")
 """Where a template is filled in: `{name}`."""
@@ -98,6 +98,9 @@ class Series(Sentence):
     def __reduce__(self) -> tuple[object, ...]:
         return Series, (Sentence(self.template), self.parts)
 
+
+Help = Sentence | Literal[""]
+"""A way out that a message offers, or none."""
 
 COMMA = Sentence(", ")
 SEMICOLON = Sentence("; ")

@@ -10,7 +10,7 @@ from kitrobot.files import Places
 from kitrobot.mission import NO_PROGRAM, Mission
 from kitrobot.primitives import Catalogue
 from kitrobot.sim import free_start
-from kitrobot.text import Sentence, Suggestions, listed
+from kitrobot.text import Help, Sentence, Suggestions, listed
 from kitrobot.world import World
 
 SAME_NAME = rule(
@@ -106,8 +106,8 @@ class _Look:
                     agent.start_name,
                     self.world.name,
                 )
-                help = free_start(agent.start_name, free, self.suggestions)
-                yield NO_START(message, self._agent(agent.name), help=help)
+                start = free_start(agent.start_name, free, self.suggestions)
+                yield NO_START(message, self._agent(agent.name), help=start)
 
     def goals(self) -> Iterable[Diagnostic]:
         if self.world is None:
@@ -123,7 +123,7 @@ class _Look:
                 )
                 yield NO_STOREHOUSE(message, self.places.goal(index) if self.places else None, help=help)
 
-    def _help(self, name: str, names: Iterable[str]) -> str:
+    def _help(self, name: str, names: Iterable[str]) -> Help:
         return self.suggestions.did_you_mean(name, names)
 
     def _program(self, name: str) -> Place | None:

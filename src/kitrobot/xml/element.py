@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
 
 from kitrobot.diagnostics import Diagnostic, Place, Rule
-from kitrobot.text import Sentence, Word, one_of, shown
+from kitrobot.text import Help, Sentence, Word, one_of, shown
 from kitrobot.xml import rules
 from kitrobot.xml.attributes import Attribute
 
@@ -241,7 +241,7 @@ class Element:
         """Where the element's start tag stands, or the value of one of its attributes."""
         return self.reader.place_of(self, attribute)
 
-    def report(self, rule: Rule, message: Sentence, attribute: str | None = None, help: str = "") -> None:
+    def report(self, rule: Rule, message: Sentence, attribute: str | None = None, help: Help = "") -> None:
         """Adds a diagnostic about this element, at the attribute when it is given and there."""
         self.add(rule(message, self.place(attribute), help=help))
 
@@ -254,11 +254,11 @@ class Element:
                 element.faulty = True
                 element = element.parent
 
-    def did_you_mean(self, word: str, words: Iterable[str]) -> str:
+    def did_you_mean(self, word: str, words: Iterable[str]) -> Help:
         """`did you mean X?` for a help line, or ""; of very many misspelt words in a file only for the first ones."""
         return self.reader.suggestions.did_you_mean(word, words)
 
-    def bad_value(self, name: str, expected: str, help: str = "") -> None:
+    def bad_value(self, name: str, expected: str, help: Help = "") -> None:
         """Reports an attribute's value: what was expected, and what was found."""
         self.report(
             rules.BAD_VALUE,

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kitrobot.text import Sentence
+from kitrobot.text import Help, Sentence
 
 _CLOSING = re.compile(r"</\s*([^\s>]{1,40})")
 _ENTITY = re.compile(r"&([^;\s]{1,40});?")
@@ -29,7 +29,7 @@ class Mistake(NamedTuple):
     """What to say about an error of the parser, and the offset where it really is."""
 
     message: Sentence
-    help: str
+    help: Help
     start: int
 
 
@@ -48,7 +48,7 @@ def explain(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]
     return Mistake(*_words(said, text, start, opened), start)
 
 
-def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> tuple[Sentence, str]:
+def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> tuple[Sentence, Help]:
     if said in _CUT_OFF:
         return _cut_off(text, opened)
     if said in _SENTENCES:
@@ -84,7 +84,7 @@ def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]])
     )
 
 
-def _cut_off(text: str, opened: Sequence[tuple[str, int]]) -> tuple[Sentence, str]:
+def _cut_off(text: str, opened: Sequence[tuple[str, int]]) -> tuple[Sentence, Help]:
     if not text.strip():
         return Sentence("expected an XML element, found an empty file"), ""
     if not opened:
