@@ -23,7 +23,8 @@ function table(text: string): Record<string, string | Forms> {
   const [header, ...entries] = text.replaceAll("\r\n", "\n").split("\n\n").map(entryOf);
   const language = /^Language: (\w+)$/m.exec(header?.["msgstr"] ?? "")?.[1];
   const rule = /plural=([^;]+);/.exec(header?.["msgstr"] ?? "")?.[1];
-  if (language === undefined || rule === undefined) throw new Error("a catalogue begins with Language and Plural-Forms");
+  if (language === undefined || rule === undefined)
+    throw new Error("a catalogue begins with Language and Plural-Forms");
   // eslint-disable-next-line @typescript-eslint/no-implied-eval -- C's expression in our own file reads the same in JavaScript
   const form = new Function("n", `return Number(${rule});`) as (count: number) => number;
   const plural = new Intl.PluralRules(language);

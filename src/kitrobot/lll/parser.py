@@ -37,6 +37,8 @@ from kitrobot.lll.tree import (
 )
 from kitrobot.text import Sentence, collection_paused
 
+_WHOLE_UNITS = Sentence("numbers are whole; on most robots WAIT(10) is one second, and WAIT(1) a tenth")
+
 
 @dataclass(frozen=True)
 class Parsed:
@@ -336,7 +338,7 @@ class _Parser(Expressions):
             self.recover(")")
             return Wait(0, start=start, end=self.last_end)
         try:
-            self.whole(Sentence("numbers are whole; on most robots WAIT(10) is one second, and WAIT(1) a tenth"))
+            self.whole(_WHOLE_UNITS)
         except Mistake:
             self.recover(")")
             return Wait(0, start=start, end=self.last_end)
