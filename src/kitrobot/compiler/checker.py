@@ -158,11 +158,9 @@ class _Checker:
                 self.shared_actuators(node)
             case Break():
                 if not in_loop:
-                    message = (
-                        Sentence("BREAK stands in no loop, so it ends the branch")
-                        if in_parallel
-                        else Sentence("BREAK stands in no loop, so it ends the program")
-                    )
+                    message = Sentence("BREAK stands in no loop, so it ends the program")
+                    if in_parallel:
+                        message = Sentence("BREAK stands in no loop, so it ends the branch")
                     help = Sentence("put it into a loop, or leave it if that is meant")
                     self.report(
                         rules.BREAK_OUTSIDE_LOOP,
@@ -176,35 +174,19 @@ class _Checker:
         if meaning is None:
             return
         if meaning[1].kind is not Kind.PROCEDURE:
-            self.report(
-                rules.VALUE_AS_INSTRUCTION,
-                Sentence(
-                    "`{object}.{method}` only reads something, so as an instruction it does nothing",
-                    call.object,
-                    call.method,
-                ),
-                call,
-                Sentence("use it in a condition or as a parameter"),
-            )
+            message = Sentence("`{call}` only reads something, so as an instruction it does nothing", _name(call))
+            self.report(rules.VALUE_AS_INSTRUCTION, message, call, Sentence("use it in a condition or as a parameter"))
 
     def idle(self, node: While) -> None:
         """A loop without end in which nothing takes time and nothing is looked at."""
         if not any(self.does_something(one) for one in nodes(node.body)):
-            self.report(
-                rules.IDLE_LOOP,
-                Sentence("this loop does nothing for ever: the robot stays as it is, and nothing comes after it"),
-                node,
-                Sentence("put into it what the robot is to do"),
-            )
+            message = Sentence("this loop does nothing for ever: the robot stays as it is, and nothing comes after it")
+            self.report(rules.IDLE_LOOP, message, node, Sentence("put into it what the robot is to do"))
         elif node.body.items and all(self.is_blind(item) for item in node.body.items):
-            self.report(
-                rules.IDLE_LOOP,
-                Sentence(
-                    "nothing in this loop takes time, so it is done every {tick_ms} ms for ever", self.robot.tick_ms
-                ),
-                node,
-                Sentence("put a WAIT or a test into it, or do it once only"),
+            message = Sentence(
+                "nothing in this loop takes time, so it is done every {tick_ms} ms for ever", self.robot.tick_ms
             )
+            self.report(rules.IDLE_LOOP, message, node, Sentence("put a WAIT or a test into it, or do it once only"))
 
     def does_something(self, node: Node) -> bool:
         """Whether an instruction, whatever it holds, does something, takes time, or leaves a loop."""
@@ -223,16 +205,9 @@ class _Checker:
 
     def overwritten(self, program: Seq) -> None:
         for call, later in given_way(program, self.robot):
-            self.report(
-                rules.OVERWRITTEN,
-                Sentence(
-                    "this has no effect: in the same tick `{object}.{method}` takes its place",
-                    later.object,
-                    later.method,
-                ),
-                call,
-                Sentence("put a WAIT between the two, or take one of them away"),
-            )
+            message = Sentence("this has no effect: in the same tick `{call}` takes its place", _name(later))
+            help = Sentence("put a WAIT between the two, or take one of them away")
+            self.report(rules.OVERWRITTEN, message, call, help)
 
     def shared_actuators(self, node: Parallel) -> None:
         first_branch: dict[str, int] = {}
@@ -268,14 +243,8 @@ class _Checker:
                 if meaning is None:
                     return
                 if meaning[1].kind is Kind.VALUE:
-                    self.report(
-                        rules.VALUE_FOR_TEST,
-                        Sentence(
-                            "expected a test, found `{object}.{method}`, which is a number", node.object, node.method
-                        ),
-                        node,
-                        self.offer(meaning[0], Kind.TEST),
-                    )
+                    message = Sentence("expected a test, found `{call}`, which is a number", _name(node))
+                    self.report(rules.VALUE_FOR_TEST, message, node, self.offer(meaning[0], Kind.TEST))
                 elif meaning[1].kind is Kind.PROCEDURE:
                     self.procedure(node, Sentence("a test"), self.offer(meaning[0], Kind.TEST))
 
@@ -287,14 +256,8 @@ class _Checker:
         )
 
     def procedure(self, call: Call, wanted: str, help: Help) -> None:
-        self.report(
-            rules.PROCEDURE_FOR_VALUE,
-            Sentence(
-                "expected {wanted}, found `{object}.{method}`, which is an action", wanted, call.object, call.method
-            ),
-            call,
-            help,
-        )
+        message = Sentence("expected {wanted}, found `{call}`, which is an action", wanted, _name(call))
+        self.report(rules.PROCEDURE_FOR_VALUE, message, call, help)
 
     def meaning(self, call: Call) -> tuple[RobotObject, Method] | None:
         """Looks a call up and checks its parameters; None when its names mean nothing (reported)."""
@@ -335,15 +298,14 @@ class _Checker:
             self.report(
                 rules.PARAMETER_COUNT,
                 Sentence.counted(
-                    "`{object}.{method}` takes {count} parameter, found {found}",
-                    "`{object}.{method}` takes {count} parameters, found {found}",
-                    call.object,
-                    call.method,
+                    "`{call}` takes {count} parameter, found {found}",
+                    "`{call}` takes {count} parameters, found {found}",
+                    _name(call),
                     wanted,
                     given,
                 ),
                 call,
-                Sentence("write {object}.{method}({names})", call.object, call.method, names),
+                Sentence("write {call}({names})", _name(call), names),
                 fix=self.refilling(call, method),
             )
         for param, parameter in zip(call.params, method.parameters, strict=False):
@@ -362,7 +324,7 @@ class _Checker:
         """The same call with as many parameters as it takes: the first ones stay, missing ones are the usual."""
         given = [self.text(param) for param in call.params[: len(method.parameters)]]
         usual = [str(max(0, parameter.default)) for parameter in method.parameters[len(given) :]]
-        return Fix(f"{call.object}.{call.method}({', '.join(given + usual)})")
+        return Fix(f"{_name(call)}({', '.join(given + usual)})")
 
     def param(self, node: Node, part: RobotObject, method: Method, parameter: Parameter) -> None:
         if isinstance(node, Number):
@@ -371,12 +333,11 @@ class _Checker:
                 self.report(
                     rules.OUT_OF_RANGE,
                     Sentence(
-                        "expected a {parameter} from {minimum} to {maximum} for `{part}.{method}`, found {value}",
+                        "expected a {parameter} from {minimum} to {maximum} for `{call}`, found {value}",
                         Word(parameter.name),
                         parameter.minimum,
                         parameter.maximum,
-                        part.name,
-                        method.name,
+                        f"{part.name}.{method.name}",
                         node.value,
                     ),
                     node,
@@ -395,18 +356,17 @@ class _Checker:
             return
         kind = meaning[1].kind
         boolean = parameter.type is ValueType.BOOLEAN
-        name = f"`{node.object}.{node.method}`"
+        asks, given = f"{part.name}.{method.name}", f"`{_name(node)}`"
         if kind is Kind.PROCEDURE:
             self.procedure(node, Sentence("a test") if boolean else Sentence("a number"), "")
         elif kind is Kind.TEST and not boolean:
             self.report(
                 rules.TEST_FOR_VALUE,
                 Sentence(
-                    "expected a number as the {parameter} of `{part}.{method}`, found the test {test}",
+                    "expected a number as the {parameter} of `{call}`, found the test {test}",
                     Word(parameter.name),
-                    part.name,
-                    method.name,
-                    name,
+                    asks,
+                    given,
                 ),
                 node,
                 self.offer(meaning[0], Kind.VALUE),
@@ -414,15 +374,14 @@ class _Checker:
         elif kind is Kind.VALUE and boolean:
             self.report(
                 rules.VALUE_FOR_TEST,
-                Sentence(
-                    "expected a test, 0 or 1 for `{part}.{method}`, found {found}, which is a number",
-                    part.name,
-                    method.name,
-                    name,
-                ),
+                Sentence("expected a test, 0 or 1 for `{call}`, found {found}, which is a number", asks, given),
                 node,
                 self.offer(meaning[0], Kind.TEST),
             )
+
+
+def _name(call: Call) -> str:
+    return f"{call.object}.{call.method}"
 
 
 def _calls(seq: Seq) -> list[Call]:

@@ -210,19 +210,16 @@ class _Walk:
     def not_closed(self, vertex: str, port: str, inside: str | None, arc: Arc | None = None) -> None:
         where = f"`{vertex}`" if port == NEXT else Sentence("the slot `{port}` of `{vertex}`", port, vertex)
         if inside is None:
-            message, help = (
-                Sentence("the way from {where} never reaches Stop", where),
-                Sentence("draw an arc from `{vertex}` on to Stop", vertex),
-            )
+            message = Sentence("the way from {where} never reaches Stop", where)
+            help = Sentence("draw an arc from `{vertex}` on to Stop", vertex)
         else:
             message = Sentence("the way from {where} does not come back to `{constructor}`", where, inside)
             help = Sentence("draw an arc to the `return` of `{constructor}`", inside)
         self.report(rules.NOT_CLOSED, message, vertex, help=help, arc=arc)
 
     def wrong_way(self, arc: Arc, message: Sentence) -> None:
-        self.report(
-            rules.WRONG_WAY, message, arc.source, arc.target, help=Sentence("delete the arc, or draw it anew"), arc=arc
-        )
+        help = Sentence("delete the arc, or draw it anew")
+        self.report(rules.WRONG_WAY, message, arc.source, arc.target, help=help, arc=arc)
 
     # -- holes
 
@@ -331,13 +328,8 @@ class _Walk:
             shown,
         )
         fix = Fix(str(nearest), FixKind.SETTING, name) if (nearest := _nearest(digits, low, high)) is not None else None
-        self.report(
-            rules.NOT_A_NUMBER,
-            message,
-            vertex.id,
-            help=Sentence("write a number from {minimum} to {maximum}", low, high),
-            fix=fix,
-        )
+        help = Sentence("write a number from {minimum} to {maximum}", low, high)
+        self.report(rules.NOT_A_NUMBER, message, vertex.id, help=help, fix=fix)
         return low
 
     # -- templates
@@ -347,9 +339,8 @@ class _Walk:
         if self.depth < MAX_NESTING:
             self.depth += 1
             return True
-        self.report(
-            rules.TOO_DEEP, Sentence("the program nests more than {most} levels deep here", MAX_NESTING), vertex.id
-        )
+        message = Sentence("the program nests more than {most} levels deep here", MAX_NESTING)
+        self.report(rules.TOO_DEEP, message, vertex.id)
         return False
 
     def body(self, vertex: Vertex, port: str) -> Seq:
@@ -366,11 +357,8 @@ class _Walk:
         if not self.enter(vertex):
             return Call("", "")
         if constructor.role is not Role.CONDITION:
-            self.report(
-                rules.WRONG_PLACE,
-                Sentence("`{vertex}` ({element}) is no condition", vertex.id, Word(vertex.element)),
-                vertex.id,
-            )
+            message = Sentence("`{vertex}` ({element}) is no condition", vertex.id, Word(vertex.element))
+            self.report(rules.WRONG_PLACE, message, vertex.id)
             return Call("", "")
         return cast("Condition", fill(self, vertex, constructor))
 
@@ -380,11 +368,8 @@ class _Walk:
             return Call("", "")
         if "." not in vertex.element or self.wiring.constructor(vertex) is not None:
             if vertex.element in (START, STOP) or self.wiring.constructor(vertex) is not None:  # others are unknown
-                self.report(
-                    rules.WRONG_PLACE,
-                    Sentence("`{vertex}` ({element}) does not fit into a slot", vertex.id, Word(vertex.element)),
-                    vertex.id,
-                )
+                message = Sentence("`{vertex}` ({element}) does not fit into a slot", vertex.id, Word(vertex.element))
+                self.report(rules.WRONG_PLACE, message, vertex.id)
             return Call("", "")
         return self.call(vertex)
 

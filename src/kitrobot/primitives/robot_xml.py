@@ -74,9 +74,8 @@ def _range(element: Element, least: int = 0, most: int = USUAL_MAXIMUM) -> tuple
     maximum = element.integer("max", most)
     if minimum > maximum:
         where = "min" if "min" in element.attributes else "max"
-        element.report(
-            rules.RANGE, Sentence("expected min at most max, found {least} and {most}", minimum, maximum), where
-        )
+        message = Sentence("expected min at most max, found {least} and {most}", minimum, maximum)
+        element.report(rules.RANGE, message, where)
         return maximum, minimum
     return minimum, maximum
 
@@ -84,17 +83,10 @@ def _range(element: Element, least: int = 0, most: int = USUAL_MAXIMUM) -> tuple
 def _inside(element: Element, name: str, minimum: int, maximum: int, usual: int) -> int:
     value = element.integer(name, usual)
     if not minimum <= value <= maximum:
-        element.report(
-            rules.RANGE,
-            Sentence(
-                "expected a number from {minimum} to {maximum} in {attribute}, found {found}",
-                minimum,
-                maximum,
-                name,
-                value,
-            ),
-            name,
+        message = Sentence(
+            "expected a number from {minimum} to {maximum} in {attribute}, found {found}", minimum, maximum, name, value
         )
+        element.report(rules.RANGE, message, name)
     return value
 
 
@@ -109,9 +101,8 @@ def _text(element: Element, kind: str) -> Texts:
 def _parameter(element: Element) -> Parameter:
     name = element.matching("name")
     if name in ("in", "next", "return"):
-        element.report(
-            xml_rules.BAD_VALUE, Sentence("a parameter cannot be named {name}, a port of every vertex", name), "name"
-        )
+        message = Sentence("a parameter cannot be named {name}, a port of every vertex", name)
+        element.report(xml_rules.BAD_VALUE, message, "name")
     made = Parameter(
         name, 0, 1, 0, unit=element.optional("unit"), label=_text(element, "label"), help=_text(element, "help")
     )
@@ -134,12 +125,8 @@ def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
         for hole in _HOLE.findall(text):
             if hole not in holes:
                 help = element.did_you_mean(hole, holes)
-                element.report(
-                    rules.PHRASE,
-                    Sentence("the phrase {phrase} has a hole {{hole}} that nothing fills", shown(text), hole),
-                    None,
-                    help,
-                )
+                message = Sentence("the phrase {phrase} has a hole {{hole}} that nothing fills", shown(text), hole)
+                element.report(rules.PHRASE, message, None, help)
     return Method(
         name,
         kind,
@@ -162,9 +149,8 @@ def _operation(element: Element) -> Method:
     if element.flag("value"):
         for extra in ("test", "to"):
             if extra in element.attributes:
-                element.report(
-                    rules.METHOD, Sentence('expected no {attribute} beside value="yes", found one', extra), extra
-                )
+                message = Sentence('expected no {attribute} beside value="yes", found one', extra)
+                element.report(rules.METHOD, message, extra)
         if count:
             element.report(rules.METHOD, Sentence("expected no parameter on a value, found {count}", count))
         return _method(element, Kind.VALUE, {"": "{object}"})
@@ -175,9 +161,8 @@ def _operation(element: Element) -> Method:
     if ("to" in element.attributes) == bool(count) or count > 1:
         parameters = Sentence.counted("{count} parameter", "{count} parameters", count)
         found = Sentence("to and {parameters}", parameters) if "to" in element.attributes else parameters
-        element.report(
-            rules.METHOD, Sentence('expected either to="…" or one parameter on a test, found {found}', found)
-        )
+        message = Sentence('expected either to="…" or one parameter on a test, found {found}', found)
+        element.report(rules.METHOD, message)
     if "to" not in element.attributes:
         parameter = next((parameter.name for parameter in element.found(Parameter)), "value")
         return replace(_method(element, Kind.TEST, comparison(test, f"{{{parameter}}}")), test=test)
@@ -238,12 +223,8 @@ def _simulated(element: Element) -> Simulated:
 def _object_name(element: Element) -> str:
     name = element.matching("name")
     if name == FAULT:
-        element.report(
-            xml_rules.DUPLICATE,
-            Sentence("every robot has a {part} already", FAULT),
-            "name",
-            Sentence("choose another name"),
-        )
+        message = Sentence("every robot has a {part} already", FAULT)
+        element.report(xml_rules.DUPLICATE, message, "name", Sentence("choose another name"))
     return name
 
 
@@ -295,11 +276,8 @@ def _robot(element: Element) -> Robot:
     calls: dict[tuple[str, str], str] = {}
     for part, around in element.found_at(RobotObject):
         if (part.category, part.name) in names:
-            around.report(
-                xml_rules.DUPLICATE,
-                Sentence("the {category} {part} is there already", Word(part.category), shown(part.name)),
-                "name",
-            )
+            message = Sentence("the {category} {part} is there already", Word(part.category), shown(part.name))
+            around.report(xml_rules.DUPLICATE, message, "name")
             continue
         names.add((part.category, part.name))
         groups[part.category].append(part)
@@ -309,12 +287,8 @@ def _robot(element: Element) -> Robot:
                 message = Sentence(
                     "{part}.{method} is a method of the {category} {part} already", part.name, method.name, Word(other)
                 )
-                around.report(
-                    xml_rules.DUPLICATE,
-                    message,
-                    "name",
-                    Sentence("an actuator and a sensor may share a name, not a method"),
-                )
+                help = Sentence("an actuator and a sensor may share a name, not a method")
+                around.report(xml_rules.DUPLICATE, message, "name", help)
     return Robot(
         element.matching("name"),
         tuple(groups[Category.ACTUATOR]),

@@ -23,6 +23,7 @@ from starlette.requests import HTTPConnection
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.robot_registry import AddressError, RobotRegistry, Subscriber
 from kitrobot.server.routing import studio_of
+from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     BOARD_REQUEST,
     BoardCancelRequest,
@@ -119,14 +120,7 @@ class BoardSession:
         try:
             request: BoardRequest = BOARD_REQUEST.validate_json(text)
         except ValidationError as error:
-            first = error.errors(include_url=False, include_input=False)[0]
-            where = ".".join(str(part) for part in first["loc"])
-            message = Sentence(
-                "the request was not understood: {reason}{where}", first["msg"], f" ({where})" if where else ""
-            )
-            self._refuse(
-                subscriber, "", KitRobotError(message, Sentence("load the page again: it may be older than the studio"))
-            )
+            self._refuse(subscriber, "", not_understood(error))
             return
         address = "" if isinstance(request, BoardsLookRequest) else request.address
         try:

@@ -26,9 +26,10 @@ from pydantic import BaseModel, ValidationError
 from kitrobot.diagnostics import KitRobotError, ProblemsError
 from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber, Telling
 from kitrobot.server.live_run import LiveRun
-from kitrobot.server.realtime_clock import SLOWEST, UNPACED, Pace
+from kitrobot.server.realtime_clock import Pace, speed_of
 from kitrobot.server.replay import Replay
 from kitrobot.server.routing import studio_of
+from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     REQUEST,
     ErrorMessage,
@@ -121,10 +122,8 @@ class Session:
         self._studio.watches.pop(self._name, None)
         self._studio.broadcasts.pop(self._name, None)
         if self._broadcast is not None:
-            self._broadcast.end(
-                Sentence("the page that steered this run is gone, and the run with it"),
-                Sentence("start one of your own"),
-            )
+            message = Sentence("the page that steered this run is gone, and the run with it")
+            self._broadcast.end(message, Sentence("start one of your own"))
 
     def _close_watch(self) -> None:
         if self._watch is not None:
@@ -134,12 +133,8 @@ class Session:
         try:
             request = REQUEST.validate_json(text)
         except ValidationError as error:
-            first = error.errors(include_url=False, include_input=False)[0]
-            where = ".".join(str(part) for part in first["loc"])
-            message = Sentence(
-                "the request was not understood: {reason}{where}", first["msg"], f" ({where})" if where else ""
-            )
-            await self._fail(message, Sentence("load the page again: it may be older than the studio"))
+            wrong = not_understood(error)
+            await self._fail(wrong.message, wrong.help)
             return
         if isinstance(request, StartRequest | ReplayRequest):
             await self._start(request)
@@ -149,10 +144,8 @@ class Session:
             if isinstance(request, LookRequest):
                 self._subscriber.look(request.agents)
             else:
-                await self._fail(
-                    Sentence("the page that started this run steers it"),
-                    Sentence("to steer one, start a run of your own"),
-                )
+                help = Sentence("to steer one, start a run of your own")
+                await self._fail(Sentence("the page that started this run steers it"), help)
         elif self._task is not None and not self._task.done():
             self._steer(request)
 
@@ -194,9 +187,8 @@ class Session:
         if broadcast is None or not broadcast.on:
             await self._fail(Sentence("this run is over"), Sentence("start one of your own"), ended=True)
         elif len(broadcast) >= MOST_WATCHERS:
-            await self._fail(
-                Sentence("{most} pages watch this run already", MOST_WATCHERS), Sentence("try again later"), ended=True
-            )
+            message = Sentence("{most} pages watch this run already", MOST_WATCHERS)
+            await self._fail(message, Sentence("try again later"), ended=True)
         else:
             self._subscriber = Subscriber(broadcast, self._socket, another=not broadcast.is_of(mission))
 
@@ -219,7 +211,7 @@ class Session:
         if isinstance(request, PauseRequest | ResumeRequest):
             pace.set_paused(isinstance(request, PauseRequest), watch.tick)
         elif isinstance(request, SpeedRequest):
-            pace.set_speed(_speed(request.value), watch.tick)
+            pace.set_speed(speed_of(request.value), watch.tick)
         elif isinstance(request, LookRequest):
             self._looks = tuple(request.agents)
             self._jobs.append(lambda: watch.look_at(self._looked_at()))
@@ -248,7 +240,7 @@ class Session:
             else:
                 path = request.path if isinstance(request, StartRequest) else ""
                 self._broadcast = Broadcast(path, watch.mission, self._wake.set)
-                await self._drive(watch, Pace(watch.tick_s, self._clock, _speed(request.speed)), self._broadcast)
+                await self._drive(watch, Pace(watch.tick_s, self._clock, speed_of(request.speed)), self._broadcast)
         except KitRobotError as error:
             await self._break_off(error.message, error.help)
         except (RuntimeError, OSError, WebSocketDisconnect):
@@ -257,9 +249,8 @@ class Session:
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a run broke: %s: %s", type(error).__name__, error, exc_info=debugging)
-            await self._break_off(
-                Sentence("something went wrong inside KitRobot"), Sentence("the run has ended; please report it")
-            )
+            help = Sentence("the run has ended; please report it")
+            await self._break_off(Sentence("something went wrong inside KitRobot"), help)
 
     async def _break_off(self, message: str, help: str) -> None:
         """Says to everybody why the run is over."""
@@ -280,10 +271,8 @@ class Session:
             self._count(False)
 
     async def _no_place(self) -> None:
-        await self._fail(
-            Sentence("this studio has {most} runs already", MOST_RUNS),
-            Sentence("stop one of them, perhaps in another tab"),
-        )
+        help = Sentence("stop one of them, perhaps in another tab")
+        await self._fail(Sentence("this studio has {most} runs already", MOST_RUNS), help)
 
     def _count(self, counts: bool) -> None:
         self._studio.runs += counts - self._counts
@@ -409,7 +398,3 @@ class Session:
 
     async def _fail(self, message: str, help: str, ended: bool = False) -> None:
         await self._tell(ErrorMessage(message=message, help=help, ended=ended))
-
-
-def _speed(wanted: float) -> float:
-    return wanted if wanted == UNPACED else max(SLOWEST, wanted)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import PlainSerializer, SkipValidation
+from pydantic import PlainSerializer, SkipValidation, ValidationError
 from starlette.datastructures import Headers, QueryParams
 from starlette.types import ASGIApp, Receive, Scope, Send
 
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
 from kitrobot.translation import STOPS, best_language, reading_in, said, said_in
 
 
@@ -36,6 +38,16 @@ Clause = Annotated[str, SkipValidation, PlainSerializer(clause, return_type=str)
 is, for checking it would make a plain `str` of a `kitrobot.text.Sentence`."""
 Spoken = Annotated[str, SkipValidation, PlainSerializer(spoken, return_type=str)]
 """The same as a sentence of its own."""
+
+
+def not_understood(error: ValidationError) -> KitRobotError:
+    """What is wrong with a request over a WebSocket: the first mistake in it."""
+    first = error.errors(include_url=False, include_input=False)[0]
+    where = ".".join(str(part) for part in first["loc"])
+    return KitRobotError(
+        Sentence("the request was not understood: {reason}{where}", first["msg"], f" ({where})" if where else ""),
+        Sentence("load the page again: it may be older than the studio"),
+    )
 
 
 class InReadersLanguage:

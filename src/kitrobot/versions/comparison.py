@@ -12,19 +12,19 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import Any
 
 from kitrobot.compiler.common_order import common_order
 from kitrobot.diagnostics import KitRobotError, ProblemsError, Source
 from kitrobot.files import lay_out_file, read_carried
 from kitrobot.graph import START, STOP, Note, Program, Vertex
-from kitrobot.mission import NO_PROGRAM, Agent, Goal, Mission, read_mission
+from kitrobot.mission import NO_PROGRAM, Mission, read_mission
 from kitrobot.text import Sentence, Word
 from kitrobot.versions.outline import PARKED, Outline
 from kitrobot.versions.own_parts import TOLD_HERE, own_part_differences
 from kitrobot.versions.own_worlds import world_differences
+from kitrobot.versions.team import team_differences
+from kitrobot.versions.wording import named, quoted, short, value, where
 
-_LONGEST_QUOTE = 60
 _ALIKE = 0.6
 """So much of two programs' vertices must be the same for one to be the other renamed."""
 
@@ -54,8 +54,7 @@ class Difference:
 def differences(before: Mission, after: Mission) -> list[Difference]:
     """What makes `after` of `before`; empty when they are equal."""
     found = list(_programs(before, after))
-    found += _agents(before.team.agents, after.team.agents)
-    found += _goals(before.team.goals, after.team.goals)
+    found += [Difference(kind, words) for kind, words in team_differences(before.team, after.team)]
     found += [Difference(kind, words) for kind, words in world_differences(before, after)]
     found += [Difference(kind, words) for kind, words in own_part_differences(before, after)]
     for field in fields(Mission):
@@ -65,7 +64,7 @@ def differences(before: Mission, after: Mission) -> list[Difference]:
                 Difference(
                     "mission",
                     Sentence(
-                        "the {field} of the mission: {before} → {after}", Word(field.name), _short(one), _short(other)
+                        "the {field} of the mission: {before} → {after}", Word(field.name), short(one), short(other)
                     ),
                 )
             )
@@ -207,49 +206,49 @@ def _vertices(old: Outline, new: Outline, name: str) -> Iterator[Difference]:
     for id, vertex in old.vertices.items():
         if id not in new.vertices:
             yield Difference(
-                "removed", Sentence("{vertex} removed, it stood{where}", _named(vertex), _where(old, id)), name, id
+                "removed", Sentence("{vertex} removed, it stood{where}", named(vertex), where(old, id)), name, id
             )
     moved = _moved(old, new)
     for id, vertex in new.vertices.items():
         before = old.vertices.get(id)
         if before is None:
-            yield Difference("added", Sentence("{vertex} added{where}", _named(vertex), _where(new, id)), name, id)
+            yield Difference("added", Sentence("{vertex} added{where}", named(vertex), where(new, id)), name, id)
             yield from _inside(Vertex(id, vertex.element, vertex.settings), vertex, name)
             continue
         if id in moved:
-            yield Difference("moved", Sentence("{vertex} moved{where}", _named(vertex), _where(new, id)), name, id)
+            yield Difference("moved", Sentence("{vertex} moved{where}", named(vertex), where(new, id)), name, id)
         yield from _inside(before, vertex, name)
 
 
 def _inside(before: Vertex, after: Vertex, name: str) -> Iterator[Difference]:
     """What is different in a vertex itself."""
-    what = _named(after)
+    what = named(after)
     if before.element != after.element:
         yield Difference(
-            "element", Sentence("{before} became {after}", _named(before), Word(after.element)), name, after.id
+            "element", Sentence("{before} became {after}", named(before), Word(after.element)), name, after.id
         )
     for setting in dict.fromkeys((*before.settings, *after.settings)):
         one, other = before.settings.get(setting), after.settings.get(setting)
         if one != other:
             words = Sentence(
-                "the {setting} of {vertex}: {before} → {after}", Word(setting), what, _value(one), _value(other)
+                "the {setting} of {vertex}: {before} → {after}", Word(setting), what, value(one), value(other)
             )
             yield Difference("setting", words, name, after.id)
     for old_note, new_note in _note_pairs(before.notes, after.notes):
         if old_note is None and new_note is not None:
             yield Difference(
-                "note-added", Sentence("a note at {vertex} added: {note}", what, _quoted(new_note.text)), name, after.id
+                "note-added", Sentence("a note at {vertex} added: {note}", what, quoted(new_note.text)), name, after.id
             )
         elif old_note is not None and new_note is None:
             yield Difference(
                 "note-removed",
-                Sentence("the note {note} at {vertex} removed", _quoted(old_note.text), what),
+                Sentence("the note {note} at {vertex} removed", quoted(old_note.text), what),
                 name,
                 after.id,
             )
         elif old_note is not None and new_note is not None:
             words = Sentence(
-                "the note at {vertex}: {before} → {after}", what, _quoted(old_note.text), _quoted(new_note.text)
+                "the note at {vertex}: {before} → {after}", what, quoted(old_note.text), quoted(new_note.text)
             )
             yield Difference("note", words, name, after.id)
     for field in fields(Vertex):
@@ -259,8 +258,8 @@ def _inside(before: Vertex, after: Vertex, name: str) -> Iterator[Difference]:
                 "the {setting} of {vertex}: {before} → {after}",
                 Word(field.name),
                 what,
-                _short(one_value),
-                _short(other_value),
+                short(one_value),
+                short(other_value),
             )
             yield Difference("vertex", words, name, after.id)
     if before.settings == after.settings and list(before.settings) != list(after.settings):
@@ -319,89 +318,6 @@ def _longest_rising(places: Sequence[int]) -> set[int]:
         found.add(at)
         at = before[at]
     return found
-
-
-def _agents(before: Sequence[Agent], after: Sequence[Agent]) -> Iterator[Difference]:
-    old, new = {agent.name: agent for agent in before}, {agent.name: agent for agent in after}
-    for name in old:
-        if name not in new:
-            yield Difference("agent-removed", Sentence("the team: {agent} removed", name))
-    for name, agent in new.items():
-        was = old.get(name)
-        if was is None:
-            yield Difference("agent-added", Sentence("the team: {agent} added, runs {program}", name, agent.program))
-            continue
-        for field in fields(Agent):
-            one, other = getattr(was, field.name), getattr(agent, field.name)
-            if one != other:
-                yield Difference(
-                    "agent",
-                    Sentence(
-                        "the team: the {field} of {agent}: {before} → {after}",
-                        Word(field.name),
-                        name,
-                        one or Word("none"),
-                        other or Word("none"),
-                    ),
-                )
-    if list(before) != list(after) and old == new:
-        yield Difference("order", Sentence("the team: its agents stand in another order"))
-
-
-def _goals(before: Sequence[Goal], after: Sequence[Goal]) -> Iterator[Difference]:
-    had, has = {(goal.storehouse, goal.stock) for goal in before}, {(goal.storehouse, goal.stock) for goal in after}
-    for goal in before:
-        if (goal.storehouse, goal.stock) not in has:
-            yield Difference(
-                "goal-removed", Sentence("the goals: {storehouse} holds {stock} removed", goal.storehouse, goal.stock)
-            )
-    for goal in after:
-        if (goal.storehouse, goal.stock) not in had:
-            yield Difference(
-                "goal-added", Sentence("the goals: {storehouse} holds {stock} added", goal.storehouse, goal.stock)
-            )
-    if list(before) != list(after) and had == has:
-        yield Difference("order", Sentence("the goals stand in another order"))
-
-
-def _where(outline: Outline, id: str) -> str:
-    """Where a vertex stands, as the end of a sentence."""
-    spot = outline.spots.get(id)
-    if spot is None:
-        return ""
-    holder, slot = spot.chain
-    after = Sentence(" after {vertex}", _named(outline.vertices[spot.after])) if spot.after else ""
-    if slot == PARKED:
-        return Sentence("{after}, parked", after)
-    if not holder:
-        return after or Sentence(" after Start")
-    if not after and len(outline.chains[spot.chain]) > 1:
-        after = Sentence(" first")
-    return Sentence("{after} in the {slot} of {holder}", after, Word(slot), _named(outline.vertices[holder]))
-
-
-def _named(vertex: Vertex) -> str:
-    element = Word(vertex.element)
-    return element if element in (START, STOP) else Sentence("{element} ({id})", element, vertex.id)
-
-
-def _value(value: str | None) -> str:
-    return (
-        Word("nothing") if value is None else _quoted(value) if value == "" or " " in value else value[:_LONGEST_QUOTE]
-    )
-
-
-def _quoted(text: str) -> str:
-    line = " ".join(text.split())
-    return f"“{line if len(line) <= _LONGEST_QUOTE else line[: _LONGEST_QUOTE - 1] + '…'}”"
-
-
-def _short(value: Any) -> str:
-    if isinstance(value, dict):
-        value = value.get("") or next(iter(value.values()), "")
-    if isinstance(value, list):
-        value = " ".join(map(str, value))
-    return _quoted(str(value)) if value else Word("nothing")
 
 
 def compare_files(before: Path, after: Path) -> list[Difference]:
