@@ -116,6 +116,7 @@ BOXES = "{count} box in {place}", "{count} boxes in {place}"
             Sentence("expected {wanted}, found {found}", one_of(["a", "b", "c"]), Word("who knows")),
             "attendu a, b ou c, trouvé who knows",
         ),
+        (Word("the program has ended"), "le programme est fini"),
         (Sentence('say "{word}"\\', "x"), "dites « x »\\"),
         (Sentence("the program has ended"), "le programme est fini"),
         (Sentence.counted(*BOXES, 0, "A"), "A : 0 caisse"),

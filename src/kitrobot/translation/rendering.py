@@ -66,11 +66,12 @@ def _sentence(sentence: Sentence, language: str, depth: int) -> str | None:
 
 def _word(word: Word, known: Catalogue) -> str | None:
     """A word's translation, large or small at its beginning as the word is."""
-    found = known.word("part", word) or known.word(Word.context, word)
-    if found is None:
-        small = known.word(Word.context, word[:1].lower() + word[1:])
-        return None if small is None else small[:1].upper() + small[1:]
-    return found
+    for context in ("part", Word.context, Sentence.context):
+        found = known.word(context, word)
+        if found is not None:
+            return found
+    small = known.word(Word.context, word[:1].lower() + word[1:])
+    return None if small is None else small[:1].upper() + small[1:]
 
 
 def _value(value: object, language: str, depth: int) -> str:
