@@ -1,12 +1,11 @@
-"""Finds every sentence that the program says to people, and holds the translations against them.
+"""Brings the catalogues of the translators (`.po`) up to date with the sentences of the program and of the page.
 
     python tools/sentences.py            lists what has no French or no Urdu yet, and what is translated for nothing
-    python tools/sentences.py --write    adds those to the tables with an empty translation, and takes the others out
+    python tools/sentences.py --write    adds those to the catalogues without a translation, and takes the others out
 
-A sentence is a string or an f-string of a room that speaks to the page: two words or more, which is what tells it from
-a name. What an f-string fills in becomes a hole, numbered in reading order: "the robot `{1}` has no `{2}`". It goes
-under "sentences" in the tables, or by hand under "phrases" when it is never said alone. Single words that fill holes
-cannot be told from names; they stand under "words" and are kept by hand.
+Of the program these are the templates of `Sentence`, `Sentence.counted` and `Recorded`, and the explanations of rules;
+entries of the contexts "word" and "part" come from data, not from literals, and are kept by hand. Of the page they are
+the entries of the English tables, each with its key as the context.
 """
 
 from __future__ import annotations
@@ -15,198 +14,162 @@ import ast
 import json
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
+
+from babel.messages.catalog import Catalog, Message
+from babel.messages.pofile import read_po, write_po
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ROOT / "src" / "kitrobot"
-TABLES = SOURCES / "translation"
+PAGE = ROOT / "web" / "src" / "i18n"
 LANGUAGES = ("fr", "ur")
 
-ELSEWHERE = (
-    "__init__.py",
+TERMINAL = (
     "cli/",
-    "diagnostics/",
-    "deploy/builtin_names.py",
     "files/forms.py",
     "image/",
-    "primitives/automatic.py",
-    "robots/carried.py",
-    "robots/view.py",
-    "server/pages.py",
     "server/start.py",
-    "sim/dispatch.py",
-    "sim/recording.py",
-    "translation/",
-    "versions/merging.py",
     "workspace/checking.py",
     "workspace/conversion.py",
     "workspace/executables.py",
-    "workspace/execution.py",
     "workspace/inputs.py",
     "workspace/watching.py",
 )
-"""What speaks only in a terminal or a file, or brings its languages along."""
+"""What speaks only in a terminal, in English."""
 
-NOT_SAID = frozenset(
-    {
-        # What the XML parser says, and is never repeated.
-        "no element found",
-        "unclosed token",
-        "unclosed CDATA section",
-        "partial character",
-        "junk after document element",
-        "syntax error",
-        "duplicate attribute",
-        "XML or text declaration not at start of entity",
-        "mismatched tag",
-        "undefined entity",
-        "not well-formed",
-        # A folder's name, and texts for chips.
-        "Application Support",
-        "{object} {1}",
-        # In several languages already.
-        "My parts",
-        "Mes pièces",
-        # What is told to a board, what is looked for in errors of systems, and errors that are told in other words.
-        "s=''.join(t[i]for i in range({1}))",
-        "the receiver",
-        "exclusively lock",
-        "Access is denied",
-        "the board starts something else",
-        # Names of boards.
-        "Raspberry Pi Pico",
-        "MicroPython board",
-        "Adafruit board",
-        "Arduino board",
-        "USB serial",
-        # Names joined; the lists in a sentence are translated as lists.
-        "{1} or {2}",
-        # A state that travels as a word.
-        "no program",
-    }
-)
+_CONTEXTS = {"Sentence": None, "Recorded": "recorded"}
 
-_SILENT_CALLS = frozenset({"compile", "debug", "error", "exception", "info", "warning", "AttributeError", "TypeError"})
-"""Regular expressions, logs, and errors of programmers."""
+_STRING = r'"(?:[^"\\\n]|\\.)*"'
+_ROW = re.compile(rf"({_STRING}):\s*(?:({_STRING})|\{{\s*one:\s*({_STRING}),\s*other:\s*({_STRING}),?\s*\}})")
+"""A row of an English table of the page: a key, and a text or one for 1 and one for other counts."""
+
+_HEADER = """\
+# How to translate: CONTRIBUTING.md, "Sentences".
+msgid ""
+msgstr ""
+"Language: {language}\\n"
+"Plural-Forms: {plurals}\\n"
+"MIME-Version: 1.0\\n"
+"Content-Type: text/plain; charset=utf-8\\n"
+"Content-Transfer-Encoding: 8bit\\n"
+
+"""
+
+Key = tuple[str | None, str]
+"""Context and English template of an entry."""
+
+Id = str | tuple[str, str]
+"""The English of an entry, or that for 1 and that for other counts."""
 
 
-def sentences() -> dict[str, str]:
-    """Every sentence with numbered holes, and the first place that says it."""
-    found: dict[str, str] = {}
+def _of_the_program() -> Iterator[tuple[str, str | None, Id]]:
+    """File, context and English of every sentence of the rooms."""
     for path in sorted(SOURCES.rglob("*.py")):
         name = path.relative_to(SOURCES).as_posix()
-        if name.startswith(ELSEWHERE):
-            continue
-        for sentence, line in _said(ast.parse(path.read_text(encoding="utf-8"))):
-            letters = re.search(r"[a-z]{2}", _HOLE.sub("", sentence))
-            if letters and " " in sentence.strip() and sentence not in NOT_SAID and not _HEADER.search(sentence):
-                found.setdefault(sentence, f"{name}:{line}")
-    return found
+        if not name.startswith(TERMINAL):
+            for context, id in _templates(ast.parse(path.read_text(encoding="utf-8"))):
+                yield name, context, id
 
 
-_HOLE = re.compile(r"\{[0-9]+\}")
-_HEADER = re.compile(
-    r"=\(\)|-src '|charset=|HttpOnly|max-age=|^not allowed$|^Literal\[|^<constructors |^from kitrobot"
-    r"|\$[a-z]|^import [a-z,]+;|^import \{|^from (machine|array) import"
-)
-"""Of HTTP, for browsers; types and code; what is told to a board."""
+def _templates(tree: ast.AST) -> Iterator[tuple[str | None, Id]]:
+    """Context and template (with its plural) of the sentences that a module makes, in reading order."""
+    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    for call in sorted(calls, key=lambda node: (node.lineno, node.col_offset)):
+        called = call.func
+        texts = [arg.value if isinstance(arg, ast.Constant) and isinstance(arg.value, str) else "" for arg in call.args]
+        if isinstance(called, ast.Attribute) and called.attr == "counted" and isinstance(called.value, ast.Name):
+            if called.value.id in _CONTEXTS and texts[0]:
+                yield _CONTEXTS[called.value.id], (texts[0], texts[1])
+        elif isinstance(called, ast.Name):
+            at = 3 if called.id == "rule" else 0 if called.id in _CONTEXTS else len(texts)
+            if texts[at:] and texts[at]:
+                yield _CONTEXTS.get(called.id), texts[at]
 
 
-def _said(tree: ast.AST) -> Iterator[tuple[str, int]]:
-    """Strings of a tree that are values of the program: no docstrings, assertions, logs or regular expressions."""
-    stack = [tree]
-    while stack:
-        node = stack.pop()
-        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
-            continue
-        if isinstance(node, ast.Assert):
-            continue
-        if isinstance(node, ast.Call):
-            name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-            if name in _SILENT_CALLS:
-                continue
-            if (
-                name == "rule" and len(node.args) == 4
-            ):  # the title is for the documents; the explanation is the help of last resort
-                stack += [node.args[3]]
-                continue
-        if isinstance(node, ast.keyword) and node.arg == "about":  # for schemas
-            continue
-        if isinstance(node, ast.Dict):
-            kept = [
-                value
-                for key, value in zip(node.keys, node.values, strict=True)
-                if not (isinstance(key, ast.Constant) and key.value == "description")
-            ]
-            stack += [*reversed(kept), *(key for key in node.keys if key is not None)]
-            continue
-        text = _text(node)
-        if text is None:
-            stack += reversed(list(ast.iter_child_nodes(node)))
-            continue
-        first, *others = text.split("\0")
-        numbered = "".join(f"{{{number}}}{other}" for number, other in enumerate(others, 1))
-        yield first + numbered, getattr(node, "lineno", 0)
-        stack += _holes(node)
+def _of_the_page() -> Iterator[tuple[str, str | None, Id]]:
+    """File, key and English of every sentence of the page."""
+    for path in sorted(PAGE.glob("en*.ts")):
+        for key, *texts in _ROW.findall(path.read_text(encoding="utf-8")):
+            one, *more = (json.loads(text) for text in texts if text)
+            yield path.name, json.loads(key), (one, more[0]) if more else one
 
 
-def _text(node: ast.AST) -> str | None:
-    """The text of a string, an f-string or a sum of them, with NUL for what is filled in; None for anything else."""
-    if isinstance(node, ast.Constant):
-        return node.value if isinstance(node.value, str) else None
-    if isinstance(node, ast.JoinedStr):
-        return "".join(str(part.value) if isinstance(part, ast.Constant) else "\0" for part in node.values)
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-        left, right = _text(node.left), _text(node.right)
-        if left is not None or right is not None:
-            return ("\0" if left is None else left) + ("\0" if right is None else right)
-    return None
+@dataclass(frozen=True)
+class Half:
+    """The program or the page: where its catalogues are, its sentences, and the contexts that are kept by hand."""
+
+    folder: Path
+    found: Callable[[], Iterator[tuple[str, str | None, Id]]]
+    by_hand: tuple[str, ...] = ()
+
+    def sentences(self) -> Catalog:
+        """Every sentence, each with the files that say it."""
+        made = Catalog()
+        for file, context, id in self.found():
+            made.add(id, locations=[(file, 0)], context=context)
+        return made
+
+    def catalogue(self, language: str) -> Catalog:
+        """A language's catalogue as it is in its file."""
+        with (self.folder / f"{language}.po").open("rb") as stream:
+            return read_po(stream, locale=language, abort_invalid=True)
+
+    def faults(self, language: str) -> tuple[list[Key], list[Key]]:
+        """What lacks a translation, and what is translated and said by nobody."""
+        known, wanted = entries(self.catalogue(language)), entries(self.sentences())
+        lacking = [
+            key
+            for key, one in wanted.items()
+            if key not in known or known[key].id != one.id or not all(forms(known[key]))
+        ]
+        return lacking, [key for key in known if key not in wanted and key[0] not in self.by_hand]
+
+    def update(self, language: str) -> None:
+        """Writes the catalogue with the sentences that are said and no others; what it knows of them is kept."""
+        known, said = self.catalogue(language), self.sentences()
+        for (context, _), one in entries(known).items():
+            if context in self.by_hand:
+                said.add(one.id, context=context)
+        known.update(said, no_fuzzy_matching=True)
+        known.obsolete.clear()
+        with (self.folder / f"{language}.po").open("wb") as stream:
+            stream.write(_HEADER.format(language=language, plurals=known.plural_forms).encode())
+            write_po(stream, known, width=110, omit_header=True, include_lineno=False)
 
 
-def _holes(node: ast.AST) -> list[ast.AST]:
-    """What is filled in: sentences may stand there too."""
-    if isinstance(node, ast.JoinedStr):
-        return [part.value for part in node.values if isinstance(part, ast.FormattedValue)]
-    if isinstance(node, ast.BinOp):
-        sides = (node.left, node.right)
-        return [hole for side in sides for hole in ([side] if _text(side) is None else _holes(side))]
-    return []
+PROGRAM = Half(SOURCES / "translation", _of_the_program, ("word", "part"))
+HALVES = {"program": PROGRAM, "page": Half(PAGE, _of_the_page)}
 
 
-def table(language: str) -> dict[str, dict[str, str]]:
-    """A language's table as it is in its file."""
-    loaded: dict[str, dict[str, str]] = json.loads((TABLES / f"{language}.json").read_text(encoding="utf-8"))
-    return loaded
+def entries(known: Catalog) -> dict[Key, Message]:
+    """The entries of a catalogue without its header."""
+    return {(one.context, english(one)[0]): one for one in known if one.id}
 
 
-def faults(language: str, said: dict[str, str]) -> tuple[list[str], list[str]]:
-    """What lacks a translation, and what is translated and said by nobody."""
-    known = table(language)
-    lacking = [one for one in said if not (known["sentences"].get(one) or known["phrases"].get(one))]
-    return lacking, [one for one in known["sentences"] if one not in said]
+def english(message: Message) -> tuple[str, ...]:
+    """An entry's English: one text, or that for 1 and that for other counts."""
+    return (message.id,) if isinstance(message.id, str) else tuple(message.id)
 
 
-def _write(language: str, said: dict[str, str]) -> None:
-    old = table(language)
-    kept = {sentence: old["sentences"].get(sentence, "") for sentence in said if sentence not in old["phrases"]}
-    new = {**old, "sentences": kept}
-    text = json.dumps(new, ensure_ascii=False, indent=1)
-    (TABLES / f"{language}.json").write_text(text + "\n", encoding="utf-8")
+def forms(message: Message) -> tuple[str, ...]:
+    """An entry's translations: one, or one for each plural form."""
+    return (message.string,) if isinstance(message.string, str) else tuple(message.string or ())
 
 
 def main() -> int:
-    said = sentences()
     missing = 0
-    for language in LANGUAGES:
-        lacking, idle = faults(language, said)
-        missing += len(lacking) + len(idle)
-        for sentence in lacking:
-            print(f"{language}: {said[sentence]}: {sentence}")
-        for sentence in idle:
-            print(f"{language}: nobody says any more: {sentence}")
-        if "--write" in sys.argv[1:]:
-            _write(language, said)
+    for name, half in HALVES.items():
+        for language in LANGUAGES:
+            lacking, idle = half.faults(language)
+            missing += len(lacking) + len(idle)
+            for _, text in lacking:
+                print(f"{name}, {language}: not translated: {text}")
+            for _, text in idle:
+                print(f"{name}, {language}: nobody says any more: {text}")
+            if "--write" in sys.argv[1:]:
+                half.update(language)
     return 1 if missing else 0
 
 

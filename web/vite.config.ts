@@ -3,6 +3,7 @@ import { fileURLToPath } from "node:url";
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
 
+import { catalogues } from "./build/catalogues.ts";
 import { smallFonts } from "./build/fonts.ts";
 import { packFiles } from "./build/pack.ts";
 
@@ -12,7 +13,7 @@ const SERVER = process.env["KITROBOT_SERVER"] ?? "http://127.0.0.1:8765";
 export default defineConfig({
   // Relative addresses: the page works under any path that a server gives it.
   base: "./",
-  plugins: [react(), smallFonts(), packFiles()],
+  plugins: [react(), catalogues(), smallFonts(), packFiles()],
   resolve: { alias: { "d3-color": fileURLToPath(new URL("build/no-colours.ts", import.meta.url)) } },
   build: {
     target: "es2022",

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from kitrobot.diagnostics import Diagnostic, Fix, Place, Severity, to_json, to_page_json
+from kitrobot.text import Sentence
 
 FULL = Diagnostic(
     "two-arcs",
     Severity.ERROR,
-    "two arcs leave `v1` at `next`",
+    Sentence("two arcs leave `v1` at `next`"),
     Place("carrier.lll", 3, 5, 4, 1),
-    help="delete one of them",
+    help=Sentence("delete one of them"),
     program="carrier",
     vertices=("v1", "v2"),
     arcs=(("v1", "next", "v2", "in"), ("v1", "next", "v3", "in")),
@@ -26,7 +27,7 @@ def test_the_published_shape() -> None:
         "end_column": 1,
         "severity": "error",
         "code": "two-arcs",
-        "message": "two arcs leave `v1` at `next`",
+        "message": Sentence("two arcs leave `v1` at `next`"),
         "help": "delete one of them",
     }
 
@@ -38,7 +39,7 @@ def test_the_order_of_the_published_shape() -> None:
 
 
 def test_what_has_no_place_has_the_place_nought() -> None:
-    bare = Diagnostic("parked", Severity.HINT, "think")
+    bare = Diagnostic("parked", Severity.HINT, Sentence("think"))
     assert to_json(bare) == {
         "file": "",
         "line": 0,
@@ -64,5 +65,5 @@ def test_the_page_gets_vertices_and_arcs_too() -> None:
 
 
 def test_a_severity_is_plain_text() -> None:
-    assert [type(to_json(Diagnostic("c", one, "m"))["severity"]) for one in Severity] == [str, str, str]
+    assert [type(to_json(Diagnostic("c", one, Sentence("m")))["severity"]) for one in Severity] == [str, str, str]
     assert list(Severity) == ["error", "warning", "hint"]

@@ -8,6 +8,7 @@ import pytest
 
 from kitrobot.diagnostics import Diagnostic, Place, Severity, Source, render, render_one
 from kitrobot.lll import parse
+from kitrobot.text import Sentence
 
 
 class Case(NamedTuple):
@@ -18,7 +19,7 @@ class Case(NamedTuple):
 
 
 def error(source: Source, start: int, end: int, help: str = "") -> Diagnostic:
-    return Diagnostic("a-code", Severity.ERROR, "this is wrong", source.place(start, end), help)
+    return Diagnostic("a-code", Severity.ERROR, Sentence("this is wrong"), source.place(start, end), Sentence(help))
 
 
 CASES = {
@@ -176,23 +177,23 @@ def test_help_stands_on_its_own_line() -> None:
 
 
 def test_what_has_no_place_is_a_sentence() -> None:
-    hint = Diagnostic("a-code", Severity.HINT, "think again", help="twice")
+    hint = Diagnostic("a-code", Severity.HINT, Sentence("think again"), help=Sentence("twice"))
     assert render_one(hint, None) == "hint: think again [a-code]\n  help: twice"
 
 
 def test_without_the_text_there_is_no_caret() -> None:
-    warning = Diagnostic("a-code", Severity.WARNING, "odd", Place("f.xml", 3, 4, 3, 5))
+    warning = Diagnostic("a-code", Severity.WARNING, Sentence("odd"), Place("f.xml", 3, 4, 3, 5))
     assert render_one(warning, None) == "f.xml:3:4: warning: odd [a-code]"
 
 
 def test_a_place_behind_the_text_shows_an_empty_line() -> None:
-    beyond = Diagnostic("a-code", Severity.ERROR, "odd", Place("f.lll", 9, 3, 9, 4))
+    beyond = Diagnostic("a-code", Severity.ERROR, Sentence("odd"), Place("f.lll", 9, 3, 9, 4))
     assert render_one(beyond, Source("f.lll", "go")).split("\n")[1] == "  9 |"
 
 
 def test_several_are_rendered_each_with_its_own_file() -> None:
     one, two = Source("one.lll", "first"), Source("two.lll", "second")
-    found = [error(one, 0, 5), error(two, 0, 6), Diagnostic("a-code", Severity.HINT, "think")]
+    found = [error(one, 0, 5), error(two, 0, 6), Diagnostic("a-code", Severity.HINT, Sentence("think"))]
     assert render(found, {"one.lll": one}) == "\n".join(
         [
             "one.lll:1:1: error: this is wrong [a-code]",
@@ -224,6 +225,8 @@ mine.lll:4:12: hint: expected `;` between two instructions [missing-semicolon]
 
 
 def test_a_message_is_one_line_whatever_is_in_it() -> None:
-    told = Diagnostic("a-code", Severity.ERROR, "found `\n\x1b[2J`", Place("a\nb.lll"), "write\rthis")
+    told = Diagnostic(
+        "a-code", Severity.ERROR, Sentence("found `\n\x1b[2J`"), Place("a\nb.lll"), Sentence("write\rthis")
+    )
     assert len(render_one(told, None).split("\n")) == 2
     assert render_one(told, None).isprintable() or "\x1b" not in render_one(told, None)

@@ -9,6 +9,7 @@ import pytest
 
 from kitrobot.diagnostics import Fix, KitRobotError, Place, Severity, rule, rules
 from kitrobot.lll.rules import SYNTAX
+from kitrobot.text import Sentence
 from tools import diagnostic_pages
 
 
@@ -59,7 +60,9 @@ def test_a_code_is_used_once() -> None:
 def test_a_rule_makes_diagnostics_of_itself() -> None:
     place = Place("f.lll", 1, 2, 1, 3)
     arc = ("a", "b", "c", "d")
-    made = SYNTAX("wrong", place, help="mend it", program="p", vertices=["v1"], arcs=[arc], fix=Fix("x"))
+    made = SYNTAX(
+        Sentence("wrong"), place, help=Sentence("mend it"), program="p", vertices=["v1"], arcs=[arc], fix=Fix("x")
+    )
     assert (made.code, made.severity, made.message, made.place) == ("syntax", Severity.ERROR, "wrong", place)
     assert (made.help, made.program, made.vertices, made.arcs) == ("mend it", "p", ("v1",), (("a", "b", "c", "d"),))
     assert made.fix == Fix("x")
@@ -67,9 +70,9 @@ def test_a_rule_makes_diagnostics_of_itself() -> None:
 
 
 def test_a_raised_error_says_its_sentence_and_its_way_out() -> None:
-    told = SYNTAX("wrong")
-    error = KitRobotError("it failed", "try again", (told,))
+    told = SYNTAX(Sentence("wrong"))
+    error = KitRobotError(Sentence("it failed"), Sentence("try again"), (told,))
     assert str(error) == "it failed\nhelp: try again"
-    assert str(KitRobotError("it failed")) == "it failed"
+    assert str(KitRobotError(Sentence("it failed"))) == "it failed"
     assert error.diagnostics == (told,)
-    assert len({error, KitRobotError("it failed", "try again", (told,))}) == 2
+    assert len({error, KitRobotError(Sentence("it failed"), Sentence("try again"), (told,))}) == 2

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from kitrobot.diagnostics import Place, Rule, Severity, Source
 from kitrobot.files import Places
+from kitrobot.text import Sentence
 
-RULE = Rule("test-places", Severity.ERROR, "A test", "Only for tests.")
+RULE = Rule("test-places", Severity.ERROR, "A test", Sentence("Only for tests."))
 TEXT = """<kitrobot version="1">
   <!-- <vertex id="a" element="X"/> -->
   <program name="p &amp; q" robot='r'>
@@ -27,7 +28,7 @@ PLACES = Places(Source("m.krt", TEXT))
 
 def where(**names):
     """Line and column of what a diagnostic is about."""
-    place = PLACES.placed([RULE("wrong", Place("p.lll", 9, 9), **names)])[0].place
+    place = PLACES.placed([RULE(Sentence("wrong"), Place("p.lll", 9, 9), **names)])[0].place
     assert place is not None
     assert place.file == "m.krt"
     return place.line, place.column
@@ -56,7 +57,7 @@ def test_a_program_that_is_not_in_the_file_stands_at_its_beginning():
 
 
 def test_a_diagnostic_about_no_program_keeps_its_place():
-    item = RULE("wrong", Place("w.xml", 3, 4))
+    item = RULE(Sentence("wrong"), Place("w.xml", 3, 4))
     assert PLACES.placed([item]) == [item]
 
 

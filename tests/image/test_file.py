@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from kitrobot.compiler import compile_lll
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Image, ImageError
+from kitrobot.text import Sentence
 from kitrobot_onboard.image import HEADER_SIZE, load
 from tests.image.listings import TWO_BRANCHES, compiled, image
 from tests.strategies import random_program, random_robot
@@ -122,8 +123,8 @@ def test_numbers_that_do_not_fit_the_file_are_refused_when_writing(made: Image) 
 
 def test_an_error_of_an_image_is_an_error_of_ours() -> None:
     assert issubclass(ImageError, KitRobotError)
-    assert str(ImageError("what", "how")) == "what\nhelp: how"
-    assert str(ImageError("what")) == "what"
+    assert str(ImageError(Sentence("what"), Sentence("how"))) == "what\nhelp: how"
+    assert str(ImageError(Sentence("what"))) == "what"
 
 
 def test_the_sizes_of_an_image_are_in_its_header() -> None:

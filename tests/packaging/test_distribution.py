@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.translation import ENGLISH, LANGUAGES
 from tests.patience import PATIENCE_S
 from tools import page
 
@@ -74,6 +75,10 @@ def test_the_wheel_carries_every_file_of_the_packages(wheel_names: list[str]) ->
     kept = subprocess.run(["git", "ls-files", "src"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
     sources = {name.removeprefix("src/") for name in kept.splitlines() if (ROOT / name).exists()}
     assert sources - set(wheel_names) == set()
+
+
+def test_the_wheel_carries_the_catalogue_of_each_language(wheel_names: list[str]) -> None:
+    assert {f"kitrobot/translation/{language}.po" for language in LANGUAGES if language != ENGLISH} <= set(wheel_names)
 
 
 def test_the_wheel_carries_every_example_and_tutorial(wheel_names: list[str]) -> None:

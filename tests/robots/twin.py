@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from kitrobot.deploy import Fault, Hello, LineError, News, Text
 from kitrobot.robots.state import DOING, Doing
+from kitrobot.text import Sentence
 
 
 class Clock:
@@ -73,4 +74,4 @@ class Twin:
 
     def _on_the_line(self) -> None:
         if self.broken:
-            raise LineError("the line broke")
+            raise LineError(Sentence("the line broke"))

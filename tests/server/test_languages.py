@@ -82,7 +82,7 @@ def test_who_has_no_token_is_told_so_in_the_language_of_the_browser(stranger):
     answer = stranger.get("/", headers={**URDU, "accept": "text/html"})
     assert answer.status_code == 403
     assert '<html lang="ur" dir="rtl">' in answer.text
-    assert "اس درخواست کا ٹوکن نہیں ہے یا غلط ہے۔" in answer.text
+    assert "جس اسٹوڈیو کا یہ پتا ہے وہ بند ہو چکا ہے۔" in answer.text
 
 
 @pytest.mark.parametrize("wish", ["", ",,,;;;", "fr" * 10_000, "\u00e9", "ur;q=x"])

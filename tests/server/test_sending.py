@@ -13,6 +13,7 @@ from kitrobot.deploy import ForeignError, FullError
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.robot_gateway import SerialGateway
 from kitrobot.server.robot_registry import RobotRegistry
+from kitrobot.text import Sentence
 from tests.boards.host import HELD_PACE, PULSER, host_board, write_pulse
 from tests.server.test_boards import robot, visit  # noqa: F401
 
@@ -66,7 +67,9 @@ def test_a_page_that_goes_away_during_a_sending_leaves_nothing_behind(visit, app
     assert room is app.state.studio.boards
 
 
-@pytest.mark.parametrize(("error", "way"), [(ForeignError("no"), "replace"), (FullError("no"), "fresh")])
+@pytest.mark.parametrize(
+    ("error", "way"), [(ForeignError(Sentence("no")), "replace"), (FullError(Sentence("no")), "fresh")]
+)
 def test_a_refused_sending_says_how_it_can_be_asked_for_again(visit, app, robot, error, way) -> None:
     links = SlowSending(error)
     app.state.studio.boards = RobotRegistry(links)

@@ -49,7 +49,7 @@ def problems_of(text: str) -> list[tuple[str, int, str, str]]:
     """(code, line, the text under the carets, message) of everything found wrong."""
     _, problems = read_world(text.encode(), "test.world.xml")
     lines = text.split("\n")
-    found = []
+    found: list[tuple[str, int, str, str]] = []
     for problem in problems:
         place = problem.place
         assert place is not None

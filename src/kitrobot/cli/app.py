@@ -36,6 +36,7 @@ from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.watch import watch_board
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
 
 DEBUG_VARIABLE = "KITROBOT_DEBUG"
 MISTAKE_OF_OURS: Final = 70
@@ -128,7 +129,9 @@ def _status(act: Callable[[], int], failed: int) -> int:
         _stop_talking()
         return NOBODY_READS
     except OSError as error:
-        complain(KitRobotError(f"{error.strerror or error}{f': `{error.filename}`' if error.filename else ''}"))
+        complain(
+            KitRobotError(Sentence(f"{error.strerror or error}{f': `{error.filename}`' if error.filename else ''}"))
+        )
         if not error.filename:
             _stop_talking()
         return failed

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.speaking import give, show
+from kitrobot.text import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.workspace import Executed
@@ -50,7 +51,9 @@ def execute_program(
     loaded = load_executable(program, robot=robot, program=name, inputs=inputs)
     if loaded.image is None or loaded.inputs is None:
         wrong = program if loaded.image is None else inputs
-        raise ProblemsError(f"`{wrong}` has errors, so nothing was run", "", tuple(loaded.diagnostics), loaded.sources)
+        raise ProblemsError(
+            Sentence("`{wrong}` has errors, so nothing was run", wrong), "", tuple(loaded.diagnostics), loaded.sources
+        )
     show(loaded.diagnostics, loaded.sources)
     made = execute(loaded.image, loaded.robot, ticks, loaded.inputs)
     lines = (

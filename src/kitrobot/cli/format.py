@@ -10,6 +10,7 @@ import typer
 
 from kitrobot.cli.speaking import complain, give, show, tell
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
 
 STDIN = "-"
 
@@ -44,7 +45,9 @@ def _format(name: str, write: bool, check: bool) -> bool:
 
     if name == STDIN:
         if sys.stdin is None:
-            raise KitRobotError("standard input is closed, so there is nothing to lay out", "name a file")
+            raise KitRobotError(
+                Sentence("standard input is closed, so there is nothing to lay out"), Sentence("name a file")
+            )
         layout = lay_out(sys.stdin.buffer.read(), Path("<stdin>"))
     else:
         layout = lay_out_file(Path(name))

@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from typing import Any, ClassVar
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Source
+from kitrobot.text import Sentence
 
 _STEERING = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
@@ -50,7 +51,7 @@ def failure() -> str:
     problems = with_help(_Said.problems)
     first = next(((one.message, one.help) for one in problems if one.is_error), ("", ""))
     message, help = _Said.error if _Said.error[0] else first
-    return json_text({"error": error_object(KitRobotError(message, help, tuple(problems)))}) + "\n"
+    return json_text({"error": error_object(KitRobotError(Sentence(message), Sentence(help), tuple(problems)))}) + "\n"
 
 
 def error_object(error: KitRobotError) -> dict[str, Any]:
@@ -102,7 +103,9 @@ def tell_of_waiting(address: str) -> None:
 def give(text: str) -> None:
     """Data, on standard output, without adding anything."""
     if sys.stdout is None:
-        raise KitRobotError("the output cannot be written: standard output is closed", "open it, or write to a file")
+        raise KitRobotError(
+            Sentence("the output cannot be written: standard output is closed"), Sentence("open it, or write to a file")
+        )
     _Said.given = _Said.given or bool(text)
     try:
         # In pieces: of one write in the middle of which the reader goes, Python does not tell.

@@ -9,6 +9,7 @@ from typing import Annotated, Protocol
 import typer
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
 
 
 class StudioError(KitRobotError):
@@ -56,7 +57,9 @@ def open_studio(
     path = _existing(target, _commands(context)) if target is not None else None
     studio: Studio | None = context.obj
     if studio is None:
-        raise StudioError("this command line was started without a studio", "start it with `python -m kitrobot`")
+        raise StudioError(
+            Sentence("this command line was started without a studio"), Sentence("start it with `python -m kitrobot`")
+        )
     studio(Opening(path, host, port, browser, new))
 
 
@@ -83,13 +86,13 @@ def _existing(target: str, commands: list[str]) -> Path:
     if path.exists():
         ending = path.suffix
         raise StudioError(
-            f"The studio opens missions (`.krt`), and `{target}` is none",
-            "turn it into one with `kitrobot convert`" if ending in (".lll",) else "",
+            Sentence("The studio opens missions (`.krt`), and `{target}` is none", target),
+            Sentence("turn it into one with `kitrobot convert`") if ending in (".lll",) else "",
         )
     if path.suffix or len(path.parts) > 1:
         from kitrobot.files import look_alike
 
-        raise StudioError(f"there is no file or folder `{target}`", look_alike(path))
+        raise StudioError(Sentence("there is no file or folder `{target}`", target), look_alike(path))
     from difflib import get_close_matches
 
     near = get_close_matches(target, commands, n=1)

@@ -37,7 +37,7 @@ from kitrobot.lll import (
     nodes,
 )
 from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
-from kitrobot.text import Suggestions, listed
+from kitrobot.text import COMMA, Help, Sentence, Series, Suggestions, Word, listed
 
 
 def check(program: Seq, target: Target, source: Source, program_name: str = "") -> list[Diagnostic]:
@@ -62,7 +62,13 @@ class _Checker:
         self.found: list[Diagnostic] = []
 
     def report(
-        self, rule: Rule, message: str, node: Node, help: str = "", start: int | None = None, fix: Fix | None = None
+        self,
+        rule: Rule,
+        message: Sentence,
+        node: Node,
+        help: Help = "",
+        start: int | None = None,
+        fix: Fix | None = None,
     ) -> None:
         place = self.source.place(node.start if start is None else start, node.end)
         vertices = (node.vertex,) if node.vertex else ()
@@ -88,12 +94,12 @@ class _Checker:
         """The names of the robot's objects that can be called, in the order of the alphabet."""
         return sorted(self.methods)
 
-    def suggested(self, name: str, known: Sequence[str]) -> tuple[str, str]:
+    def suggested(self, name: str, known: Sequence[str]) -> tuple[str, Help]:
         """The most similar known name, and a help sentence with it; without one the sentence lists what there is."""
         near = self.suggestions.nearest(name, known)
         if near:
-            return near, f"did you mean {near}?"
-        return "", f"there is {listed(known)}" if known else ""
+            return near, Sentence("did you mean {near}?", near)
+        return "", Sentence("there is {known}", listed(known)) if known else ""
 
     # -- instructions
 
@@ -103,9 +109,9 @@ class _Checker:
             if not reachable:
                 self.report(
                     rules.NEVER_RUNS,
-                    "this can never run: what stands before it never goes on",
+                    Sentence("this can never run: what stands before it never goes on"),
                     node,
-                    "take it away, or let a BREAK leave the loop before it",
+                    Sentence("take it away, or let a BREAK leave the loop before it"),
                 )
             self.instruction(node, in_loop, in_parallel)
             reachable = reachable is not True or self.flow.instruction(node).goes_on
@@ -118,17 +124,19 @@ class _Checker:
                 if not in_parallel:
                     self.report(
                         rules.MARK_OUTSIDE_PARALLEL,
-                        "the mark ° does nothing outside a parallel",
+                        Sentence("the mark ° does nothing outside a parallel"),
                         node,
-                        "take the ° away, or put the action into a branch",
+                        Sentence("take the ° away, or put the action into a branch"),
                         fix=Fix(self.text(node.call), FixKind.UNWRAP) if isinstance(node.call, Call) else None,
                     )
                 if isinstance(node.call, Call):
                     self.action(node.call)
             case Repeat():
                 if node.count == 0 and node.body.items:
-                    help = "give the loop a number of times, or take it away"
-                    self.report(rules.NEVER_RUNS, "a loop of 0 times never runs its body", node.body.items[0], help)
+                    help = Sentence("give the loop a number of times, or take it away")
+                    self.report(
+                        rules.NEVER_RUNS, Sentence("a loop of 0 times never runs its body"), node.body.items[0], help
+                    )
                 self.seq(node.body, in_loop=True, in_parallel=in_parallel)
             case While():
                 if node.condition is not None:
@@ -150,38 +158,35 @@ class _Checker:
                 self.shared_actuators(node)
             case Break():
                 if not in_loop:
-                    what = "branch" if in_parallel else "program"
-                    help = "put it into a loop, or leave it if that is meant"
-                    self.report(rules.BREAK_OUTSIDE_LOOP, f"BREAK stands in no loop, so it ends the {what}", node, help)
+                    message = Sentence("BREAK stands in no loop, so it ends the program")
+                    if in_parallel:
+                        message = Sentence("BREAK stands in no loop, so it ends the branch")
+                    help = Sentence("put it into a loop, or leave it if that is meant")
+                    self.report(
+                        rules.BREAK_OUTSIDE_LOOP,
+                        message,
+                        node,
+                        help,
+                    )
 
     def action(self, call: Call) -> None:
         meaning = self.meaning(call)
         if meaning is None:
             return
         if meaning[1].kind is not Kind.PROCEDURE:
-            self.report(
-                rules.VALUE_AS_INSTRUCTION,
-                f"`{call.object}.{call.method}` only reads something, so as an instruction it does nothing",
-                call,
-                "use it in a condition or as a parameter",
-            )
+            message = Sentence("`{call}` only reads something, so as an instruction it does nothing", _name(call))
+            self.report(rules.VALUE_AS_INSTRUCTION, message, call, Sentence("use it in a condition or as a parameter"))
 
     def idle(self, node: While) -> None:
         """A loop without end in which nothing takes time and nothing is looked at."""
         if not any(self.does_something(one) for one in nodes(node.body)):
-            self.report(
-                rules.IDLE_LOOP,
-                "this loop does nothing for ever: the robot stays as it is, and nothing comes after it",
-                node,
-                "put into it what the robot is to do",
-            )
+            message = Sentence("this loop does nothing for ever: the robot stays as it is, and nothing comes after it")
+            self.report(rules.IDLE_LOOP, message, node, Sentence("put into it what the robot is to do"))
         elif node.body.items and all(self.is_blind(item) for item in node.body.items):
-            self.report(
-                rules.IDLE_LOOP,
-                f"nothing in this loop takes time, so it is done every {self.robot.tick_ms} ms for ever",
-                node,
-                "put a WAIT or a test into it, or do it once only",
+            message = Sentence(
+                "nothing in this loop takes time, so it is done every {tick_ms} ms for ever", self.robot.tick_ms
             )
+            self.report(rules.IDLE_LOOP, message, node, Sentence("put a WAIT or a test into it, or do it once only"))
 
     def does_something(self, node: Node) -> bool:
         """Whether an instruction, whatever it holds, does something, takes time, or leaves a loop."""
@@ -200,12 +205,9 @@ class _Checker:
 
     def overwritten(self, program: Seq) -> None:
         for call, later in given_way(program, self.robot):
-            self.report(
-                rules.OVERWRITTEN,
-                f"this has no effect: in the same tick `{later.object}.{later.method}` takes its place",
-                call,
-                "put a WAIT between the two, or take one of them away",
-            )
+            message = Sentence("this has no effect: in the same tick `{call}` takes its place", _name(later))
+            help = Sentence("put a WAIT between the two, or take one of them away")
+            self.report(rules.OVERWRITTEN, message, call, help)
 
     def shared_actuators(self, node: Parallel) -> None:
         first_branch: dict[str, int] = {}
@@ -219,9 +221,12 @@ class _Checker:
                     told.add(call.object)
                     self.report(
                         rules.SHARED_ACTUATOR,
-                        f"`{call.object}` is driven by two branches of one parallel; in one tick the last of them wins",
+                        Sentence(
+                            "`{object}` is driven by two branches of one parallel; in one tick the last of them wins",
+                            call.object,
+                        ),
                         call,
-                        "let one branch alone drive it, unless this is meant",
+                        Sentence("let one branch alone drive it, unless this is meant"),
                     )
 
     # -- conditions and parameters
@@ -238,27 +243,21 @@ class _Checker:
                 if meaning is None:
                     return
                 if meaning[1].kind is Kind.VALUE:
-                    self.report(
-                        rules.VALUE_FOR_TEST,
-                        f"expected a test, found `{node.object}.{node.method}`, which is a number",
-                        node,
-                        self.offer(meaning[0], Kind.TEST),
-                    )
+                    message = Sentence("expected a test, found `{call}`, which is a number", _name(node))
+                    self.report(rules.VALUE_FOR_TEST, message, node, self.offer(meaning[0], Kind.TEST))
                 elif meaning[1].kind is Kind.PROCEDURE:
-                    self.procedure(node, "a test", self.offer(meaning[0], Kind.TEST))
+                    self.procedure(node, Sentence("a test"), self.offer(meaning[0], Kind.TEST))
 
-    def offer(self, part: RobotObject, kind: Kind) -> str:
+    def offer(self, part: RobotObject, kind: Kind) -> Help:
         """Names the methods of that kind which an object's name offers."""
         known = [method.name for method in self.methods[part.name] if method.kind is kind]
-        return f"`{part.name}` has {', '.join(f'`{name}`' for name in known)}" if known else ""
-
-    def procedure(self, call: Call, wanted: str, help: str) -> None:
-        self.report(
-            rules.PROCEDURE_FOR_VALUE,
-            f"expected {wanted}, found `{call.object}.{call.method}`, which is an action",
-            call,
-            help,
+        return (
+            Sentence("`{part}` has {known}", part.name, Series(COMMA, (f"`{name}`" for name in known))) if known else ""
         )
+
+    def procedure(self, call: Call, wanted: str, help: Help) -> None:
+        message = Sentence("expected {wanted}, found `{call}`, which is an action", wanted, _name(call))
+        self.report(rules.PROCEDURE_FOR_VALUE, message, call, help)
 
     def meaning(self, call: Call) -> tuple[RobotObject, Method] | None:
         """Looks a call up and checks its parameters; None when its names mean nothing (reported)."""
@@ -271,7 +270,9 @@ class _Checker:
                 near, help = self.suggested(call.method, methods)
                 self.report(
                     rules.UNKNOWN_METHOD,
-                    f"`{call.object}` of the robot `{self.robot.name}` has no `{call.method}`",
+                    Sentence(
+                        "`{object}` of the robot `{robot}` has no `{method}`", call.object, self.robot.name, call.method
+                    ),
                     call,
                     help,
                     start=call.method_start,
@@ -281,7 +282,7 @@ class _Checker:
                 near, help = self.suggested(call.object, self.objects)
                 self.report(
                     rules.UNKNOWN_OBJECT,
-                    f"the robot `{self.robot.name}` has no `{call.object}`",
+                    Sentence("the robot `{robot}` has no `{object}`", self.robot.name, call.object),
                     call,
                     help,
                     fix=self.renaming(call, near, call.method),
@@ -296,9 +297,15 @@ class _Checker:
             names = ", ".join(parameter.name for parameter in method.parameters)
             self.report(
                 rules.PARAMETER_COUNT,
-                f"`{call.object}.{call.method}` takes {wanted} parameter{'s' * (wanted != 1)}, found {given}",
+                Sentence.counted(
+                    "`{call}` takes {count} parameter, found {found}",
+                    "`{call}` takes {count} parameters, found {found}",
+                    _name(call),
+                    wanted,
+                    given,
+                ),
                 call,
-                f"write {call.object}.{call.method}({names})",
+                Sentence("write {call}({names})", _name(call), names),
                 fix=self.refilling(call, method),
             )
         for param, parameter in zip(call.params, method.parameters, strict=False):
@@ -317,7 +324,7 @@ class _Checker:
         """The same call with as many parameters as it takes: the first ones stay, missing ones are the usual."""
         given = [self.text(param) for param in call.params[: len(method.parameters)]]
         usual = [str(max(0, parameter.default)) for parameter in method.parameters[len(given) :]]
-        return Fix(f"{call.object}.{call.method}({', '.join(given + usual)})")
+        return Fix(f"{_name(call)}({', '.join(given + usual)})")
 
     def param(self, node: Node, part: RobotObject, method: Method, parameter: Parameter) -> None:
         if isinstance(node, Number):
@@ -325,10 +332,16 @@ class _Checker:
             if limited and not parameter.minimum <= node.value <= parameter.maximum:
                 self.report(
                     rules.OUT_OF_RANGE,
-                    f"expected a {parameter.name} from {parameter.minimum} to {parameter.maximum} for "
-                    f"`{part.name}.{method.name}`, found {node.value}",
+                    Sentence(
+                        "expected a {parameter} from {minimum} to {maximum} for `{call}`, found {value}",
+                        Word(parameter.name),
+                        parameter.minimum,
+                        parameter.maximum,
+                        f"{part.name}.{method.name}",
+                        node.value,
+                    ),
                     node,
-                    f"write a number from {parameter.minimum} to {parameter.maximum}",
+                    Sentence("write a number from {minimum} to {maximum}", parameter.minimum, parameter.maximum),
                     fix=Fix(
                         str(min(max(node.value, parameter.minimum), parameter.maximum)),
                         FixKind.SETTING,
@@ -343,23 +356,32 @@ class _Checker:
             return
         kind = meaning[1].kind
         boolean = parameter.type is ValueType.BOOLEAN
-        name = f"`{node.object}.{node.method}`"
+        asks, given = f"{part.name}.{method.name}", f"`{_name(node)}`"
         if kind is Kind.PROCEDURE:
-            self.procedure(node, "a test" if boolean else "a number", "")
+            self.procedure(node, Sentence("a test") if boolean else Sentence("a number"), "")
         elif kind is Kind.TEST and not boolean:
             self.report(
                 rules.TEST_FOR_VALUE,
-                f"expected a number as the {parameter.name} of `{part.name}.{method.name}`, found the test {name}",
+                Sentence(
+                    "expected a number as the {parameter} of `{call}`, found the test {test}",
+                    Word(parameter.name),
+                    asks,
+                    given,
+                ),
                 node,
                 self.offer(meaning[0], Kind.VALUE),
             )
         elif kind is Kind.VALUE and boolean:
             self.report(
                 rules.VALUE_FOR_TEST,
-                f"expected a test, 0 or 1 for `{part.name}.{method.name}`, found {name}, which is a number",
+                Sentence("expected a test, 0 or 1 for `{call}`, found {found}, which is a number", asks, given),
                 node,
                 self.offer(meaning[0], Kind.TEST),
             )
+
+
+def _name(call: Call) -> str:
+    return f"{call.object}.{call.method}"
 
 
 def _calls(seq: Seq) -> list[Call]:

@@ -31,6 +31,7 @@ from kitrobot.lll import (
     While,
 )
 from kitrobot.primitives import Constructor, Slot, SlotKind
+from kitrobot.text import Help, Sentence, Word
 
 
 class Walk(Protocol):
@@ -49,7 +50,7 @@ class Walk(Protocol):
     def put(self, vertex: Vertex, seq: Seq, more: Seq) -> None:
         """Adds instructions, and the hole among them, to a body."""
 
-    def report(self, rule: Rule, message: str, *vertices: str, help: str = "") -> None:
+    def report(self, rule: Rule, message: Sentence, *vertices: str, help: Help = "") -> None:
         """Collects a diagnostic."""
 
     def number(self, vertex: Vertex, name: str, text: str, low: int, high: int) -> int:
@@ -108,9 +109,17 @@ class _Filling:
         if filler is not None:
             return self.walk.wiring.vertices[filler]
         kind = self.slot(hole).kind
-        wanted = "a test" if kind is SlotKind.CONDITION else "an action" if kind is SlotKind.ACTION else "a value"
-        message = f"the slot `{hole.name}` of `{self.vertex.id}` ({self.vertex.element}) is empty"
-        self.walk.report(rules.EMPTY_SLOT, message, self.vertex.id, help=f"drop {wanted} on it")
+        wanted = (
+            Sentence("a test")
+            if kind is SlotKind.CONDITION
+            else Sentence("an action")
+            if kind is SlotKind.ACTION
+            else Sentence("a value")
+        )
+        message = Sentence(
+            "the slot `{hole}` of `{vertex}` ({element}) is empty", hole.name, self.vertex.id, Word(self.vertex.element)
+        )
+        self.walk.report(rules.EMPTY_SLOT, message, self.vertex.id, help=Sentence("drop {wanted} on it", wanted))
         return None
 
     def condition(self, template: Any) -> Condition:

@@ -32,6 +32,7 @@ from kitrobot.lll import (
     Seq,
 )
 from kitrobot.primitives import Catalogue, Parameter, Role
+from kitrobot.text import Help, Sentence, Word
 
 _WHOLE = re.compile(r"[+-]?[0-9]{1,9}")
 
@@ -96,9 +97,9 @@ class _Walk:
     def report(
         self,
         rule: Rule,
-        message: str,
+        message: Sentence,
         *vertices: str,
-        help: str = "",
+        help: Help = "",
         arc: Arc | None = None,
         fix: Fix | None = None,
     ) -> None:
@@ -140,8 +141,10 @@ class _Walk:
         for vertex in (None, *heads, *self.wiring.vertices):
             if vertex is not None and vertex not in reached:
                 element = self.wiring.vertices[vertex].element
-                message = f"`{vertex}` ({element}) hangs on nothing, so it is not part of the program"
-                self.report(rules.PARKED, message, vertex, help="join it to the flow, or leave it parked")
+                message = Sentence(
+                    "`{vertex}` ({element}) hangs on nothing, so it is not part of the program", vertex, Word(element)
+                )
+                self.report(rules.PARKED, message, vertex, help=Sentence("join it to the flow, or leave it parked"))
                 reached.add(vertex)
                 waiting.append(vertex)
             while waiting:
@@ -163,12 +166,23 @@ class _Walk:
             if arc.at == RETURN:
                 if target.id != inside:
                     self.wrong_way(
-                        arc, f"`{arc.source}` leads to the `return` of `{target.id}`, which it is not inside of"
+                        arc,
+                        Sentence(
+                            "`{source}` leads to the `return` of `{target}`, which it is not inside of",
+                            arc.source,
+                            target.id,
+                        ),
                     )
                 return
             if arc.at != IN:
                 self.wrong_way(
-                    arc, f"`{arc.source}` stands in the flow and fills the slot `{arc.at}` of `{target.id}` too"
+                    arc,
+                    Sentence(
+                        "`{source}` stands in the flow and fills the slot `{at}` of `{target}` too",
+                        arc.source,
+                        arc.at,
+                        target.id,
+                    ),
                 )
                 return
             if target.element == STOP:
@@ -177,7 +191,12 @@ class _Walk:
                 return
             if target.id in self.visited:
                 self.wrong_way(
-                    arc, f"`{arc.source}` leads to `{target.id}`, which stands elsewhere in the program already"
+                    arc,
+                    Sentence(
+                        "`{source}` leads to `{target}`, which stands elsewhere in the program already",
+                        arc.source,
+                        target.id,
+                    ),
                 )
                 return
             self.visited.add(target.id)
@@ -189,16 +208,18 @@ class _Walk:
             vertex, port = target.id, NEXT
 
     def not_closed(self, vertex: str, port: str, inside: str | None, arc: Arc | None = None) -> None:
-        where = f"`{vertex}`" if port == NEXT else f"the slot `{port}` of `{vertex}`"
+        where = f"`{vertex}`" if port == NEXT else Sentence("the slot `{port}` of `{vertex}`", port, vertex)
         if inside is None:
-            message, help = f"the way from {where} never reaches Stop", f"draw an arc from `{vertex}` on to Stop"
+            message = Sentence("the way from {where} never reaches Stop", where)
+            help = Sentence("draw an arc from `{vertex}` on to Stop", vertex)
         else:
-            message = f"the way from {where} does not come back to `{inside}`"
-            help = f"draw an arc to the `return` of `{inside}`"
+            message = Sentence("the way from {where} does not come back to `{constructor}`", where, inside)
+            help = Sentence("draw an arc to the `return` of `{constructor}`", inside)
         self.report(rules.NOT_CLOSED, message, vertex, help=help, arc=arc)
 
-    def wrong_way(self, arc: Arc, message: str) -> None:
-        self.report(rules.WRONG_WAY, message, arc.source, arc.target, help="delete the arc, or draw it anew", arc=arc)
+    def wrong_way(self, arc: Arc, message: Sentence) -> None:
+        help = Sentence("delete the arc, or draw it anew")
+        self.report(rules.WRONG_WAY, message, arc.source, arc.target, help=help, arc=arc)
 
     # -- holes
 
@@ -212,8 +233,10 @@ class _Walk:
         if more.hole is not None:
             at = len(seq.items) + more.hole_at
             if seq.hole is not None and (seq.hole.name, seq.hole_at) != (more.hole.name, at):
-                message = f"`{seq.hole.name}` and `{more.hole.name}` are two places for instructions in one body"
-                help = "choose one place in a body, or give neighbours the same name"
+                message = Sentence(
+                    "`{hole}` and `{other}` are two places for instructions in one body", seq.hole.name, more.hole.name
+                )
+                help = Sentence("choose one place in a body, or give neighbours the same name")
                 self.report(rules.TWO_HOLES, message, vertex.id, help=help)
             seq.hole, seq.hole_at = more.hole, at
         seq.items += more.items
@@ -231,7 +254,9 @@ class _Walk:
         elif constructor.role is not Role.INSTRUCTION or constructor.template is None:
             self.report(
                 rules.WRONG_PLACE,
-                f"`{vertex.id}` ({vertex.element}) cannot stand in the flow as an instruction",
+                Sentence(
+                    "`{vertex}` ({element}) cannot stand in the flow as an instruction", vertex.id, Word(vertex.element)
+                ),
                 vertex.id,
             )
         else:
@@ -266,9 +291,11 @@ class _Walk:
             known = {parameter.name for parameter in meaning[1].parameters}
             for setting in vertex.settings:
                 if setting not in known:
-                    message = f"`{vertex.id}` ({vertex.element}) has no parameter `{setting}`"
+                    message = Sentence(
+                        "`{vertex}` ({element}) has no parameter `{setting}`", vertex.id, Word(vertex.element), setting
+                    )
                     fix = Fix("", FixKind.UNSET, setting)
-                    self.report(rules.NOT_A_NUMBER, message, vertex.id, help="take the setting away", fix=fix)
+                    self.report(rules.NOT_A_NUMBER, message, vertex.id, help=Sentence("take the setting away"), fix=fix)
         else:
             call.params = [
                 Number(int(text))
@@ -292,9 +319,17 @@ class _Walk:
         if digits.isascii() and digits.isdigit() and len(digits.lstrip("0")) <= 5 and low <= int(digits) <= high:
             return int(digits)
         shown = text if len(text) <= 24 else text[:21] + "…"
-        message = f"expected a whole number from {low} to {high} as the {name} of `{vertex.id}`, found `{shown}`"
+        message = Sentence(
+            "expected a whole number from {low} to {high} as the {parameter} of `{vertex}`, found `{found}`",
+            low,
+            high,
+            Word(name),
+            vertex.id,
+            shown,
+        )
         fix = Fix(str(nearest), FixKind.SETTING, name) if (nearest := _nearest(digits, low, high)) is not None else None
-        self.report(rules.NOT_A_NUMBER, message, vertex.id, help=f"write a number from {low} to {high}", fix=fix)
+        help = Sentence("write a number from {minimum} to {maximum}", low, high)
+        self.report(rules.NOT_A_NUMBER, message, vertex.id, help=help, fix=fix)
         return low
 
     # -- templates
@@ -304,7 +339,8 @@ class _Walk:
         if self.depth < MAX_NESTING:
             self.depth += 1
             return True
-        self.report(rules.TOO_DEEP, f"the program nests more than {MAX_NESTING} levels deep here", vertex.id)
+        message = Sentence("the program nests more than {most} levels deep here", MAX_NESTING)
+        self.report(rules.TOO_DEEP, message, vertex.id)
         return False
 
     def body(self, vertex: Vertex, port: str) -> Seq:
@@ -321,7 +357,8 @@ class _Walk:
         if not self.enter(vertex):
             return Call("", "")
         if constructor.role is not Role.CONDITION:
-            self.report(rules.WRONG_PLACE, f"`{vertex.id}` ({vertex.element}) is no condition", vertex.id)
+            message = Sentence("`{vertex}` ({element}) is no condition", vertex.id, Word(vertex.element))
+            self.report(rules.WRONG_PLACE, message, vertex.id)
             return Call("", "")
         return cast("Condition", fill(self, vertex, constructor))
 
@@ -331,15 +368,18 @@ class _Walk:
             return Call("", "")
         if "." not in vertex.element or self.wiring.constructor(vertex) is not None:
             if vertex.element in (START, STOP) or self.wiring.constructor(vertex) is not None:  # others are unknown
-                self.report(rules.WRONG_PLACE, f"`{vertex.id}` ({vertex.element}) does not fit into a slot", vertex.id)
+                message = Sentence("`{vertex}` ({element}) does not fit into a slot", vertex.id, Word(vertex.element))
+                self.report(rules.WRONG_PLACE, message, vertex.id)
             return Call("", "")
         return self.call(vertex)
 
     def enter(self, vertex: Vertex) -> bool:
         """Visits a filler once; its notes go to the instruction around it, since conditions hold no comments."""
         if vertex.id in self.visited:
-            message = f"`{vertex.id}` ({vertex.element}) stands elsewhere in the program already"
-            self.report(rules.WRONG_WAY, message, vertex.id, help="take a copy of it")
+            message = Sentence(
+                "`{vertex}` ({element}) stands elsewhere in the program already", vertex.id, Word(vertex.element)
+            )
+            self.report(rules.WRONG_WAY, message, vertex.id, help=Sentence("take a copy of it"))
             return False
         self.visited.add(vertex.id)
         self.notes += [line for note in vertex.notes for line in _lines(note.text)]

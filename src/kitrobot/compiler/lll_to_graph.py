@@ -23,6 +23,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
 from kitrobot.lll import Call, Instruction, Node, Number, Seq, nodes
 from kitrobot.primitives import Bound, Catalogue, Constructor, Robot, SlotKind, shape, unfill, unfill_all, unfill_row
+from kitrobot.text import Sentence
 
 
 def lll_to_graph(
@@ -214,8 +215,8 @@ class Drawing:
         inverse = self.catalogue.inverse.get(kind)
         if inverse is None:
             raise KitRobotError(
-                f"no constructor at hand draws the LLL construct {type(node).__name__}",
-                "bring back the constructors' XML that was shipped",
+                Sentence("no constructor at hand draws the LLL construct {name}", type(node).__name__),
+                Sentence("bring back the constructors' XML that was shipped"),
             )
         assert inverse.template is not None, "only what has a template is an inverse"
         return _Choice(inverse.name, inverse, unfill(inverse, inverse.template, node, any_number=True), origin)

@@ -49,6 +49,7 @@ from kitrobot.lll import (
     While,
 )
 from kitrobot.primitives import Category, Kind, Method, Robot, RobotObject
+from kitrobot.text import Sentence, Word
 
 
 def lower(program: Seq, target: Target, name: str = "") -> tuple[Image | None, DebugMap, list[Diagnostic]]:
@@ -90,17 +91,22 @@ class _Lowering:
 
     def too_large(self) -> list[Diagnostic]:
         counts = (
-            (self.code.cells(self.layout.cells), MOST_CELLS, "cells (inputs, variables, counters and constants)"),
-            (len(self.tree.slots), MOST_SLOTS, "slots (the program and its branches)"),
-            (len(self.tree.parallels), MOST_PARALLELS, "parallels"),
-            (len(self.stops), MOST_STOPS, "marked actions with a stop"),
-            (len(self.layout.commands), MOST_COMMANDS, "procedures of the robot"),
-            (self.layout.most_arguments, MOST_ARGUMENTS, "parameters of a procedure"),
-            (len(self.code.rows), MOST_INSTRUCTIONS, "instructions"),
+            (
+                self.code.cells(self.layout.cells),
+                MOST_CELLS,
+                Sentence("cells (inputs, variables, counters and constants)"),
+            ),
+            (len(self.tree.slots), MOST_SLOTS, Sentence("slots (the program and its branches)")),
+            (len(self.tree.parallels), MOST_PARALLELS, Word("parallels")),
+            (len(self.stops), MOST_STOPS, Sentence("marked actions with a stop")),
+            (len(self.layout.commands), MOST_COMMANDS, Sentence("procedures of the robot")),
+            (self.layout.most_arguments, MOST_ARGUMENTS, Sentence("parameters of a procedure")),
+            (len(self.code.rows), MOST_INSTRUCTIONS, Word("instructions")),
         )
         return [
             rules.TOO_LARGE(
-                f"the program needs {count} {what}, and an image holds {most}", help="split it, or use fewer of them"
+                Sentence("the program needs {count} {what}, and an image holds {most}", count, what, most),
+                help=Sentence("split it, or use fewer of them"),
             )
             for count, most, what in counts
             if count > most

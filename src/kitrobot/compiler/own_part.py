@@ -46,6 +46,7 @@ from kitrobot.primitives import (
     read_own,
     write_constructor,
 )
+from kitrobot.text import COMMA, Sentence, Series
 
 _NOT_IN_NAMES = re.compile(r"[^A-Za-z0-9_]+")
 
@@ -150,16 +151,16 @@ def make_part(
     )
     constructor = judged(wanted)
     if (constructor.role is Role.CONDITION) is not selection.is_condition:
-        raise PartError("this is no condition once its holes are open", "leave less of it open")
+        raise PartError(Sentence("this is no condition once its holes are open"), Sentence("leave less of it open"))
     return Part(constructor, *put_part(wiring, selection, constructor, holes))
 
 
 def check_name(name: str, catalogue: Catalogue) -> None:
     """Raises PartError when a part cannot be called that beside those that there are."""
     if name in catalogue.constructors:
-        raise PartError(f"there is a part `{name}` already", "choose another name")
+        raise PartError(Sentence("there is a part `{name}` already", name), Sentence("choose another name"))
     if not name or name != " ".join(name.split()):
-        raise PartError("a part needs a name", "write a name without spaces at its ends")
+        raise PartError(Sentence("a part needs a name"), Sentence("write a name without spaces at its ends"))
 
 
 def judged(wanted: Constructor) -> Constructor:
@@ -189,7 +190,10 @@ def _places(offered: Sequence[Offer], chosen: Sequence[Chosen]) -> list[_Placed]
     for one in chosen:
         place = (one.vertex, one.slot)
         if place not in offers:
-            raise PartError(f"`{one.vertex}` has nothing named `{one.slot}` to leave open", "select the parts anew")
+            raise PartError(
+                Sentence("`{vertex}` has nothing named `{slot}` to leave open", one.vertex, one.slot),
+                Sentence("select the parts anew"),
+            )
         wanted[place] = one
     for place, offer in offers.items():
         if offer.is_open and place not in wanted:
@@ -234,18 +238,23 @@ def _slot(label: str, placed: list[_Placed], taken: set[str]) -> Slot:
     if offer.kind not in TYPED:
         for _, other, _ in placed[1:]:
             if (other.kind, other.slot) != (SlotKind.FLOW, "") or offer.slot:
-                raise PartError(f"two different things are called `{label}`", "give each its own name")
+                raise PartError(
+                    Sentence("two different things are called `{label}`", label), Sentence("give each its own name")
+                )
         least = min(offer.least, 16)
         return Slot(name, offer.kind, offer.loop, offer.repeat, least if offer.repeat else 0, label=texts)
     kind = offer.kind
     if len(placed) > 1:
         values = {other.value for _, other, _ in placed}
         if any(other.kind not in TYPED for _, other, _ in placed):
-            raise PartError(f"two different things are called `{label}`", "give each its own name")
-        if len(values) > 1 or "" in values:
-            told = ", ".join(sorted(value or "something plugged in" for value in values))
             raise PartError(
-                f"`{label}` stands for different things: {told}", "one name can only stand for the same number"
+                Sentence("two different things are called `{label}`", label), Sentence("give each its own name")
+            )
+        if len(values) > 1 or "" in values:
+            told = Series(COMMA, sorted(value or Sentence("something plugged in") for value in values))
+            raise PartError(
+                Sentence("`{label}` stands for different things: {told}", label, told),
+                Sentence("one name can only stand for the same number"),
             )
         kind = SlotKind.NUMBER
     low = max(other.minimum for _, other, _ in placed)
@@ -330,8 +339,8 @@ def _open_breaks(template: Seq | Condition, program: Program) -> list[Diagnostic
     while waiting:
         node, is_safe = waiting.pop()
         if isinstance(node, Break) and not is_safe:
-            message = "a Break in the selection leaves a loop that is not selected"
-            help = "select the loop too, or take the Break out of the selection"
+            message = Sentence("a Break in the selection leaves a loop that is not selected")
+            help = Sentence("select the loop too, or take the Break out of the selection")
             where = (node.vertex,) if node.vertex else ()
             found.append(rules.OPEN_BREAK(message, help=help, program=program.name, vertices=where))
         inside = isinstance(node, (Repeat, While, Parallel)) or is_safe

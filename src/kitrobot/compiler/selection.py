@@ -13,6 +13,7 @@ from kitrobot.compiler.wiring import Wiring
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import IN, NEXT, START, STOP
 from kitrobot.primitives import Kind, Role, SlotKind
+from kitrobot.text import Sentence
 
 
 class SelectionError(KitRobotError):
@@ -39,10 +40,14 @@ def select(wiring: Wiring, ids: Sequence[str]) -> Selection:
     ends = (START, STOP)
     for name in ids:
         if name not in wiring.vertices:
-            raise SelectionError(f"the program has no vertex `{name}`", "select the parts anew")
+            raise SelectionError(
+                Sentence("the program has no vertex `{vertex}`", name), Sentence("select the parts anew")
+            )
     chosen = {name for name in ids if wiring.vertices[name].element not in ends}
     if not chosen:
-        raise SelectionError("nothing is selected that could be saved as a part", "select one or more vertices first")
+        raise SelectionError(
+            Sentence("nothing is selected that could be saved as a part"), Sentence("select one or more vertices first")
+        )
     slots = {filler: owner for owner, filler in wiring.fills.items()}
     for name in list(chosen):
         owner, slot = slots.get(name, ("", ""))
@@ -116,15 +121,15 @@ def _is_filler(wiring: Wiring, slots: dict[str, tuple[str, str]], name: str) -> 
 def _one_condition(wiring: Wiring, top: list[str], filler: str) -> tuple[str, ...]:
     if len(top) > 1:
         raise SelectionError(
-            "the selection holds conditions or values beside other parts",
-            "select neighbours of one chain, or one condition alone",
+            Sentence("the selection holds conditions or values beside other parts"),
+            Sentence("select neighbours of one chain, or one condition alone"),
         )
     vertex = wiring.vertices[filler]
     constructor = wiring.constructor(vertex)
     if constructor is None or constructor.role is not Role.CONDITION:
         raise SelectionError(
-            f"`{vertex.element}` alone cannot be a part of your own",
-            "select a condition made with and, or, not; or the instruction around it",
+            Sentence("`{element}` alone cannot be a part of your own", vertex.element),
+            Sentence("select a condition made with and, or, not; or the instruction around it"),
         )
     return (filler,)
 
@@ -144,7 +149,8 @@ def _stretch(wiring: Wiring, top: list[str]) -> tuple[str, ...]:
     missing = wanted.difference(chain)
     if missing:
         raise SelectionError(
-            "the selection stands in several chains", "select neighbours that stand one after another in one chain"
+            Sentence("the selection stands in several chains"),
+            Sentence("select neighbours that stand one after another in one chain"),
         )
     last = max(index for index, name in enumerate(chain) if name in wanted)
     return tuple(name for name in chain[: last + 1] if wiring.vertices[name].element not in (START, STOP))

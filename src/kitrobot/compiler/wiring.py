@@ -13,7 +13,7 @@ from kitrobot.compiler import graph_rules as rules
 from kitrobot.diagnostics import ArcName, Diagnostic, Fix, FixKind
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
 from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind
-from kitrobot.text import Suggestions
+from kitrobot.text import Sentence, Suggestions, Word
 
 
 class Wiring:
@@ -35,10 +35,10 @@ class Wiring:
             self._add_vertex(vertex)
         self.start = self._only(START)
         self.stop = self._only(STOP)
-        for what, end in ((START, self.start), (STOP, self.stop)):
+        for what, end in ((Word(START), self.start), (Word(STOP), self.stop)):
             if end is None:
-                message = f"the program has no vertex {what}"
-                self.report(rules.START_STOP(message, help=f"add a vertex {what}", **self._at()))
+                message = Sentence("the program has no vertex {vertex}", what)
+                self.report(rules.START_STOP(message, help=Sentence("add a vertex {vertex}", what), **self._at()))
         for arc in program.arcs:
             self._add_arc(arc)
 
@@ -54,7 +54,9 @@ class Wiring:
         if vertex.id in self.vertices:
             self.report(
                 rules.SAME_ID(
-                    f"the id `{vertex.id}` is used twice", help="give one of them another id", **self._at(vertex.id)
+                    Sentence("the id `{vertex}` is used twice", vertex.id),
+                    help=Sentence("give one of them another id"),
+                    **self._at(vertex.id),
                 )
             )
             return
@@ -66,8 +68,10 @@ class Wiring:
         """The one vertex that is Start, or Stop; a second one is reported."""
         found = [vertex for vertex in self.vertices.values() if vertex.element == element]
         for extra in found[1:]:
-            message = f"the program has a second {element}"
-            self.report(rules.START_STOP(message, help="delete one of them", **self._at(found[0].id, extra.id)))
+            message = Sentence("the program has a second {element}", Word(element))
+            self.report(
+                rules.START_STOP(message, help=Sentence("delete one of them"), **self._at(found[0].id, extra.id))
+            )
         return found[0] if found else None
 
     @cached_property
@@ -79,7 +83,7 @@ class Wiring:
         name, dot, method = vertex.element.partition(".")
         if dot and name and method and (name, method) in self.robot.calls:
             return
-        where = f"the robot `{self.robot.name}`" if dot else "the constructors' XML"
+        where = Sentence("the robot `{robot}`", self.robot.name) if dot else Sentence("the constructors' XML")
         near = (
             self._nearest_call(name, method)
             if dot
@@ -87,8 +91,10 @@ class Wiring:
         )
         self.report(
             rules.UNKNOWN_ELEMENT(
-                f"`{vertex.element}` is not in {where}",
-                help=f"did you mean {near}?" if near else "bring its XML file back, or delete the vertex",
+                Sentence("`{element}` is not in {where}", vertex.element, where),
+                help=Sentence("did you mean {near}?", near)
+                if near
+                else Sentence("bring its XML file back, or delete the vertex"),
                 fix=Fix(near, FixKind.ELEMENT, near) if near else None,
                 **self._at(vertex.id),
             )
@@ -107,34 +113,39 @@ class Wiring:
         if ends:
             self.report(
                 rules.DANGLING_ARC(
-                    f"an arc from `{arc.source}` to `{arc.target}` names `{ends[0]}`, which is not there",
-                    help=self.suggestions.did_you_mean(ends[0], self.vertices) or "delete the arc",
+                    Sentence(
+                        "an arc from `{source}` to `{target}` names `{end}`, which is not there",
+                        arc.source,
+                        arc.target,
+                        ends[0],
+                    ),
+                    help=self.suggestions.did_you_mean(ends[0], self.vertices) or Sentence("delete the arc"),
                     program=self.program.name,
                     arcs=(name,),
                 )
             )
             return
         if not self._has_out(self.vertices[arc.source], arc.out):
-            self._no_port(arc, name, arc.source, arc.out, "nothing leaves")
+            self._no_port(arc, name, arc.source, arc.out, Sentence("nothing leaves"))
         elif not self._has_in(self.vertices[arc.target], arc.at):
-            self._no_port(arc, name, arc.target, arc.at, "nothing arrives")
+            self._no_port(arc, name, arc.target, arc.at, Sentence("nothing arrives"))
         elif (arc.source, arc.out) in self.out:
             other = self.out[arc.source, arc.out]
-            self._twice(f"two arcs leave `{arc.source}` at `{arc.out}`", arc, other, name)
+            self._twice(Sentence("two arcs leave `{source}` at `{out}`", arc.source, arc.out), arc, other, name)
         elif arc.at not in (IN, RETURN) and (arc.target, arc.at) in self.fills:
             other = self.out[self.fills[arc.target, arc.at], NEXT]
-            self._twice(f"two parts fill the slot `{arc.at}` of `{arc.target}`", arc, other, name)
+            self._twice(Sentence("two parts fill the slot `{at}` of `{target}`", arc.at, arc.target), arc, other, name)
         else:
             self.out[arc.source, arc.out] = arc
             self.ports.setdefault(arc.source, []).append(arc.out)
             if arc.at not in (IN, RETURN):
                 self.fills[arc.target, arc.at] = arc.source
 
-    def _twice(self, message: str, arc: Arc, other: Arc, name: ArcName) -> None:
+    def _twice(self, message: Sentence, arc: Arc, other: Arc, name: ArcName) -> None:
         self.report(
             rules.TWO_ARCS(
                 message,
-                help="delete one of them",
+                help=Sentence("delete one of them"),
                 program=self.program.name,
                 vertices=(arc.source,),
                 arcs=((other.source, other.out, other.target, other.at), name),
@@ -145,8 +156,10 @@ class Wiring:
         element = self.vertices[vertex].element
         self.report(
             rules.DANGLING_ARC(
-                f"`{vertex}` ({element}) has no port `{port}`, so {what} there",
-                help="delete the arc, or draw it anew",
+                Sentence(
+                    "`{vertex}` ({element}) has no port `{port}`, so {what} there", vertex, Word(element), port, what
+                ),
+                help=Sentence("delete the arc, or draw it anew"),
                 program=self.program.name,
                 vertices=(vertex,),
                 arcs=(name,),

@@ -22,6 +22,7 @@ from kitrobot.deploy.line import Line
 from kitrobot.deploy.news import Fault, News, Text, printable, read_fault, read_news
 from kitrobot.deploy.patience import ANSWER_S, MOST_SILENT_S, PAUSE_S, SILENT_S, Patience
 from kitrobot.deploy.refusals import another_version, not_understood, refusal, silent
+from kitrobot.text import Sentence
 from kitrobot_onboard import link
 
 _HOLD_S = 0.25
@@ -199,8 +200,8 @@ class Board:
             self._fresh_s = max(_FRESH_S, 2 * period_ms / 1000)
         except NoMemoryError:
             raise NoMemoryError(
-                "this robot has too little memory to tell what its program does",
-                "the program runs all the same; to watch it, take a board with more memory",
+                Sentence("this robot has too little memory to tell what its program does"),
+                Sentence("the program runs all the same; to watch it, take a board with more memory"),
             ) from None
 
     def ping(self) -> None:

@@ -19,6 +19,7 @@ from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.flash_code import Frozen, WithNames, frozen, literals_of
 from kitrobot.deploy.naming import renamed, short_names
 from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot.text import Sentence, Word
 from kitrobot_onboard.requests import BY_FAMILY, REQUESTS
 
 ONBOARD = Path(kitrobot_onboard.__file__).parent
@@ -209,9 +210,14 @@ def read_source(path: Path) -> str:
     try:
         data = path.read_bytes()
         if len(data) > _MOST_BYTES:
-            raise PackageError(f"`{path}` is too large for a board: {len(data)} bytes", "make it shorter")
+            raise PackageError(
+                Sentence("`{path}` is too large for a board: {size} bytes", path, len(data)),
+                Sentence("make it shorter"),
+            )
         return data.decode("utf-8-sig")
     except OSError as error:
-        raise PackageError(f"`{path}` cannot be read: {error.strerror}", "look at its rights") from error
+        raise PackageError(
+            Sentence("`{path}` cannot be read: {reason}", path, Word(error.strerror)), Sentence("look at its rights")
+        ) from error
     except UnicodeDecodeError:
-        raise PackageError(f"`{path}` is no UTF-8 text", "save it as UTF-8") from None
+        raise PackageError(Sentence("`{path}` is no UTF-8 text", path), Sentence("save it as UTF-8")) from None

@@ -18,6 +18,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from kitrobot.deploy.errors import PackageError
+from kitrobot.text import COMMA, Sentence, Series
 
 ALWAYS = frozenset({"limit"})
 """Settings of actuators that the robot's loop understands itself."""
@@ -64,8 +65,8 @@ def declared(tree: ast.Module, path: str) -> Declared:
                 words = _literal(value)
                 if not isinstance(words, str):
                     raise PackageError(
-                        f"`{path}` line {statement.lineno}: PROCEDURES must be a text of names",
-                        'write it as in PROCEDURES = "Open Close"',
+                        Sentence("`{path}` line {line}: PROCEDURES must be a text of names", path, statement.lineno),
+                        Sentence('write it as in PROCEDURES = "Open Close"'),
                     )
                 procedures = tuple(words.split())
     return Declared(settings, procedures)
@@ -96,8 +97,13 @@ def refuse_what_is_not_understood(
     for procedure in procedures or ():
         if says.procedures is not None and procedure not in says.procedures:
             raise PackageError(
-                f"`{part}` has the procedure `{procedure}`, which the driver `{driver}` cannot do",
-                f"it can do {_listed(says.procedures)}",
+                Sentence(
+                    "`{part}` has the procedure `{procedure}`, which the driver `{driver}` cannot do",
+                    part,
+                    procedure,
+                    driver,
+                ),
+                Sentence("it can do {procedures}", _listed(says.procedures)),
             )
     if says.settings is None:
         return
@@ -107,14 +113,21 @@ def refuse_what_is_not_understood(
             _refuse_value(part, name, value, known)
         elif procedures is None or name not in ALWAYS:
             raise PackageError(
-                f"`{part}` has the setting `{name}`, which the driver `{driver}` does not know",
-                f"it knows {_listed(says.settings)}" if says.settings else "it knows none",
+                Sentence(
+                    "`{part}` has the setting `{setting}`, which the driver `{driver}` does not know",
+                    part,
+                    name,
+                    driver,
+                ),
+                Sentence("it knows {settings}", _listed(says.settings)) if says.settings else Sentence("it knows none"),
             )
     for name, setting in says.settings.items():
         if setting.needed and name not in settings:
             raise PackageError(
-                f"`{part}` does not say its `{name}`, which the driver `{driver}` needs",
-                f'write {name}="…" into its <board> in the robot’s XML',
+                Sentence(
+                    "`{part}` does not say its `{setting}`, which the driver `{driver}` needs", part, name, driver
+                ),
+                Sentence('write {setting}="…" into its <board> in the robot’s XML', name),
             )
 
 
@@ -127,15 +140,28 @@ def pins_of(says: Declared, settings: Mapping[str, str]) -> list[str]:
 def _refuse_value(part: str, name: str, value: str, known: Setting) -> None:
     if known.words and value not in known.words:
         raise PackageError(
-            f"`{name}` of `{part}` must be one of {_listed(known.words)}, and it is `{value}`",
-            "mend it in the <board> in the robot’s XML",
+            Sentence(
+                "`{setting}` of `{part}` must be one of {words}, and it is `{value}`",
+                name,
+                part,
+                _listed(known.words),
+                value,
+            ),
+            Sentence("mend it in the <board> in the robot’s XML"),
         )
     if known.least is None or known.most is None:
         return
     if not re.fullmatch(r"[+-]?[0-9]{1,12}", value) or not known.least <= int(value) <= known.most:
         raise PackageError(
-            f"`{name}` of `{part}` must be a whole number from {known.least} to {known.most}, and it is `{value}`",
-            "mend it in the <board> in the robot’s XML",
+            Sentence(
+                "`{setting}` of `{part}` must be a whole number from {least} to {most}, and it is `{value}`",
+                name,
+                part,
+                known.least,
+                known.most,
+                value,
+            ),
+            Sentence("mend it in the <board> in the robot’s XML"),
         )
 
 
@@ -145,8 +171,8 @@ def _settings(value: object, path: str, line: int) -> dict[str, Setting]:
         kind = _KIND.fullmatch(text) if isinstance(text, str) else None
         if kind is None or not isinstance(name, str):
             raise PackageError(
-                f"`{path}` line {line}: SETTINGS must say of each setting what it is",
-                'write it as in SETTINGS = {"pin": "pin", "time": "1..60000 = 1000", "active": "high|low?"}',
+                Sentence("`{path}` line {line}: SETTINGS must say of each setting what it is", path, line),
+                Sentence('write it as in SETTINGS = {"pin": "pin", "time": "1..60000 = 1000", "active": "high|low?"}'),
             )
         least, most = kind["least"], kind["most"]
         found[name] = Setting(
@@ -167,4 +193,4 @@ def _literal(value: ast.expr) -> object:
 
 
 def _listed(names: Sequence[str] | Mapping[str, object]) -> str:
-    return ", ".join(f"`{name}`" for name in names)
+    return Series(COMMA, (f"`{name}`" for name in names))

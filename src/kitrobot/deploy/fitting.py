@@ -6,6 +6,7 @@ from kitrobot.deploy.declarations import pins_of, refuse_what_is_not_understood
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.package import FAMILIES, Package
 from kitrobot.deploy.program_file import UNUSED, Device, ProgramFile
+from kitrobot.text import Sentence
 
 _PLAIN = {"pin-in", "pin-out"}
 """Drivers of pins to which one may do both, by turns."""
@@ -32,13 +33,13 @@ def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
         for pin in pins_of(says, settings):
             if wired.get(pin) is device:
                 raise PackageError(
-                    f"`{part}` says the pin `{pin}` for two different things",
-                    "give one of them another pin in the robot’s XML",
+                    Sentence("`{part}` says the pin `{pin}` for two different things", part, pin),
+                    Sentence("give one of them another pin in the robot’s XML"),
                 )
             if pin in wired and {wired[pin].driver, device.driver} != _PLAIN:
                 raise PackageError(
-                    f"`{wired[pin].part}` and `{part}` are both wired to the pin `{pin}`",
-                    "give one of them another pin in the robot’s XML, or use only one of them in a program",
+                    Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", wired[pin].part, part, pin),
+                    Sentence("give one of them another pin in the robot’s XML, or use only one of them in a program"),
                 )
             wired[pin] = device
 

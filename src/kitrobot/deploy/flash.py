@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from kitrobot.deploy.errors import BoardError, FullError
 from kitrobot.deploy.flash_code import CHUNK, HEAD, head, unknown_firmware
 from kitrobot.deploy.receiver import Receiver, strange
+from kitrobot.text import Sentence
 
 PAGE = 1024
 END = 256 * 1024
@@ -127,7 +128,9 @@ class Flash:
         content = (start + content[len(start) :]).ljust(count * CHUNK, b"\x01")
         self._write(at, content)
         if self._read(at, len(content)) != content:
-            raise BoardError("what was written into the board's flash cannot be read back", "send it once more")
+            raise BoardError(
+                Sentence("what was written into the board's flash cannot be read back"), Sentence("send it once more")
+            )
         self._write(at, head(sign, count, whole=True)[:4])
         self.area.firsts[place : place + count] = content[::CHUNK]
         return at
@@ -161,8 +164,8 @@ class Flash:
 def no_room() -> FullError:
     """The flash is full."""
     return FullError(
-        "the board's flash has no room left in one piece",
-        "remove files of yours from the board, or use --fresh",
+        Sentence("the board's flash has no room left in one piece"),
+        Sentence("remove files of yours from the board, or use --fresh"),
     )
 
 

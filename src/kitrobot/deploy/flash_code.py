@@ -24,6 +24,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from kitrobot.deploy.errors import BoardError
+from kitrobot.text import Sentence
 
 CHUNK = 128
 """Bytes of a piece of the board's file system, whose first byte says what it is."""
@@ -216,8 +217,8 @@ def _code(dump: bytes, function: Function) -> bytes:
 def unknown_firmware() -> BoardError:
     """A MicroPython that differs from those that we know."""
     return BoardError(
-        "the board's MicroPython is none that KitRobot knows",
-        "put the latest MicroPython for the micro:bit V1 onto it, from microbit.org",
+        Sentence("the board's MicroPython is none that KitRobot knows"),
+        Sentence("put the latest MicroPython for the micro:bit V1 onto it, from microbit.org"),
     )
 
 

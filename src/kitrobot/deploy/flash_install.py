@@ -9,6 +9,7 @@ from kitrobot.deploy.flash import Flash
 from kitrobot.deploy.flash_code import DUMP, Frozen, Function, laid_out, unknown_firmware
 from kitrobot.deploy.receiver import Receiver
 from kitrobot.deploy.repl import GarbledError
+from kitrobot.text import Sentence
 
 _TEXT = "krt.py"
 _TRIES = 3
@@ -70,7 +71,10 @@ def _compiled(board: Receiver, text: str, functions: Sequence[Function]) -> byte
         if len(dump) == _size(functions):
             return dump
     if failed:
-        raise BoardError(f"the board cannot compile KitRobot: {failed}", "send it once more; report it if it stays so")
+        raise BoardError(
+            Sentence("the board cannot compile KitRobot: {reason}", failed),
+            Sentence("send it once more; report it if it stays so"),
+        )
     raise unknown_firmware()
 
 

@@ -27,6 +27,7 @@ from kitrobot.deploy.program_file import ProgramFile, program_name, read_program
 from kitrobot.deploy.receiver import MICROBIT, Receiver, too_much_lost
 from kitrobot.deploy.repl import GarbledError, RawRepl
 from kitrobot.deploy.script import board_file
+from kitrobot.text import Sentence, Series
 from kitrobot_onboard.link import checksum
 
 Progress = Callable[[str, int, int], None]
@@ -206,10 +207,12 @@ class _Job:
             said = self._said
             self._undo()
             raise BoardError(
-                f"the board did not start what was sent: {said}" if said else "the board did not start what was sent",
-                "send it once more; if that does not help, reset the board"
+                Sentence("the board did not start what was sent: {reason}", said)
+                if said
+                else Sentence("the board did not start what was sent"),
+                Sentence("send it once more; if that does not help, reset the board")
                 if self.old is None
-                else "it starts again what it had before; send the program once more, or reset the board",
+                else Sentence("it starts again what it had before; send the program once more, or reset the board"),
             ) from error
         said = self._said
         if hello is not None and hello.free < WORKING:
@@ -219,10 +222,13 @@ class _Job:
         self._undo()
         if hello is None or hello.fault == _MEMORY:
             raise BoardError(
-                "the program needs more memory than the board has",
-                "make the program smaller, use fewer devices in it, or take a board with more memory",
+                Sentence("the program needs more memory than the board has"),
+                Sentence("make the program smaller, use fewer devices in it, or take a board with more memory"),
             )
-        raise BoardError(f"the board cannot run the program: {said}", "look at the settings in the robot's XML")
+        raise BoardError(
+            Sentence("the board cannot run the program: {reason}", said),
+            Sentence("look at the settings in the robot's XML"),
+        )
 
     def _greeting(self) -> Hello | None:
         """How it greets; None when it has no memory for that."""
@@ -240,9 +246,9 @@ class _Job:
                 return None
             raise
         if hello.generation != self.new.generation or hello.program != self.name[2:]:
-            raise SilentError("the board starts something else")
+            raise SilentError(Sentence("the board starts something else"))
         fault = board.last_fault() if hello.free >= WORKING else None
-        self._said = "" if fault is None else ": ".join(filter(None, (fault.meaning, fault.text.strip())))
+        self._said = "" if fault is None else Series(Sentence(": "), filter(None, (fault.meaning, fault.text.strip())))
         return hello
 
     def _undo(self) -> None:
@@ -268,8 +274,8 @@ class _Job:
         if b"krboot" not in theirs and not self.built.main.startswith(theirs):
             self.board.end()
             raise ForeignError(
-                "the board holds a `main.py` that is not KitRobot's",
-                "save it if you need it (`mpremote cp :main.py .`), then deploy with --replace",
+                Sentence("the board holds a `main.py` that is not KitRobot's"),
+                Sentence("save it if you need it (`mpremote cp :main.py .`), then deploy with --replace"),
             )
 
     def _holds(self, names: list[str], name: str, data: bytes) -> bool:
@@ -302,7 +308,10 @@ class _Job:
                 if count:
                     self.sent[name] = len(data)
                 return
-        raise BoardError(f"what was written into `{name}` cannot be read back", "the board's flash may be worn out")
+        raise BoardError(
+            Sentence("what was written into `{name}` cannot be read back", name),
+            Sentence("the board's flash may be worn out"),
+        )
 
     def _freeze(self) -> None:
         """Puts into flash what runs from there; what the line that counts needs of that stays."""
@@ -317,8 +326,8 @@ class _Job:
         for name, data in {**self.wanted, MAIN: self.built.main}.items():
             if not self._holds(names, name, data):
                 raise FullError(
-                    f"the board's flash is nearly full and lost what stood in `{name}`",
-                    "run the command again with --fresh, which empties it of KitRobot's files first",
+                    Sentence("the board's flash is nearly full and lost what stood in `{name}`", name),
+                    Sentence("run the command again with --fresh, which empties it of KitRobot's files first"),
                 )
 
     def _told(self, count: int) -> None:

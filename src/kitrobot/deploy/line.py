@@ -18,6 +18,7 @@ import serial
 from serial.tools import list_ports
 
 from kitrobot.deploy.errors import LineError
+from kitrobot.text import Help, Sentence, Word
 
 BAUD = 115200
 _SLICE_S = 0.02
@@ -48,7 +49,9 @@ class Line:
         try:
             self.port = _opened(address)
         except Trouble as error:
-            raise LineError(f"`{address}` cannot be opened: {_reason(error)}", _way_out(address, error)) from error
+            raise LineError(
+                Sentence("`{address}` cannot be opened: {reason}", address, _reason(error)), _way_out(address, error)
+            ) from error
         wire = getattr(self.port, "_socket", None)
         self._wire = wire if isinstance(wire, socket.socket) else None
         """The connection of a `socket://` address, which pyserial would read byte by byte."""
@@ -141,7 +144,8 @@ class Line:
 
     def _broken(self, error: BaseException) -> LineError:
         return LineError(
-            f"the line to `{self.address}` broke: {_reason(error)}", "look at the cable, then run the command again"
+            Sentence("the line to `{address}` broke: {reason}", self.address, _reason(error)),
+            Sentence("look at the cable, then run the command again"),
         )
 
 
@@ -166,15 +170,17 @@ def _opened(address: str) -> Any:
 def _reason(error: BaseException) -> str:
     """The last thing that pyserial's error says, without the numbers and names before it."""
     text = getattr(error, "strerror", None) or str(error).strip() or type(error).__name__
-    return text.rpartition("] ")[2].partition("\n")[0][:120]
+    return Word(text.rpartition("] ")[2].partition("\n")[0][:120])
 
 
-def _way_out(address: str, error: BaseException) -> str:
+def _way_out(address: str, error: BaseException) -> Help:
     text = str(error)
     if "ermission" in text or "Access is denied" in text:
-        return "another program may hold it; on Linux you must be in the group `dialout` (`sudo adduser $USER dialout`)"
+        return Sentence(
+            "another program may hold it; on Linux you must be in the group `dialout` (`sudo adduser $USER dialout`)"
+        )
     if "busy" in text or "exclusively lock" in text:
-        return "another program holds it: close the studio, Mu or Thonny where it is open on this board"
+        return Sentence("another program holds it: close the studio, Mu or Thonny where it is open on this board")
     if "://" in address:
-        return "look whether the board is on and in the same network, and whether the address is right"
-    return "look at the cable; `kitrobot boards` lists the boards that are there"
+        return Sentence("look whether the board is on and in the same network, and whether the address is right")
+    return Sentence("look at the cable; `kitrobot boards` lists the boards that are there")

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 
 from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.package import Built
+from kitrobot.text import Sentence
 from kitrobot_onboard.image import header
 
 WORKING = 2200
@@ -45,8 +46,12 @@ def refuse_what_does_not_fit(image: bytes, built: Built, free: int) -> None:
     room = free - package_bytes(built) - WORKING
     if needed > room:
         raise BoardError(
-            f"the program needs {needed} bytes of memory, and beside KitRobot the board has {max(room, 0)}",
-            "make the program smaller, or take a board with more memory",
+            Sentence(
+                "the program needs {needed} bytes of memory, and beside KitRobot the board has {free}",
+                needed,
+                max(room, 0),
+            ),
+            Sentence("make the program smaller, or take a board with more memory"),
         )
 
 

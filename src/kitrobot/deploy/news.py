@@ -6,15 +6,17 @@ import struct
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from kitrobot.text import Sentence, Word
+
 NO_INSTRUCTION = 65535
 FAULTS = {
-    0: "none",
-    1: "a driver failed",
-    2: "a device did not say that it is done in its time",
-    3: "the board ran out of memory",
-    4: "the program file is damaged or cannot be read",
-    5: "a driver is missing or does not start",
-    6: "the link was lost during a run that hangs on it",
+    0: Word("none"),
+    1: Sentence("a driver failed"),
+    2: Sentence("a device did not say that it is done in its time"),
+    3: Sentence("the board ran out of memory"),
+    4: Sentence("the program file is damaged or cannot be read"),
+    5: Sentence("a driver is missing or does not start"),
+    6: Sentence("the link was lost during a run that hangs on it"),
 }
 
 
@@ -50,7 +52,7 @@ class Fault:
     @property
     def meaning(self) -> str:
         """What the number means."""
-        return FAULTS.get(self.number, f"fault {self.number}, which this KitRobot does not know")
+        return FAULTS.get(self.number, Sentence("fault {number}, which this KitRobot does not know", self.number))
 
 
 @dataclass(frozen=True)

@@ -35,6 +35,7 @@ from kitrobot.deploy.naming import own_names, renamed
 from kitrobot.deploy.shortening import parsed
 from kitrobot.deploy.starting import start_file, start_from_flash
 from kitrobot.deploy.trimming import Asked, trimmed
+from kitrobot.text import COMMA, Sentence, Series
 
 MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
@@ -152,12 +153,18 @@ def missing_driver(driver: str, package: Package, family: str) -> PackageError:
     """The error that names the files which were looked for."""
     files = [path for path in package.looked_for(driver, family) if ".." not in driver and "/" not in driver]
     own = driver.replace("-", "_") + OWN_SUFFIX
-    where = ", ".join(dict.fromkeys(str(path.parent) for path in files if path.name.endswith(OWN_SUFFIX)))
+    where = Series(COMMA, dict.fromkeys(str(path.parent) for path in files if path.name.endswith(OWN_SUFFIX)))
     shipped = f"drivers/{family}/{driver.replace('-', '_')}.py"
     return PackageError(
-        f"there is no driver `{driver}` for this kind of board: neither `{own}` in {where or 'the mission’s folder'}"
-        f" nor `{shipped}` of KitRobot",
-        f"write `{own}` beside the mission, or name another driver in the robot's XML",
+        Sentence(
+            "there is no driver `{driver}` for this kind of board: neither `{own}` in {where} nor "
+            "`{shipped}` of KitRobot",
+            driver,
+            own,
+            where or Sentence("the mission’s folder"),
+            shipped,
+        ),
+        Sentence("write `{own}` beside the mission, or name another driver in the robot's XML", own),
     )
 
 
@@ -174,7 +181,9 @@ class _Making:
         if path in self.names:
             return self.names[path]
         if path in self.open:
-            raise PackageError(f"`{path.name}` imports itself through others", "undo the circle of imports")
+            raise PackageError(
+                Sentence("`{path}` imports itself through others", path.name), Sentence("undo the circle of imports")
+            )
         self.open.append(path)
         tree = parsed(read_source(path), str(path))
         tree = without_declarations(tree)
@@ -225,6 +234,11 @@ class _Imports(ast.NodeTransformer):
 
     def _unknown(self, name: str, node: ast.stmt) -> PackageError:
         return PackageError(
-            f"`{self.path}` line {node.lineno} imports `{name}`, which cannot be brought onto a board so",
-            "import it as `from kitrobot_onboard.MODULE import NAME`, from a module that is there",
+            Sentence(
+                "`{path}` line {line} imports `{module}`, which cannot be brought onto a board so",
+                self.path,
+                node.lineno,
+                name,
+            ),
+            Sentence("import it as `from kitrobot_onboard.MODULE import NAME`, from a module that is there"),
         )

@@ -16,6 +16,7 @@ from kitrobot.deploy.trimming import Asked
 from kitrobot.image import Image, Layout
 from kitrobot.image.instructions import ACT, BY_NUMBER, Role
 from kitrobot.primitives import Robot, RobotObject
+from kitrobot.text import Sentence
 from kitrobot_onboard.link import checksum
 
 _FIRST = "KRP1"
@@ -139,8 +140,10 @@ def _driver(part: RobotObject, robot: Robot) -> str:
     driver = part.board.driver or part.device
     if not driver or not driver.replace("-", "_").isidentifier():
         raise PackageError(
-            f"`{part.name}` of the robot `{robot.name}` has no driver for a real board",
-            f'write `<board driver="…"/>` into `{part.name}` in the XML of the robot `{robot.name}`',
+            Sentence("`{part}` of the robot `{robot}` has no driver for a real board", part.name, robot.name),
+            Sentence(
+                'write `<board driver="…"/>` into `{part}` in the XML of the robot `{robot}`', part.name, robot.name
+            ),
         )
     return driver
 
@@ -158,7 +161,7 @@ def read_program_file(data: bytes) -> ProgramFile:
     first, _, rest = data.partition(b"\n")
     text, blank, image = (b"\n" + rest).partition(b"\n\n")
     if first != f"{_FIRST} {checksum(rest)}".encode() or not blank:
-        raise DeployError("this program file is damaged", "make it anew from the mission")
+        raise DeployError(Sentence("this program file is damaged"), Sentence("make it anew from the mission"))
     devices = []
     for line in text.decode("utf-8", errors="replace").split("\n")[1:]:
         kind, driver, *words = line.split(" ")

@@ -20,6 +20,7 @@ from kitrobot.deploy.modern import tell_at_once
 from kitrobot.deploy.patience import Patience
 from kitrobot.deploy.repl import LONGEST, GarbledError, RawRepl
 from kitrobot.deploy.shortening import parsed, shortened
+from kitrobot.text import Sentence
 from kitrobot_onboard import link
 
 _DEFINITION_TRIES = 5
@@ -112,8 +113,13 @@ class Receiver:
         if kind == "E":
             text = answer[:_LONGEST_TEXT].decode(errors="replace")
             if "OSError" in text and ("28" in text or "storage" in text):  # as boards of today and of 2016 say it
-                raise FullError("the board's flash is full", "remove files of yours from the board, or use --fresh")
-            raise BoardError(f"the board failed: {text}", "reset it and run the command again")
+                raise FullError(
+                    Sentence("the board's flash is full"),
+                    Sentence("remove files of yours from the board, or use --fresh"),
+                )
+            raise BoardError(
+                Sentence("the board failed: {reason}", text), Sentence("reset it and run the command again")
+            )
         return answer
 
     def number(self, expression: str) -> int:
@@ -151,7 +157,9 @@ class Receiver:
             if len(piece) > _READ:
                 raise strange()
             if len(content) > MOST:
-                raise BoardError(f"the file `{name}` on the board is too large", "remove it from the board")
+                raise BoardError(
+                    Sentence("the file `{name}` on the board is too large", name), Sentence("remove it from the board")
+                )
             self.told(len(piece))
             if len(piece) < _READ:
                 break
@@ -169,8 +177,8 @@ class Receiver:
             kind, answer = self._asked("d", piece, 2)
             if kind == "E":
                 raise FullError(
-                    f"the board cannot take more: {answer[:_LONGEST_TEXT].decode(errors='replace')}",
-                    "its flash may be full: remove files of yours, or use --fresh",
+                    Sentence("the board cannot take more: {answer}", answer[:_LONGEST_TEXT].decode(errors="replace")),
+                    Sentence("its flash may be full: remove files of yours, or use --fresh"),
                 )
             at += len(piece)
             self.told(len(piece))
@@ -256,7 +264,10 @@ class Receiver:
     def _asked(self, kind: str, payload: bytes, timeout_s: float) -> tuple[str, bytes]:
         answer = self._ask(kind, payload, timeout_s)
         if answer is None:
-            raise SilentError(f"the board on `{self.line.address}` stopped answering", "run the command again")
+            raise SilentError(
+                Sentence("the board on `{address}` stopped answering", self.line.address),
+                Sentence("run the command again"),
+            )
         return answer
 
     def _ask(
@@ -312,21 +323,24 @@ class Receiver:
 
     def _reset(self) -> ResetError:
         return ResetError(
-            f"the board on `{self.line.address}` restarted while it was being written to",
-            "look at its cable and its battery, then run the command again",
+            Sentence("the board on `{address}` restarted while it was being written to", self.line.address),
+            Sentence("look at its cable and its battery, then run the command again"),
         )
 
 
 def too_much_lost(address: str) -> SilentError:
     """The line is too bad."""
     return SilentError(
-        f"too much is lost on the way to `{address}`", "use another cable, or come nearer with the board"
+        Sentence("too much is lost on the way to `{address}`", address),
+        Sentence("use another cable, or come nearer with the board"),
     )
 
 
 def strange() -> BoardError:
     """What the board answered cannot be."""
-    return BoardError("the board sent an answer that cannot be right", "reset it and run the command again")
+    return BoardError(
+        Sentence("the board sent an answer that cannot be right"), Sentence("reset it and run the command again")
+    )
 
 
 def _number(text: bytes) -> int:

@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 from kitrobot.deploy.errors import BoardError, NoMemoryError, SilentError
+from kitrobot.text import Sentence
 from kitrobot_onboard import link
 
 _MEMORY = 6
 _REFUSALS = {
-    1: ("the board holds no program that can run", "send one with `kitrobot deploy`"),
-    2: ("the program on the board has no such variable or input", "send the program again with `kitrobot deploy`"),
-    3: ("the board did not understand the message", "update it with `kitrobot deploy`"),
-    4: ("the board did not understand the message", "update it with `kitrobot deploy`"),
-    5: ("the board cannot do that now", "stop the program first"),
-    6: ("the program needs more memory than the board has", "make the program smaller"),
+    1: (Sentence("the board holds no program that can run"), Sentence("send one with `kitrobot deploy`")),
+    2: (
+        Sentence("the program on the board has no such variable or input"),
+        Sentence("send the program again with `kitrobot deploy`"),
+    ),
+    3: (Sentence("the board did not understand the message"), Sentence("update it with `kitrobot deploy`")),
+    4: (Sentence("the board did not understand the message"), Sentence("update it with `kitrobot deploy`")),
+    5: (Sentence("the board cannot do that now"), Sentence("stop the program first")),
+    6: (Sentence("the program needs more memory than the board has"), Sentence("make the program smaller")),
 }
 
 
 def silent(address: str) -> SilentError:
     """Nobody answers there."""
     return SilentError(
-        f"the board on `{address}` does not answer",
-        "press its reset button; when it holds no KitRobot yet, send it a program with `kitrobot deploy`",
+        Sentence("the board on `{address}` does not answer", address),
+        Sentence("press its reset button; when it holds no KitRobot yet, send it a program with `kitrobot deploy`"),
     )
 
 
@@ -40,10 +44,14 @@ def another_version(theirs: int) -> BoardError:
     """The two ends speak different versions of the link."""
     if theirs < link.PROTOCOL:
         return BoardError(
-            f"the board speaks version {theirs} of the link, this computer version {link.PROTOCOL}",
-            "update the board: `kitrobot deploy`",
+            Sentence(
+                "the board speaks version {theirs} of the link, this computer version {ours}", theirs, link.PROTOCOL
+            ),
+            Sentence("update the board: `kitrobot deploy`"),
         )
     return BoardError(
-        f"the board speaks version {theirs} of the link, this computer only version {link.PROTOCOL}",
-        "update KitRobot on this computer, or put its version onto the board with `kitrobot deploy`",
+        Sentence(
+            "the board speaks version {theirs} of the link, this computer only version {ours}", theirs, link.PROTOCOL
+        ),
+        Sentence("update KitRobot on this computer, or put its version onto the board with `kitrobot deploy`"),
     )

@@ -10,6 +10,7 @@ from __future__ import annotations
 from kitrobot.deploy.errors import SilentError
 from kitrobot.deploy.line import MOST, Line
 from kitrobot.deploy.patience import Patience
+from kitrobot.text import Sentence
 
 LONGEST = 60
 """Bytes of a command, with its end."""
@@ -62,9 +63,11 @@ class RawRepl:
                 self.pace_s = self.line.now() - began
                 return
         raise SilentError(
-            f"no MicroPython answers on `{self.line.address}`",
-            "press the board's reset button and try again; a board that never had MicroPython needs it first,"
-            " from micropython.org",
+            Sentence("no MicroPython answers on `{address}`", self.line.address),
+            Sentence(
+                "press the board's reset button and try again; a board that never had MicroPython needs it "
+                "first, from micropython.org"
+            ),
         )
 
     def run(self, command: str, timeout_s: float = 5.0, *, patient: bool = False) -> str:
@@ -90,7 +93,9 @@ class RawRepl:
                 self.again()
         if error:
             raise GarbledError(error.decode(errors="replace"))
-        raise SilentError(f"the board on `{self.line.address}` stopped answering", "run the command again")
+        raise SilentError(
+            Sentence("the board on `{address}` stopped answering", self.line.address), Sentence("run the command again")
+        )
 
     def leave(self) -> None:
         """Restarts the board's Python, which starts `main.py`."""

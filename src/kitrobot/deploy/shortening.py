@@ -9,6 +9,7 @@ import ast
 
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.naming import with_known_locals
+from kitrobot.text import Sentence
 
 
 def parsed(text: str, name: str) -> ast.Module:
@@ -21,8 +22,11 @@ def parsed(text: str, name: str) -> ast.Module:
         return ast.parse(text, name)
     except (SyntaxError, ValueError, RecursionError) as error:
         line = getattr(error, "lineno", None) or 1
-        reason = getattr(error, "msg", None) or str(error) or "nested too deeply"
-        raise PackageError(f"`{name}` line {line} is no Python: {reason}", "mend the file, then deploy again") from None
+        reason = getattr(error, "msg", None) or str(error) or Sentence("nested too deeply")
+        raise PackageError(
+            Sentence("`{name}` line {line} is no Python: {reason}", name, line, reason),
+            Sentence("mend the file, then deploy again"),
+        ) from None
 
 
 def shortened(tree: ast.Module) -> str:

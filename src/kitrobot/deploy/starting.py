@@ -14,6 +14,7 @@ from kitrobot.deploy.carried import in_flash_pieces, joined, named, pieces, word
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.flash import END, FIRST
 from kitrobot.deploy.flash_code import CHUNK, HEAD, Frozen, head
+from kitrobot.text import Sentence
 
 _MOST = 9999
 """Bytes that a piece may have."""
@@ -45,7 +46,10 @@ def piece(text: str) -> bytes:
     """
     found = named(text).encode()
     if len(found) > _MOST:
-        raise PackageError("the settings of a device are too long for a board", "make them shorter in the robot's XML")
+        raise PackageError(
+            Sentence("the settings of a device are too long for a board"),
+            Sentence("make them shorter in the robot's XML"),
+        )
     return b"%04d" % len(found) + found
 
 

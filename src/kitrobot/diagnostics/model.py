@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-from kitrobot.text import TextPositions
+from kitrobot.text import Help, Sentence, TextPositions
 
 
 class Severity(StrEnum):
@@ -103,9 +103,9 @@ class Diagnostic:
 
     code: str
     severity: Severity
-    message: str
+    message: Sentence
     place: Place | None = None
-    help: str = ""
+    help: Help = ""
     program: str = ""
     vertices: tuple[str, ...] = ()
     arcs: tuple[ArcName, ...] = ()
@@ -130,14 +130,14 @@ class Rule:
     code: str
     severity: Severity
     title: str
-    explanation: str
+    explanation: Sentence
 
     def __call__(
         self,
-        message: str,
+        message: Sentence,
         place: Place | None = None,
         *,
-        help: str = "",
+        help: Help = "",
         program: str = "",
         vertices: Iterable[str] = (),
         arcs: Iterable[ArcName] = (),
@@ -153,7 +153,7 @@ _RULES: dict[str, Rule] = {}
 def rule(code: str, severity: Severity, title: str, explanation: str) -> Rule:
     """Makes and registers a rule; a code is used once, for ever."""
     assert code not in _RULES, f"the code {code} is taken"
-    made = _RULES[code] = Rule(code, severity, title, explanation)
+    made = _RULES[code] = Rule(code, severity, title, Sentence(explanation))
     return made
 
 
@@ -166,8 +166,8 @@ def rules() -> Mapping[str, Rule]:
 class KitRobotError(Exception):
     """The root of what KitRobot raises when an operation failed: one sentence, a way out, and what was found."""
 
-    message: str
-    help: str = ""
+    message: Sentence
+    help: Help = ""
     diagnostics: tuple[Diagnostic, ...] = field(default=())
 
     def __str__(self) -> str:

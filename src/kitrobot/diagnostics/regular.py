@@ -12,15 +12,17 @@ import sys
 from pathlib import Path
 from typing import BinaryIO
 
+from kitrobot.text import Sentence
+
 _FLAGS = os.O_RDONLY | sum(getattr(os, name, 0) for name in ("O_BINARY", "O_CLOEXEC", "O_NOCTTY", "O_NONBLOCK"))
 _KINDS = (
-    (stat.S_ISDIR, errno.EISDIR, "it is a folder, not a file"),
-    (stat.S_ISFIFO, errno.EINVAL, "it is a pipe, not a file"),
-    (stat.S_ISSOCK, errno.EINVAL, "it is a socket, not a file"),
+    (stat.S_ISDIR, errno.EISDIR, Sentence("it is a folder, not a file")),
+    (stat.S_ISFIFO, errno.EINVAL, Sentence("it is a pipe, not a file")),
+    (stat.S_ISSOCK, errno.EINVAL, Sentence("it is a socket, not a file")),
 )
 _TAKEN = {errno.EACCES, errno.EAGAIN, errno.EWOULDBLOCK, errno.EDEADLK}
 """What the system answers when somebody has the lock; anything else says that there are no locks to be had."""
-_DEVICE = "it is a device, not a file"
+_DEVICE = Sentence("it is a device, not a file")
 
 
 def open_regular(path: Path) -> BinaryIO:

@@ -19,6 +19,7 @@ from pathlib import Path
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, expect_regular, open_regular, rule
 from kitrobot.files.file_lock import FileLock
+from kitrobot.text import Help, Sentence, Word
 
 LARGEST_FILE_BYTES = 64 * 1024 * 1024
 """More than any mission, world or image; a device or a film given by mistake is refused instead of filling memory."""
@@ -60,16 +61,20 @@ def read_bytes(path: Path) -> bytes:
     """
     try:
         if path.is_dir():
-            raise _unreadable(path, f"`{path}` is a folder, not a file", "name a file in it")
+            raise _unreadable(path, Sentence("`{path}` is a folder, not a file", path), Sentence("name a file in it"))
         with open_regular(path) as stream:
             data = stream.read(LARGEST_FILE_BYTES + 1)
     except FileNotFoundError:
-        raise _unreadable(path, f"there is no file `{path}`", look_alike(path)) from None
+        raise _unreadable(path, Sentence("there is no file `{path}`", path), look_alike(path)) from None
     except (OSError, ValueError) as error:
-        raise _unreadable(path, f"`{path}` could not be read: {_reason(error)}", "") from None
+        raise _unreadable(path, Sentence("`{path}` could not be read: {reason}", path, _reason(error)), "") from None
     if len(data) > LARGEST_FILE_BYTES:
         limit = LARGEST_FILE_BYTES // (1024 * 1024)
-        raise _unreadable(path, f"`{path}` is larger than {limit} MB", "no file of KitRobot is that large")
+        raise _unreadable(
+            path,
+            Sentence("`{path}` is larger than {limit} MB", path, limit),
+            Sentence("no file of KitRobot is that large"),
+        )
     return data
 
 
@@ -95,8 +100,14 @@ def decode(data: bytes, path: Path) -> str:
         line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
         place = Place(str(path), line, column, line, column + 1)
         byte = data[error.start]
-        message = f"`{path}` is not text in UTF-8: byte {byte:#04x} in line {line}, column {column}"
-        raise FileError(message, "save the file with the encoding UTF-8", path=path, place=place) from None
+        message = Sentence(
+            "`{path}` is not text in UTF-8: byte {byte} in line {line}, column {column}",
+            path,
+            f"{byte:#04x}",
+            line,
+            column,
+        )
+        raise FileError(message, Sentence("save the file with the encoding UTF-8"), path=path, place=place) from None
 
 
 def write_atomic(path: Path, data: bytes, before: bytes | None = None) -> None:
@@ -125,9 +136,11 @@ def replace_file(path: Path, data: bytes) -> None:
     try:
         replace_whole(path, data)
     except FileNotFoundError:
-        raise _unreadable(path, f"there is no folder `{path.parent}`", "make the folder first") from None
+        raise _unreadable(
+            path, Sentence("there is no folder `{folder}`", path.parent), Sentence("make the folder first")
+        ) from None
     except (OSError, ValueError) as error:
-        raise _unreadable(path, f"`{path}` could not be written: {_reason(error)}", "") from None
+        raise _unreadable(path, Sentence("`{path}` could not be written: {reason}", path, _reason(error)), "") from None
 
 
 def replace_whole(path: Path, data: bytes, *, keep_old: bool = False) -> None:
@@ -184,7 +197,9 @@ def expect_unchanged(path: Path, before: bytes) -> None:
         FileError: it holds something else, or cannot be read any more.
     """
     if read_bytes(path) != before:
-        raise _unreadable(path, f"`{path}` was changed by somebody else meanwhile", "do the same again")
+        raise _unreadable(
+            path, Sentence("`{path}` was changed by somebody else meanwhile", path), Sentence("do the same again")
+        )
 
 
 @contextlib.contextmanager
@@ -202,8 +217,8 @@ def saving_in(path: Path) -> Iterator[bool]:
         yield False  # what cannot be written says so itself
         return
     if lock is None:
-        message = f"`{path}` cannot be written now: another KitRobot is saving in the same folder"
-        raise _unreadable(path, message, "try again; if that does not help, end the other KitRobot")
+        message = Sentence("`{path}` cannot be written now: another KitRobot is saving in the same folder", path)
+        raise _unreadable(path, message, Sentence("try again; if that does not help, end the other KitRobot"))
     try:
         yield True
     finally:
@@ -246,16 +261,16 @@ def _new_file_mode() -> int:
     return 0o666 & ~mask
 
 
-def _unreadable(path: Path, message: str, help: str) -> FileError:
+def _unreadable(path: Path, message: Sentence, help: Help) -> FileError:
     return FileError(message, help, path=path)
 
 
 def _reason(error: Exception) -> str:
     reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
-    return reason[:1].lower() + reason[1:]
+    return Word(reason[:1].lower() + reason[1:])
 
 
-def look_alike(path: Path) -> str:
+def look_alike(path: Path) -> Help:
     """The nearest name in the folder, as a help sentence; empty when nothing is near."""
     from difflib import get_close_matches
 
@@ -264,4 +279,4 @@ def look_alike(path: Path) -> str:
     except OSError:
         return ""
     near = get_close_matches(path.name, names, n=1)
-    return f"did you mean `{path.parent / near[0]}`?" if near else ""
+    return Sentence("did you mean `{near}`?", path.parent / near[0]) if near else ""

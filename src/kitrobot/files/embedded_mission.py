@@ -16,6 +16,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes
 from kitrobot.files.pdf_attachment import MAGIC, PdfError, mission_in_pdf
 from kitrobot.files.recognition import recognised
+from kitrobot.text import Sentence
 from kitrobot.xml import MAX_BYTES, DoctypeError, ExpatError, new_parser
 
 KEYWORD = "kitrobot-mission"
@@ -26,7 +27,7 @@ _SVG = re.compile(
     rb"\A(?:\xef\xbb\xbf)?(?>\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*(?:\[.*?\]\s*)?>)*<svg[\s>/]", re.DOTALL
 )
 """Atomic, so that a hostile file cannot make it try every way to split its comments."""
-_OURS = "a picture that KitRobot exported has its mission inside; so has a `.krt`"
+_OURS = Sentence("a picture that KitRobot exported has its mission inside; so has a `.krt`")
 _LOOKED_AT = 4096
 """Bytes at the beginning in which an SVG shows that it is one."""
 
@@ -53,16 +54,18 @@ def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
     elif _SVG.match(data[:_LOOKED_AT]):
         found = _in_svg(data, name)
     elif (kind := recognised(data)) is not None:
-        raise CarriedError(f"`{name}` is {kind}: there is no mission inside", _OURS)
+        raise CarriedError(Sentence("`{name}` is {kind}: there is no mission inside", name, kind), _OURS)
     elif is_picture(name):
         raise CarriedError(
-            f"`{name}` is not the picture that its name promises" if data else f"`{name}` is empty",
-            "get the picture once more, or open the mission's own `.krt`",
+            Sentence("`{name}` is not the picture that its name promises", name)
+            if data
+            else Sentence("`{name}` is empty", name),
+            Sentence("get the picture once more, or open the mission's own `.krt`"),
         )
     else:
         return data, name
     if not found:
-        raise CarriedError(f"`{name}` is a picture without a mission inside", _OURS)
+        raise CarriedError(Sentence("`{name}` is a picture without a mission inside", name), _OURS)
     return found, PurePath(name).stem + ".krt"
 
 
@@ -79,7 +82,10 @@ def read_carried(path: Path) -> bytes:
 
 
 def _in_png(data: bytes, name: str) -> bytes:
-    damaged = CarriedError(f"`{name}` is damaged, so no mission can be taken out of it", "get the picture once more")
+    damaged = CarriedError(
+        Sentence("`{name}` is damaged, so no mission can be taken out of it", name),
+        Sentence("get the picture once more"),
+    )
     at = len(_PNG)
     while True:
         head = data[at : at + 8]
@@ -98,22 +104,20 @@ def _in_png(data: bytes, name: str) -> bytes:
         at += 12 + length
 
 
-_PDF_SENTENCES = {
-    "damaged": ("is damaged, so no mission can be taken out of it", "get the PDF once more"),
-    "locked": (
-        "is locked with a password, so no mission can be taken out of it",
-        "open the PDF as the studio exported it, before it was locked",
-    ),
-    "large": ("holds more than any PDF of the studio", "open the mission's own `.krt`"),
-}
-
-
 def _in_pdf(data: bytes, name: str) -> bytes:
     try:
         return mission_in_pdf(data)
     except PdfError as error:
-        sentence, help = _PDF_SENTENCES[error.kind]
-        raise CarriedError(f"`{name}` {sentence}", help) from None
+        if error.kind == "locked":
+            message = Sentence("`{name}` is locked with a password, so no mission can be taken out of it", name)
+            help = Sentence("open the PDF as the studio exported it, before it was locked")
+        elif error.kind == "large":
+            message = Sentence("`{name}` holds more than any PDF of the studio", name)
+            help = Sentence("open the mission's own `.krt`")
+        else:
+            message = Sentence("`{name}` is damaged, so no mission can be taken out of it", name)
+            help = Sentence("get the PDF once more")
+        raise CarriedError(message, help) from None
 
 
 class _Metadata:
@@ -136,7 +140,10 @@ class _Metadata:
 
 def _in_svg(data: bytes, name: str) -> bytes:
     if len(data) > 4 * MAX_BYTES:
-        raise CarriedError(f"`{name}` is too large for a picture of the studio", "open the mission's own `.krt`")
+        raise CarriedError(
+            Sentence("`{name}` is too large for a picture of the studio", name),
+            Sentence("open the mission's own `.krt`"),
+        )
     metadata, parser = _Metadata(), new_parser()
     parser.StartElementHandler = metadata.start
     parser.EndElementHandler = metadata.end
@@ -145,6 +152,7 @@ def _in_svg(data: bytes, name: str) -> bytes:
         parser.Parse(data, True)
     except (ExpatError, DoctypeError, LookupError, ValueError):
         raise CarriedError(
-            f"`{name}` is damaged, so no mission can be taken out of it", "get the picture once more"
+            Sentence("`{name}` is damaged, so no mission can be taken out of it", name),
+            Sentence("get the picture once more"),
         ) from None
     return "".join(metadata.pieces).strip().encode()

@@ -24,6 +24,7 @@ from kitrobot.diagnostics import KitRobotError, open_regular
 from kitrobot.files.disk import read_bytes, saving_in, sweep
 from kitrobot.files.embedded_mission import is_picture
 from kitrobot.files.examples import examples_folder
+from kitrobot.text import Sentence, Word
 from kitrobot.trace import ENDING as TRACE_ENDING
 
 ENDING = ".krt"
@@ -36,8 +37,8 @@ MOST_LISTED = 500
 MOST_LOOKED_AT = 20_000
 """Entries of folders that a listing looks at: the folder may be somebody's whole home."""
 
-NAME_NO_TEXT = "its name is not text in UTF-8"
-RENAME = "give the file another name"
+NAME_NO_TEXT = Sentence("its name is not text in UTF-8")
+RENAME = Sentence("give the file another name")
 
 _ON_WINDOWS = re.compile(r"[\\:*?\"<>|\x00-\x1f\x7f]")
 
@@ -100,7 +101,9 @@ class MissionFolder:
         for root, prefix in ways:
             if root in real.parents:
                 return prefix + real.relative_to(root).as_posix()
-        raise MissionNameError(f"`{path}` is not in the folder `{self.root.name}`", "open its own folder")
+        raise MissionNameError(
+            Sentence("`{path}` is not in the folder `{root}`", path, self.root.name), Sentence("open its own folder")
+        )
 
     def tutorials(self) -> list[str]:
         """The names of the tutorials: those among the examples by path, then those of the folder."""
@@ -123,18 +126,25 @@ class MissionFolder:
         wrong = not inner or pure.is_absolute() or ".." in pure.parts or _ON_WINDOWS.search(inner) or len(inner) > 1000
         stem = pure.name[: -len(ending)] if pure.name.lower().endswith(ending) else ""
         if wrong or not stem.strip("."):
-            known = {ENDING: "a mission", TUTORIAL_ENDING: "a tutorial", TRACE_ENDING: "a recording"}
-            what = known.get(ending, "a picture")
+            known = {
+                ENDING: Sentence("a mission"),
+                TUTORIAL_ENDING: Sentence("a tutorial"),
+                TRACE_ENDING: Sentence("a recording"),
+            }
+            what = known.get(ending, Sentence("a picture"))
             raise MissionNameError(
-                f"`{name[:80]}` is no name of {what}", f"give a name in this folder that ends with `{ending}`"
+                Sentence("`{name}` is no name of {what}", name[:80], what),
+                Sentence("give a name in this folder that ends with `{ending}`", ending),
             )
         path = root / pure
         try:
             real = path.resolve()
         except (OSError, RuntimeError):
-            raise MissionNameError(f"`{name[:80]}` leads nowhere", "") from None
+            raise MissionNameError(Sentence("`{name}` leads nowhere", name[:80]), "") from None
         if root not in real.parents:
-            raise MissionNameError(f"`{name[:80]}` leads out of the folder", "open the mission's own folder")
+            raise MissionNameError(
+                Sentence("`{name}` leads out of the folder", name[:80]), Sentence("open the mission's own folder")
+            )
         return path
 
     def folder_of(self, name: str) -> Path:
@@ -189,10 +199,14 @@ class MissionFolder:
             ConflictError: the file is not what it was.
         """
         if name.startswith(EXAMPLE):
-            raise ReadOnlyError("an example cannot be changed", "save the mission under a name of your own")
+            raise ReadOnlyError(
+                Sentence("an example cannot be changed"), Sentence("save the mission under a name of your own")
+            )
         if name.startswith(RECORDING):
-            raise ReadOnlyError("a recording cannot be changed", "save the mission under a name of your own")
-        return _Hold(self, self.path_of(name), f"a mission `{name}`", name, revision)
+            raise ReadOnlyError(
+                Sentence("a recording cannot be changed"), Sentence("save the mission under a name of your own")
+            )
+        return _Hold(self, self.path_of(name), Sentence("a mission `{name}`", name), name, revision)
 
     def hold_beside(self, name: str, file: str, revision: str) -> _Hold:
         """The same for a file with parts for a mission, such as a robot's, in its `own_folder_of`.
@@ -204,8 +218,11 @@ class MissionFolder:
         folder = self.own_folder_of(name)
         path = folder / file
         if PurePosixPath(file).name != file or _ON_WINDOWS.search(file) or folder != path.resolve().parent:
-            raise MissionNameError(f"`{file[:80]}` is no name of a file in this folder", "give the file another name")
-        return _Hold(self, path, f"a file `{file}`", file, revision)
+            raise MissionNameError(
+                Sentence("`{file}` is no name of a file in this folder", file[:80]),
+                Sentence("give the file another name"),
+            )
+        return _Hold(self, path, Sentence("a file `{file}`", file), file, revision)
 
 
 class _Hold:
@@ -242,13 +259,19 @@ def revision_of(data: bytes) -> str:
 
 def _conflict(what: str, name: str, before: str, now: str) -> ConflictError:
     if not before:
-        sentence, help = f"there is {what} already", "choose another name, or save again to replace it"
+        sentence, help = (
+            Sentence("there is {what} already", what),
+            Sentence("choose another name, or save again to replace it"),
+        )
     elif not now:
-        sentence, help = f"the file of `{name}` was removed meanwhile", "save again to write it anew"
+        sentence, help = (
+            Sentence("the file of `{name}` was removed meanwhile", name),
+            Sentence("save again to write it anew"),
+        )
     else:
         sentence, help = (
-            f"the file of `{name}` was changed by somebody else meanwhile",
-            "open it again, or save again to replace it",
+            Sentence("the file of `{name}` was changed by somebody else meanwhile", name),
+            Sentence("open it again, or save again to replace it"),
         )
     return ConflictError(sentence, help, revision=now)
 
@@ -298,12 +321,13 @@ def _problem(path: Path, root: Path) -> str:
         path.name.encode()
         path.relative_to(root).as_posix().encode()
         if root not in path.resolve().parents:
-            return "it is a link that leads out of the folder"
+            return Sentence("it is a link that leads out of the folder")
         open_regular(path).close()
     except UnicodeEncodeError:
         return NAME_NO_TEXT
     except (OSError, RuntimeError) as error:
-        return (getattr(error, "strerror", None) or "it leads nowhere").lower()
+        reason = getattr(error, "strerror", None)
+        return Word(reason.lower()) if reason else Sentence("it leads nowhere")
     return ""
 
 

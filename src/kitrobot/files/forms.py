@@ -6,6 +6,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
 
 
 class Form(StrEnum):
@@ -23,10 +24,10 @@ class Form(StrEnum):
 
 
 _WORDS = {
-    Form.MISSION: "mission (graphs)",
-    Form.TEXT: "LLL text",
-    Form.IMAGE: "image for a robot",
-    Form.LISTING: "three-address listing",
+    Form.MISSION: Sentence("mission (graphs)"),
+    Form.TEXT: Sentence("LLL text"),
+    Form.IMAGE: Sentence("image for a robot"),
+    Form.LISTING: Sentence("three-address listing"),
 }
 
 
@@ -45,5 +46,8 @@ def form_of(path: Path, allowed: tuple[Form, ...] = tuple(Form)) -> Form:
         if form.value == ending:
             return form
     endings = ", ".join(f"`{form.value}` ({form.words})" for form in allowed)
-    told = f"the ending `{path.suffix}`" if path.suffix else "no ending"
-    raise FormError(f"`{path}` has {told}, so its form is not known", f"known here: {endings}")
+    told = Sentence("the ending `{suffix}`", path.suffix) if path.suffix else Sentence("no ending")
+    raise FormError(
+        Sentence("`{path}` has {told}, so its form is not known", path, told),
+        Sentence("known here: {endings}", endings),
+    )

@@ -24,6 +24,7 @@ from typing import Any
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes, write_atomic
+from kitrobot.text import Sentence, Word
 
 FORMAT = b"kitrobot journal 1\n"
 _ANY_FORMAT = b"kitrobot journal "
@@ -71,7 +72,9 @@ def read_journal(file: Path) -> Journal | None:
     frames, rest, gaps = _frames(data, len(FORMAT) if begins else 0)
     later = not begins and data.startswith(_ANY_FORMAT) and b"\n" in data[:40]
     if later and not any(frame.get("format") == _VERSION for frame in frames):
-        raise JournalError("this journal was written by a later KitRobot", "open the mission with that one")
+        raise JournalError(
+            Sentence("this journal was written by a later KitRobot"), Sentence("open the mission with that one")
+        )
     head = next((one for one in frames if isinstance(one.get("path"), str) and isinstance(one.get("name"), str)), None)
     if head is None and not any("record" in frame for frame in frames):
         return None
@@ -135,8 +138,10 @@ def append_records(file: Path, first: int, more: Journal) -> int:
                 raise
             return before + len(data)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        raise FileError(f"the journal could not be written: {reason}", "save your work", path=file) from None
+        reason = Word((error.strerror or str(error)).lower())
+        raise FileError(
+            Sentence("the journal could not be written: {reason}", reason), Sentence("save your work"), path=file
+        ) from None
 
 
 def _record_frames(records: Iterable[str], first: int, journal: Journal) -> bytes:
@@ -149,7 +154,10 @@ def _frame(content: dict[str, Any]) -> bytes:
     text = json.dumps(content, ensure_ascii=False).encode("utf-8", "surrogatepass")
     if len(text) > LARGEST_RECORD_BYTES:
         limit = LARGEST_RECORD_BYTES // (1024 * 1024)
-        raise JournalError(f"this change is too large for the journal, which takes {limit} MB", "save the mission")
+        raise JournalError(
+            Sentence("this change is too large for the journal, which takes {limit} MB", limit),
+            Sentence("save the mission"),
+        )
     payload = zlib.compress(text, 1)
     return _FRAME.pack(len(payload), zlib.crc32(payload)) + payload
 
@@ -157,7 +165,7 @@ def _frame(content: dict[str, Any]) -> bytes:
 def _expect_room(length: int) -> None:
     if length > LARGEST_JOURNAL_BYTES:
         limit = LARGEST_JOURNAL_BYTES // (1024 * 1024)
-        raise JournalError(f"the journal is full: it takes {limit} MB", "save the mission")
+        raise JournalError(Sentence("the journal is full: it takes {limit} MB", limit), Sentence("save the mission"))
 
 
 def _frames(data: bytes, at: int) -> tuple[list[dict[str, Any]], bytes, bool]:

@@ -26,6 +26,7 @@ from kitrobot.files.disk import FileError
 from kitrobot.files.file_lock import FileLock
 from kitrobot.files.folder import EXAMPLE, RECORDING, MissionFolder
 from kitrobot.files.journal_file import Journal, JournalError, append_records, read_journal, write_journal
+from kitrobot.text import Sentence
 
 ENDING = ".journal"
 _NAME = re.compile(r"[0-9a-f]{16}")
@@ -143,7 +144,7 @@ class Journals:
         with self._lock:
             mine = self._tab(tab)
             if not mine.journal:
-                raise JournalError("this page has no journal yet", "load the page again")
+                raise JournalError(Sentence("this page has no journal yet"), Sentence("load the page again"))
             mine.path, mine.name = journal.path, journal.name
             before = self._file(mine.journal)
             if not journal.records:
@@ -155,7 +156,9 @@ class Journals:
             if mine.lock is None or mine.lock.path != _lock_of(file):
                 lock = _taken(file)
                 if lock is None:
-                    raise JournalError("this journal is written by another page", "load the page again")
+                    raise JournalError(
+                        Sentence("this journal is written by another page"), Sentence("load the page again")
+                    )
                 _release(mine, forget=False)
                 mine.lock = lock
             length = write_journal(file, journal)
@@ -175,7 +178,9 @@ class Journals:
             mine = self._tab(tab)
             file = self._file(mine.journal)
             if file is None or mine.lock is None or first != mine.count:
-                raise JournalError("these records do not follow the journal", "send the whole journal")
+                raise JournalError(
+                    Sentence("these records do not follow the journal"), Sentence("send the whole journal")
+                )
             length = append_records(file, first, Journal(mine.path, mine.name, tuple(records), unsaved))
             mine.count += len(records)
             return length
@@ -218,7 +223,7 @@ class Journals:
 
     def _tab(self, tab: str) -> _Tab:
         if tab not in self._tabs:
-            raise JournalError("the studio does not know this page any more", "load the page again")
+            raise JournalError(Sentence("the studio does not know this page any more"), Sentence("load the page again"))
         return self._tabs[tab]
 
     def _free(self) -> Iterator[tuple[Path, Journal]]:

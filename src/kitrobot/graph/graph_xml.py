@@ -15,7 +15,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from kitrobot.graph.model import IN, NEXT, Arc, Note, Program, Vertex
-from kitrobot.text import shown
+from kitrobot.text import Sentence, shown
 from kitrobot.xml import NAME, Element, Kind, Tag, attributes, escape_text, needed, optional
 from kitrobot.xml.rules import DUPLICATE, MISSING
 
@@ -59,12 +59,14 @@ def _fresh(name: str, taken: set[str], last: dict[str, int]) -> str:
 def _renamed(element: Element, program: str, old: str, new: str) -> None:
     if old:
         made = DUPLICATE(
-            f"the vertex id {shown(old)} is there already; this vertex is now {shown(new)}",
+            Sentence("the vertex id {old} is there already; this vertex is now {new}", shown(old), shown(new)),
             element.place("id"),
-            help="arcs to this id lead to the first vertex that has it",
+            help=Sentence("arcs to this id lead to the first vertex that has it"),
         )
     else:
-        made = MISSING(f'expected id="…" on <vertex>, found none; this vertex is now {shown(new)}', element.place())
+        made = MISSING(
+            Sentence('expected id="…" on <vertex>, found none; this vertex is now {new}', shown(new)), element.place()
+        )
     element.add(replace(made, program=program, vertices=(new,)))
 
 
@@ -73,7 +75,11 @@ def _vertex(element: Element) -> Vertex:
     if element.values:
         for setting, around in element.found_at(_Setting):
             if setting.name in vertex.settings:
-                around.report(DUPLICATE, f"the setting {shown(setting.name)} is there already; this one counts", "name")
+                around.report(
+                    DUPLICATE,
+                    Sentence("the setting {setting} is there already; this one counts", shown(setting.name)),
+                    "name",
+                )
             vertex.settings[setting.name] = setting.value
         vertex.notes = element.found(Note)
         vertex.unknown = "".join(element.found(_Unknown))

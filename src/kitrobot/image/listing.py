@@ -10,6 +10,7 @@ from functools import lru_cache
 
 from kitrobot.image.instructions import BY_NAME, BY_NUMBER, Role
 from kitrobot.image.model import Image, ImageError, ParallelRecord, SlotRecord, StopRecord
+from kitrobot.text import Sentence
 
 _SIZES = ("inputs", "variables", "counters", "temporaries", "constants")
 _ONCE = ("robot", "tick", "wait-unit", *_SIZES, "actuators", "arguments")
@@ -100,7 +101,7 @@ class _Assembler:
         self.code = bytearray()
 
     def wrong(self, sentence: str) -> ImageError:
-        return ImageError(f"{self.name}:{self.line}: {sentence}")
+        return ImageError(Sentence(f"{self.name}:{self.line}: {sentence}"))
 
     def number(self, word: str, low: int = 0, high: int = 65535) -> int:
         if not re.fullmatch(r"-?[0-9]{1,10}", word) or not low <= int(word) <= high:

@@ -15,6 +15,7 @@ from kitrobot.image.devices import Command, Devices
 from kitrobot.image.model import Image, ImageError
 from kitrobot.image.verification import verify
 from kitrobot.primitives import Robot, RobotObject
+from kitrobot.text import Sentence
 from kitrobot_onboard.image import header, whole_arrays
 from kitrobot_onboard.interpreter import tick
 
@@ -74,17 +75,21 @@ class Machine:
     def __init__(self, image: Image, robot: Robot, *, watch: bool = False) -> None:
         if image.fingerprint != robot.fingerprint:
             raise ImageError(
-                f"this image was made for another robot than `{robot.name}` as it is defined now",
-                "compile the program again for this robot",
+                Sentence("this image was made for another robot than `{robot}` as it is defined now", robot.name),
+                Sentence("compile the program again for this robot"),
             )
         _verified(image)
         self.image = image
         self.robot = robot
         self.layout = Layout(robot)
         if (image.inputs, image.variables) != (self.layout.inputs, len(self.layout.variables)):
-            raise ImageError("this image's cells are not those of its robot", "compile the program again")
+            raise ImageError(
+                Sentence("this image's cells are not those of its robot"), Sentence("compile the program again")
+            )
         if image.commands != tuple(number for number, _, _ in self.layout.commands):
-            raise ImageError("this image's commands are not those of its robot", "compile the program again")
+            raise ImageError(
+                Sentence("this image's commands are not those of its robot"), Sentence("compile the program again")
+            )
         data = image.to_bytes()
         code, self.cells, self.threads, self.pars, self.out = whole_arrays(data, header(data))
         self.code: list[int] = list(code)

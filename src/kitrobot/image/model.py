@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
 from kitrobot_onboard import image as onboard
 from kitrobot_onboard.arrays import NO_PARALLEL
 
@@ -122,7 +123,9 @@ class Image:
                 body += struct.pack("<2H", *stop)
             body += struct.pack(f"<{len(self.commands)}H", *self.commands)
         except struct.error as error:
-            raise ImageError("this image does not fit its file", f"a size or value is too large: {error}") from error
+            raise ImageError(
+                Sentence("this image does not fit its file"), Sentence("a size or value is too large: {error}", error)
+            ) from error
         body += self.code
         return body + struct.pack("<I", zlib.crc32(body))
 
@@ -145,7 +148,7 @@ class Image:
         stops = numbers("H", 2 * fields[13])
         commands = numbers("H", fields[14])
         if any(marked > 1 for marked in slots[2::4]):
-            raise ImageError("this image is damaged: a slot is marked in a way we do not know")
+            raise ImageError(Sentence("this image is damaged: a slot is marked in a way we do not know"))
         return cls(
             fingerprint=fields[3],
             tick_ms=fields[4],
@@ -174,13 +177,16 @@ def checked_header(data: bytes) -> tuple[Any, ...]:
     try:
         fields = onboard.header(data)
     except ValueError as error:
-        raise ImageError(str(error), "make it again with `kitrobot convert`") from None
+        raise ImageError(Sentence(str(error)), Sentence("make it again with `kitrobot convert`")) from None
     size = onboard.HEADER_SIZE + onboard.body_size(fields)
     if len(data) != size + 4:
         raise ImageError(
-            f"this image is damaged: it has {len(data)} bytes where {size + 4} belong",
-            "make it again with `kitrobot convert`",
+            Sentence("this image is damaged: it has {count} bytes where {size} belong", len(data), size + 4),
+            Sentence("make it again with `kitrobot convert`"),
         )
     if zlib.crc32(data[:size]) != struct.unpack("<I", data[size:])[0]:
-        raise ImageError("this image is damaged: its checksum does not fit", "make it again with `kitrobot convert`")
+        raise ImageError(
+            Sentence("this image is damaged: its checksum does not fit"),
+            Sentence("make it again with `kitrobot convert`"),
+        )
     return fields

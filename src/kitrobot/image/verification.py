@@ -23,6 +23,7 @@ from kitrobot.image.model import (
     Image,
     ImageError,
 )
+from kitrobot.text import Sentence
 
 _Operands = dict[int, tuple[Op, list[tuple[Role, range]]]]
 """Each instruction by its number: what the operands that name something are, and may be."""
@@ -46,7 +47,9 @@ def most_instructions_a_tick(image: Image) -> int:
 
 
 def _refuse(sentence: str) -> ImageError:
-    return ImageError(f"this image cannot be run: {sentence}", "make it again with `kitrobot convert`")
+    return ImageError(
+        Sentence("this image cannot be run: {sentence}", sentence), Sentence("make it again with `kitrobot convert`")
+    )
 
 
 def _check_sizes(image: Image) -> None:

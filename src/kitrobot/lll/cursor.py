@@ -6,9 +6,16 @@ from kitrobot.diagnostics import Diagnostic, Fix, Rule, Source
 from kitrobot.lll import rules
 from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, OTHER, SYMBOL, Comment, Token, tokenise
 from kitrobot.lll.tree import MAX_NESTING, Instr
+from kitrobot.text import Help, Sentence
 
 PARTNER = {"(": ")", "[": "]", "<": ">"}
-_NAMES = {CALL: "a call", NAME: "a name", NUMBER: "a number", HOLE: "a hole", END: "the end of the text"}
+_NAMES = {
+    CALL: Sentence("a call"),
+    NAME: Sentence("a name"),
+    NUMBER: Sentence("a number"),
+    HOLE: Sentence("a hole"),
+    END: Sentence("the end of the text"),
+}
 
 
 class Mistake(Exception):
@@ -39,8 +46,8 @@ class Cursor:
         self.guard_closer = ""
         self.diagnostics: list[Diagnostic] = []
         for start, end, meant in lookalikes:
-            message = f"expected `{meant}`, found `{text[start:end]}`"
-            help = f"these are other characters that look like it; write `{meant}`"
+            message = Sentence("expected `{meant}`, found `{found}`", meant, text[start:end])
+            help = Sentence("these are other characters that look like it; write `{meant}`", meant)
             self.report(rules.SYNTAX, message, start, end, help, Fix(meant))
 
     # -- tokens
@@ -56,19 +63,23 @@ class Cursor:
         self.last_end = token[2]
         return token
 
-    def report(self, rule: Rule, message: str, start: int, end: int, help: str = "", fix: Fix | None = None) -> None:
+    def report(
+        self, rule: Rule, message: Sentence, start: int, end: int, help: Help = "", fix: Fix | None = None
+    ) -> None:
         self.diagnostics.append(rule(message, self.source.place(start, end), help=help, fix=fix))
 
     def found(self) -> str:
         kind, start, end, _ = self.tokens[self.at]
         if kind in (END, CALL):
             return _NAMES[kind]
-        shown = self.text[start : min(end, start + 24)]
-        return f"{_NAMES.get(kind, '')} `{shown}`".strip()
+        shown = f"`{self.text[start : min(end, start + 24)]}`"
+        return Sentence("{kind} {text}", _NAMES[kind], shown) if kind in _NAMES else shown
 
-    def mistake(self, expected: str, help: str = "") -> Mistake:
+    def mistake(self, expected: str, help: Help = "") -> Mistake:
         _, start, end, _ = self.tokens[self.at]
-        self.report(rules.SYNTAX, f"expected {expected}, found {self.found()}", start, end, help)
+        self.report(
+            rules.SYNTAX, Sentence("expected {expected}, found {found}", expected, self.found()), start, end, help
+        )
         return Mistake()
 
     def follows(self, symbol: str) -> bool:
@@ -114,8 +125,10 @@ class Cursor:
         if opened is not None and self.tokens[self.at][0] == END:
             if not self.found_unclosed:
                 what = self.text[opened[1] : opened[2]]
-                help = f"put a `{symbol}` where it ends"
-                self.report(rules.NOT_CLOSED, f"this `{what}` is never closed", opened[1], opened[2], help)
+                help = Sentence("put a `{symbol}` where it ends", symbol)
+                self.report(
+                    rules.NOT_CLOSED, Sentence("this `{what}` is never closed", what), opened[1], opened[2], help
+                )
             self.found_unclosed = True
             raise Mistake
         raise self.mistake(f"`{symbol}`")
@@ -205,10 +218,10 @@ class Cursor:
         self.depth -= 1
         self.report(
             rules.TOO_DEEP,
-            f"the program nests more than {MAX_NESTING} levels deep here",
+            Sentence("the program nests more than {most} levels deep here", MAX_NESTING),
             opened[1],
             opened[2],
-            "split it into parts",
+            Sentence("split it into parts"),
         )
         self.skip("")
         if self.tokens[self.at][0] != END:

@@ -7,6 +7,7 @@ from kitrobot.lll.cursor import PARTNER, Mistake
 from kitrobot.lll.foreign import Foreign
 from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, RESERVED, SYMBOL, Token
 from kitrobot.lll.tree import MAX_NESTING, MAX_NUMBER, And, Call, Condition, Conditional, Hole, Not, Number, Or, Param
+from kitrobot.text import Help, Sentence
 
 _BEHIND_A_CALL = frozenset((";", ",", ")", "]", ">", "&", "|", MARK))
 
@@ -27,7 +28,7 @@ class Expressions(Foreign):
         try:
             condition = self.condition()
             if self.tokens[self.at][0] != END:
-                raise self.mistake("the end of the condition")
+                raise self.mistake(Sentence("the end of the condition"))
         except Mistake:
             return None
         return condition
@@ -59,7 +60,7 @@ class Expressions(Foreign):
         name = test.object if isinstance(test, Call) and test.object else "Object"
         found = habits.comparison(name, self.text, self.tokens[self.at][1])
         help, end = found if found is not None else (habits.joint(self.shown()), 0)
-        mistake = self.mistake(f"`&`, `|` or `{closer}`", help)
+        mistake = self.mistake(Sentence("`&`, `|` or `{closer}`", closer), help)
         self.go_to(end)
         return mistake
 
@@ -73,7 +74,7 @@ class Expressions(Foreign):
         while self.is_symbol(operator):
             opened = self.take()
             if self.is_symbol(operator):
-                self.mistake("a condition", f"one {operator} is enough")
+                self.mistake(Sentence("a condition"), Sentence("one {operator} is enough", operator))
                 self.take()
             right = self.chain("&") if operator == "|" else self.unary()
             height = max(height, self.height) + 1
@@ -88,10 +89,10 @@ class Expressions(Foreign):
     def deeper_condition(self, opened: Token) -> None:
         self.report(
             rules.TOO_DEEP,
-            f"this condition joins tests more than {MAX_NESTING} levels deep",
+            Sentence("this condition joins tests more than {most} levels deep", MAX_NESTING),
             opened[1],
             opened[2],
-            "split it, or keep a part of it in a variable",
+            Sentence("split it, or keep a part of it in a variable"),
         )
         raise Mistake
 
@@ -100,9 +101,9 @@ class Expressions(Foreign):
         kind, start, _, value = self.tokens[self.at]
         if kind == NAME and not self.follows("."):
             if value.lower() in habits.TRUTH:
-                raise self.mistake("a condition", self.no_condition())
+                raise self.mistake(Sentence("a condition"), self.no_condition())
             if value.lower() in ("not", "non"):
-                raise self.mistake("a condition", "write !( … ) around the test")
+                raise self.mistake(Sentence("a condition"), Sentence("write !( … ) around the test"))
         if kind in (CALL, NAME):
             call = self.call()
             self.height = _levels(call)
@@ -115,7 +116,7 @@ class Expressions(Foreign):
                     self.take()
                 opened = self.tokens[self.at]
                 if not self.is_symbol("("):
-                    raise self.mistake("`(`", "write !( … ) around the test")
+                    raise self.mistake("`(`", Sentence("write !( … ) around the test"))
                 self.expect("(")
                 self.deeper(opened)
                 condition = self.condition()
@@ -127,13 +128,13 @@ class Expressions(Foreign):
                 return Not(condition, start=start, end=self.last_end)
             if value == "[":
                 return self.conditional_as_condition()
-        raise self.mistake("a condition", self.no_condition())
+        raise self.mistake(Sentence("a condition"), self.no_condition())
 
-    def no_condition(self) -> str:
+    def no_condition(self) -> Help:
         """What to write where no condition stands."""
         if self.at == self.for_ever_at and self.shown() not in ("0", "false"):
-            return "leave the [ ] out to repeat for ever: *( … )"
-        return "a condition is a test such as Button.IsPressed(), joined with & and |"
+            return Sentence("leave the [ ] out to repeat for ever: *( … )")
+        return Sentence("a condition is a test such as Button.IsPressed(), joined with & and |")
 
     def conditional_as_condition(self) -> Condition:
         """Table 1 uses one name for two things, so people may try this; the test inside is what they meant."""
@@ -142,10 +143,10 @@ class Expressions(Foreign):
         self.depth -= 1
         self.report(
             rules.CONDITIONAL_AS_CONDITION,
-            "a whole conditional `[…](…)` cannot be a condition",
+            Sentence("a whole conditional `[…](…)` cannot be a condition"),
             whole.start,
             whole.end,
-            "write only the test that stands in its [ ]",
+            Sentence("write only the test that stands in its [ ]"),
         )
         return whole.condition
 
@@ -163,34 +164,38 @@ class Expressions(Foreign):
                 self.reserved(name if name in RESERVED else method, start, end)
             return call
         if kind != NAME:
-            raise self.mistake("a call", "a call is Object.Method(parameters)")
+            raise self.mistake(Sentence("a call"), Sentence("a call is Object.Method(parameters)"))
         self.take()
         if value in RESERVED:
             self.reserved(value, start, end)
         if not self.is_symbol("."):
             compared = habits.comparison(value, self.text, end)
             if compared is not None:
-                mistake = self.mistake("`.` and a method", compared[0])
+                mistake = self.mistake(Sentence("`.` and a method"), compared[0])
                 self.go_to(compared[1])
                 raise mistake
             if self.is_symbol("("):
-                raise self.mistake("`.` and a method", f"say whose method it is, as in Object.{value}()")
-            raise self.mistake("`.` and a method", f"write {value}.Method()")
+                raise self.mistake(
+                    Sentence("`.` and a method"), Sentence("say whose method it is, as in Object.{method}()", value)
+                )
+            raise self.mistake(Sentence("`.` and a method"), Sentence("write {object}.Method()", value))
         self.take()
         if self.tokens[self.at][0] == CALL:  # `A.B.c()`: what follows the dot was read as a call of its own
-            raise self.mistake("a method's name and its parameters", "a call has one dot: Object.Method()")
+            raise self.mistake(
+                Sentence("a method's name and its parameters"), Sentence("a call has one dot: Object.Method()")
+            )
         _, method_start, method_end, method = self.tokens[self.at]
         if self.tokens[self.at][0] != NAME:
-            raise self.mistake("a method's name")
+            raise self.mistake(Sentence("a method's name"))
         self.take()
         if method in RESERVED:
             self.reserved(method, method_start, method_end)
         after = self.tokens[self.at]
         if after[0] == SYMBOL and after[3] in _BEHIND_A_CALL:  # as if `()` were there
-            self.mistake("`(`", f"write {value}.{method}()")
+            self.mistake("`(`", Sentence("write {object}.{method}()", value, method))
             return Call("", "", start=start, end=self.last_end, method_start=start)
         if not self.is_symbol("("):
-            raise self.mistake("`(`", f"write {value}.{method}( … )")
+            raise self.mistake("`(`", Sentence("write {object}.{method}( … )", value, method))
         params = self.params()
         if params is None:
             return Call("", "", start=start, end=self.last_end, method_start=start)
@@ -198,7 +203,11 @@ class Expressions(Foreign):
 
     def reserved(self, word: str, start: int, end: int) -> None:
         self.report(
-            rules.RESERVED_WORD, f"`{word}` is a word of the language, not a name", start, end, "choose another name"
+            rules.RESERVED_WORD,
+            Sentence("`{word}` is a word of the language, not a name", word),
+            start,
+            end,
+            Sentence("choose another name"),
         )
 
     def numbers(self, numbers: str, start: int) -> list[Param]:
@@ -223,14 +232,19 @@ class Expressions(Foreign):
         if len(significant) <= 5 and (value := int(significant or "0")) <= MAX_NUMBER:
             return value
         shown = digits if len(digits) <= 20 else digits[:17] + "…"
-        self.report(rules.NUMBER_TOO_LARGE, f"expected a number from 0 to {MAX_NUMBER}, found {shown}", start, end)
+        self.report(
+            rules.NUMBER_TOO_LARGE,
+            Sentence("expected a number from 0 to {largest}, found {found}", MAX_NUMBER, shown),
+            start,
+            end,
+        )
         return 1  # what was meant is not known; this offends no other rule
 
     def number(self) -> int:
         self.whole()
         kind, start, end, value = self.tokens[self.at]
         if kind != NUMBER:
-            raise self.mistake("a number")
+            raise self.mistake(Sentence("a number"))
         self.take()
         return self.value(value, start, end)
 
@@ -251,7 +265,7 @@ class Expressions(Foreign):
                     break
                 self.take()
             if not self.is_symbol(")") and self.tokens[self.at][0] != END:
-                raise self.mistake("`,` or `)` after a parameter", habits.behind_a_number(self.shown()))
+                raise self.mistake(Sentence("`,` or `)` after a parameter"), habits.behind_a_number(self.shown()))
         except Mistake:
             if self.tokens[self.at][0] == END:
                 raise
@@ -274,18 +288,18 @@ class Expressions(Foreign):
             return self.call()
         if kind == HOLE:
             return self.hole()
-        usual = "a parameter is a number from 0 to 65535 or a call such as Captor.Value()"
-        raise self.mistake("a parameter", habits.number_sign(self.shown()) or usual)
+        usual = Sentence("a parameter is a number from 0 to 65535 or a call such as Captor.Value()")
+        raise self.mistake(Sentence("a parameter"), habits.number_sign(self.shown()) or usual)
 
     def hole(self) -> Hole:
         _, start, end, name = self.take()
         if not self.template:
             self.report(
                 rules.HOLE_IN_PROGRAM,
-                f"`{{{name}}}` is a hole, and only a constructor's template has holes",
+                Sentence("`{{hole}}` is a hole, and only a constructor's template has holes", name),
                 start,
                 end,
-                "write what should stand here",
+                Sentence("write what should stand here"),
             )
         return Hole(name, start=start, end=end)
 

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import re
 
+from kitrobot.text import Help, Sentence
+
 _CHANGE = re.compile(r"\s*(?P<sign>\+\+|--|[-+*/]=|:=|=(?!=))[ \t]*(?P<value>[^;#\n]*)")
 _NUMBER = re.compile(r"[0-9]{1,5}")
 _COMPARED = re.compile(r"\s*(<=|>=|==|!=|=|<|>|≤|≥|≠)\s*([0-9]{0,5})")
@@ -18,31 +20,33 @@ TRUTH = frozenset(("true", "false"))
 """Words that LLL has none for, in small letters."""
 
 
-def keyword(word: str) -> str:
+def keyword(word: str) -> Help:
     """How LLL says what a word of another language begins; "" for any other word."""
     match word.lower():
         case "if" | "elif" | "elsif" | "unless" | "switch" | "si":
-            return "write [test]( … ) to do something if a test is true, and [test]( … )!( … ) for the other case too"
+            return Sentence(
+                "write [test]( … ) to do something if a test is true, and [test]( … )!( … ) for the other case too"
+            )
         case "else" | "sinon":
-            return "write !( … ) right after the body: [test]( … )!( … )"
+            return Sentence("write !( … ) right after the body: [test]( … )!( … )")
         case "while" | "until" | "do":
-            return "write *[test]( … ) to repeat while a test is true, or *( … ) to repeat for ever"
+            return Sentence("write *[test]( … ) to repeat while a test is true, or *( … ) to repeat for ever")
         case "loop" | "forever":
-            return "write *( … ) to repeat for ever"
+            return Sentence("write *( … ) to repeat for ever")
         case "for" | "repeat" | "times" | "foreach":
-            return "write 3*( … ) to do something three times"
+            return Sentence("write 3*( … ) to do something three times")
         case "when" | "on":
-            return "write <test>( … ) to wait for a test, and then do something"
+            return Sentence("write <test>( … ) to wait for a test, and then do something")
         case "sleep" | "delay" | "pause":
-            return "write WAIT(10) to wait; on most robots that is one second"
+            return Sentence("write WAIT(10) to wait; on most robots that is one second")
         case "return" | "exit" | "continue":
-            return "write BREAK to leave a loop, or to end the branch or the program"
+            return Sentence("write BREAK to leave a loop, or to end the branch or the program")
         case "def" | "function" | "fn" | "void" | "func":
-            return "LLL has no functions; in the studio, make a part of your own from a selection"
+            return Sentence("LLL has no functions; in the studio, make a part of your own from a selection")
         case "var" | "let" | "const" | "int" | "bool" | "float":
-            return "variables belong to the robot: add one in the studio, or in the robot's XML"
+            return Sentence("variables belong to the robot: add one in the studio, or in the robot's XML")
         case "import" | "include" | "from" | "using":
-            return "everything that the robot has is there already: write its calls"
+            return Sentence("everything that the robot has is there already: write its calls")
     return ""
 
 
@@ -51,7 +55,7 @@ def is_reserved_in_other_letters(word: str) -> bool:
     return word.upper() in ("WAIT", "BREAK") and word not in ("WAIT", "BREAK")
 
 
-def change(name: str, text: str, at: int) -> tuple[str, int] | None:
+def change(name: str, text: str, at: int) -> tuple[Sentence, int] | None:
     """How a variable is changed, where an offset behind its name begins a change; and where that ends."""
     found = _CHANGE.match(text, at)
     if found is None:
@@ -67,10 +71,12 @@ def change(name: str, text: str, at: int) -> tuple[str, int] | None:
         method, given = "Add" if sum_["sign"] == "+" else "Sub", sum_["number"]
     else:
         method, given = "Set", value if number else "…"
-    return f"a variable is changed by its methods: write {name}.{method}({given})", found.end()
+    return Sentence(
+        "a variable is changed by its methods: write {variable}.{method}({given})", name, method, given
+    ), found.end()
 
 
-def comparison(name: str, text: str, at: int) -> tuple[str, int] | None:
+def comparison(name: str, text: str, at: int) -> tuple[Sentence, int] | None:
     """How something is compared, where an offset behind its name begins a comparison; and where its sign ends."""
     found = _COMPARED.match(text, at)
     if found is None:
@@ -78,35 +84,41 @@ def comparison(name: str, text: str, at: int) -> tuple[str, int] | None:
     sign, number = found[1], found[2] or "…"
     end = found.end(1)
     if sign in _TESTS:
-        return f"compare by a test of it, if it has one, such as {name}.{_TESTS[sign]}({number})", end
-    return f"compare by a test of it, if it has one, such as !({name}.{_NEGATED[sign]}({number}))", end
+        return Sentence(
+            "compare by a test of it, if it has one, such as {object}.{test}({number})", name, _TESTS[sign], number
+        ), end
+    return Sentence(
+        "compare by a test of it, if it has one, such as !({object}.{test}({number}))", name, _NEGATED[sign], number
+    ), end
 
 
-def joint(word: str) -> str:
+def joint(word: str) -> Help:
     """The sign for a word that joins tests elsewhere; "" for any other word."""
     match word.lower():
         case "and" | "et":
-            return "join tests with &: [a & b]( … )"
+            return Sentence("join tests with &: [a & b]( … )")
         case "or" | "ou":
-            return "join tests with |: [a | b]( … )"
+            return Sentence("join tests with |: [a | b]( … )")
     return ""
 
 
-def number_sign(shown: str) -> str:
+def number_sign(shown: str) -> Help:
     """What is wrong with something that was to be a number; "" where nobody knows."""
     if re.fullmatch(r"[-−][0-9]+", shown):
-        return "numbers have no sign: use a method that goes the other way, such as Sub in place of Add"
+        return Sentence("numbers have no sign: use a method that goes the other way, such as Sub in place of Add")
     if shown[:1] in tuple("\"'`“”«„"):
-        return "LLL has no texts, only whole numbers from 0 to 65535"
+        return Sentence("LLL has no texts, only whole numbers from 0 to 65535")
     return ""
 
 
-def behind_a_number(shown: str) -> str:
+def behind_a_number(shown: str) -> Help:
     """What is wrong where something stands behind a parameter; "" where nobody knows."""
     if shown[:1] in "+-/*":
-        return "LLL does not calculate in parameters: change a variable with Add or Sub, then give its Value()"
+        return Sentence(
+            "LLL does not calculate in parameters: change a variable with Add or Sub, then give its Value()"
+        )
     if shown[:1] in "%°":
-        return "write the number alone, without a unit"
+        return Sentence("write the number alone, without a unit")
     return ""
 
 

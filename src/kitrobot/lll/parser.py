@@ -35,7 +35,9 @@ from kitrobot.lll.tree import (
     Wait,
     While,
 )
-from kitrobot.text import collection_paused
+from kitrobot.text import Sentence, collection_paused
+
+_WHOLE_UNITS = Sentence("numbers are whole; on most robots WAIT(10) is one second, and WAIT(1) a tenth")
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,7 @@ def parse_template(text: str, name: str = "template") -> tuple[Instr | Condition
     None when the text is not LLL; then the diagnostics say why.
     """
     if not text.strip():
-        return None, [rules.SYNTAX("a template cannot be empty", Source(name, text).place(0, 0))]
+        return None, [rules.SYNTAX(Sentence("a template cannot be empty"), Source(name, text).place(0, 0))]
     parser = _Parser(text, name, template=True)
     program = parser.program()
     if not any(item.is_error for item in parser.diagnostics):
@@ -92,10 +94,10 @@ class _Parser(Expressions):
             _, start, end, value = self.take()
             self.report(
                 rules.SYNTAX,
-                f"`{value}` closes or separates nothing here",
+                Sentence("`{symbol}` closes or separates nothing here", value),
                 start,
                 end,
-                "take it away, or open what it should close",
+                Sentence("take it away, or open what it should close"),
             )
             more = self.seq("")
             seq.items += more.items
@@ -153,8 +155,8 @@ class _Parser(Expressions):
     def body_hole(self, seq: Seq) -> None:
         hole = self.hole()
         if seq.hole is not None:
-            message = f"one hole stands in a body, and `{{{seq.hole.name}}}` stands in this one already"
-            self.report(rules.SYNTAX, message, hole.start, hole.end, "give the second one a body of its own")
+            message = Sentence("one hole stands in a body, and `{{hole}}` stands in this one already", seq.hole.name)
+            self.report(rules.SYNTAX, message, hole.start, hole.end, Sentence("give the second one a body of its own"))
         seq.hole, seq.hole_at = hole, len(seq.items)
 
     def finish(self, node: Instr, above: Any) -> None:
@@ -171,10 +173,10 @@ class _Parser(Expressions):
         if kind in (CALL, NAME, NUMBER, HOLE) or value in ("*", "[", "<", "//", MARK):
             self.report(
                 rules.MISSING_SEMICOLON,
-                "expected `;` between two instructions",
+                Sentence("expected `;` between two instructions"),
                 self.last_end,
                 self.last_end,
-                "put a `;` here",
+                Sentence("put a `;` here"),
                 fix=Fix(";"),
             )
 
@@ -205,45 +207,50 @@ class _Parser(Expressions):
             if value == "//":
                 return self.parallel()
         if value == "!":
-            raise self.mistake("an instruction", "`!( )` follows the body of a conditional: [test]( … )!( … )")
+            raise self.mistake(
+                Sentence("an instruction"), Sentence("`!( )` follows the body of a conditional: [test]( … )!( … )")
+            )
         if kind == OTHER:
             self.refuse_sign(start, value)
-        raise self.mistake("an instruction", "an instruction begins with a name, a number, or one of * [ < // °")
+        raise self.mistake(
+            Sentence("an instruction"), Sentence("an instruction begins with a name, a number, or one of * [ < // °")
+        )
 
     def without_a_dot(self) -> Instr:
         """A name that no method follows: a word of another language, or a variable that is changed."""
         _, start, end, name = self.tokens[self.at]
         if habits.is_reserved_in_other_letters(name):
             word = name.upper()
-            message, help = f"expected `{word}`, found `{name}`", f"words of the language are in capitals: {word}"
-            self.report(rules.SYNTAX, message, start, end, help, Fix(word))
+            message = Sentence("expected `{meant}`, found `{found}`", word, name)
+            way_out = Sentence("words of the language are in capitals: {word}", word)
+            self.report(rules.SYNTAX, message, start, end, way_out, Fix(word))
             if word == "WAIT":
                 return self.wait()
             self.take()
             return Break(start=start, end=end)
         help = habits.keyword(name)
         if help:
-            self.report(rules.SYNTAX, f"`{name}` is no word of the language", start, end, help)
+            self.report(rules.SYNTAX, Sentence("`{word}` is no word of the language", name), start, end, help)
             self.go_past_construct()
             raise self.past(Mistake())
         changed = habits.change(name, self.text, end)
         if changed is not None:
             self.take()
-            raise self.past(self.mistake("`.` and a method", changed[0]), changed[1])
+            raise self.past(self.mistake(Sentence("`.` and a method"), changed[0]), changed[1])
         return self.call()
 
     def interrupt(self) -> Interrupt:
         opened = self.take()
         if self.tokens[self.at][0] not in (CALL, NAME, HOLE):
-            raise self.mistake("a call", "write °Object.Method()° around the call")
+            raise self.mistake(Sentence("a call"), Sentence("write °Object.Method()° around the call"))
         action: Call | Hole = self.hole() if self.tokens[self.at][0] == HOLE else self.call()
         if not self.is_symbol(MARK):
             self.report(
                 rules.NOT_CLOSED,
-                "this `°` has no partner",
+                Sentence("this `°` has no partner"),
                 opened[1],
                 opened[2],
-                "write °Object.Method()° around the call",
+                Sentence("write °Object.Method()° around the call"),
             )
             return Interrupt(action, start=opened[1], end=self.last_end)
         self.take()
@@ -253,7 +260,9 @@ class _Parser(Expressions):
         start = self.tokens[self.at][1]
         count: int | Hole = self.hole() if self.tokens[self.at][0] == HOLE else self.number()
         if not self.is_symbol("*"):
-            raise self.mistake("`*` after the number of times", "write 3*( … ) to do something three times")
+            raise self.mistake(
+                Sentence("`*` after the number of times"), Sentence("write 3*( … ) to do something three times")
+            )
         self.take()
         body = self.body()
         return Repeat(count, body, start=start, end=self.last_end)
@@ -262,8 +271,8 @@ class _Parser(Expressions):
         start = self.take()[1]
         if not self.is_symbol("[") and not self.is_symbol("("):
             raise self.mistake(
-                "`[` or `(` after `*`",
-                "write *[test]( … ) to repeat while a test is true, or *( … ) to repeat for ever",
+                Sentence("`[` or `(` after `*`"),
+                Sentence("write *[test]( … ) to repeat while a test is true, or *( … ) to repeat for ever"),
             )
         self.for_ever_at = self.at + 1
         condition = self.guard("[") if self.is_symbol("[") else None
@@ -277,8 +286,8 @@ class _Parser(Expressions):
         orelse = None
         kind, at, end, value = self.tokens[self.at]
         if kind == NAME and value in ("else", "sinon") and not self.follows("."):
-            help = "write !( … ) right after the body: [test]( … )!( … )"
-            self.report(rules.SYNTAX, f"expected `!`, found `{value}`", at, end, help, Fix("!"))
+            help = Sentence("write !( … ) right after the body: [test]( … )!( … )")
+            self.report(rules.SYNTAX, Sentence("expected `!`, found `{found}`", value), at, end, help, Fix("!"))
         if self.is_symbol("!") or (kind == NAME and value in ("else", "sinon") and not self.follows(".")):
             self.take()
             orelse = self.body()
@@ -294,7 +303,7 @@ class _Parser(Expressions):
         start = self.take()[1]
         opened = self.tokens[self.at]
         if not self.is_symbol("("):
-            mistake = self.mistake("`(`", "//( … , … ) does things at the same time; a comment begins with #")
+            mistake = self.mistake("`(`", Sentence("//( … , … ) does things at the same time; a comment begins with #"))
             end = habits.comment_end(self.text, start)
             raise self.past(mistake, end) if not self.is_symbol(";") else mistake
         self.expect("(")
@@ -320,14 +329,16 @@ class _Parser(Expressions):
         start = self.take()[1]
         opened = self.tokens[self.at]
         if not self.is_symbol("("):
-            raise self.mistake("`(`", "write WAIT(10)")
+            raise self.mistake("`(`", Sentence("write WAIT(10)"))
         self.expect("(")
         if self.tokens[self.at][0] not in (NUMBER, HOLE):
-            self.mistake("a number of time units", habits.number_sign(self.shown()) or "write WAIT(10)")
+            self.mistake(
+                Sentence("a number of time units"), habits.number_sign(self.shown()) or Sentence("write WAIT(10)")
+            )
             self.recover(")")
             return Wait(0, start=start, end=self.last_end)
         try:
-            self.whole("numbers are whole; on most robots WAIT(10) is one second, and WAIT(1) a tenth")
+            self.whole(_WHOLE_UNITS)
         except Mistake:
             self.recover(")")
             return Wait(0, start=start, end=self.last_end)
@@ -335,7 +346,7 @@ class _Parser(Expressions):
         if self.is_symbol(")") or self.tokens[self.at][0] == END:
             self.expect(")", opened)
         else:
-            self.mistake("`)`", "WAIT takes one number")
+            self.mistake("`)`", Sentence("WAIT takes one number"))
             self.recover(")")
         return Wait(duration, start=start, end=self.last_end)
 
@@ -344,7 +355,7 @@ class _Parser(Expressions):
             self.mend_braces()
         opened = self.tokens[self.at]
         if not self.is_symbol("("):
-            raise self.mistake("`(`", "what belongs to it stands in ( ): write ( … )")
+            raise self.mistake("`(`", Sentence("what belongs to it stands in ( ): write ( … )"))
         self.expect("(")
         self.deeper(opened)
         seq = self.seq("")
@@ -352,7 +363,13 @@ class _Parser(Expressions):
         while self.is_symbol(","):
             _, start, end, _ = self.take()
             if not told:  # those behind it are there for the same reason
-                self.report(rules.SYNTAX, "`,` separates branches, and this is not a parallel", start, end, "write `;`")
+                self.report(
+                    rules.SYNTAX,
+                    Sentence("`,` separates branches, and this is not a parallel"),
+                    start,
+                    end,
+                    Sentence("write `;`"),
+                )
             told = True
             more = self.seq("")
             seq.items += more.items

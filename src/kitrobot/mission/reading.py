@@ -12,7 +12,7 @@ from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
 from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
 from kitrobot.primitives import OWN, Constructor, OwnVariable
-from kitrobot.text import shown
+from kitrobot.text import Sentence, shown
 from kitrobot.world import ATTRIBUTES, PARTS, World, keep_unknown, read_plan, with_things
 from kitrobot.xml import TEXTS, Element, Kind, Reader, Tag, needed, one, optional, version, whole
 
@@ -44,7 +44,9 @@ def _agent(element: Element) -> Agent:
 def _goal(element: Element) -> Goal | None:
     stock = element.optional("stock", ALL)
     if stock != ALL and not (stock.isascii() and stock.isdigit() and int(stock[:9]) <= LARGEST_GOAL and len(stock) < 9):
-        message = f'expected a whole number from 0 to 65535 or "{ALL}" in stock, found {shown(stock)}'
+        message = Sentence(
+            'expected a whole number from 0 to 65535 or "{all}" in stock, found {stock}', ALL, shown(stock)
+        )
         element.report(rules.GOAL, message, "stock")
         return None
     storehouse = element.required("storehouse")
@@ -64,8 +66,8 @@ def _world(element: Element) -> _Where | None:
         own = read_plan(element)
         return None if own is None else _Where("", own, len(element.reader.diagnostics))
     if element.values or element.texts or any(name in element.attributes for name in ATTRIBUTES):
-        message = 'expected href="…" on <world> or the world itself, found both'
-        element.report(rules.WORLD, message, help="take one of the two away")
+        message = Sentence('expected href="…" on <world> or the world itself, found both')
+        element.report(rules.WORLD, message, help=Sentence("take one of the two away"))
         return None
     href = element.required("href")
     return _Where(href) if href else None
@@ -138,7 +140,11 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
     for where, _ in places[:1]:
         mission.world_href, mission.own_world = where.href, where.own
     for _, element in places[1:]:
-        element.report(rules.WORLD, "this mission has a world already; this one is left out", help="take one away")
+        element.report(
+            rules.WORLD,
+            Sentence("this mission has a world already; this one is left out"),
+            help=Sentence("take one away"),
+        )
     mission.label, mission.help = root.texts.get("label", {}), root.texts.get("help", {})
     mission.constructors, mission.variables = root.found(Constructor), root.found(OwnVariable)
     mission.breakpoints, mission.failures = root.found(Breakpoint), root.found(Failure)
@@ -157,5 +163,7 @@ def _check(mission: Mission, root: Element) -> None:
     for _, team in root.found_at(Team):
         for agent, element in team.found_at(Agent):
             if agent.program and agent.program not in names:
-                message = f"{agent.name} runs the program {shown(agent.program)}, which is not in this mission"
+                message = Sentence(
+                    "{agent} runs the program {program}, which is not in this mission", agent.name, shown(agent.program)
+                )
                 element.report(rules.NO_PROGRAM, message, "program", element.did_you_mean(agent.program, names))

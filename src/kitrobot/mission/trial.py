@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from kitrobot.mission import rules
-from kitrobot.text import shown
+from kitrobot.text import Sentence, shown
 from kitrobot.xml import YES_NO, Element, Tag, attributes, decimal, needed, one, optional, whole
 
 MOST_HITS = 1_000_000
@@ -74,7 +74,7 @@ def _breakpoint(element: Element) -> Breakpoint | None:
     program, vertex = element.required("program"), element.required("vertex")
     when = element.optional("when")
     if len(when) > LONGEST_CONDITION:
-        message = f"expected at most {LONGEST_CONDITION} characters in when, found {len(when)}"
+        message = Sentence("expected at most {longest} characters in when, found {count}", LONGEST_CONDITION, len(when))
         element.report(rules.BREAKPOINT, message, "when")
     every, hits = element.flag("every"), element.integer("hits")
     enabled = not element.flag("off")
@@ -144,5 +144,5 @@ def check_trial(agents: list[str], root: Element) -> None:
     names = dict.fromkeys(agents)
     for failure, element in root.found_at(Failure):
         if failure.agent not in names:
-            message = f"{shown(failure.agent)}, which is to {failure.kind}, is not in the team"
+            message = Sentence("{agent}, which is to {kind}, is not in the team", shown(failure.agent), failure.kind)
             element.report(rules.FAILURE, message, "agent", element.did_you_mean(failure.agent, agents))

@@ -14,6 +14,7 @@ from kitrobot.graph import write_program
 from kitrobot.mission.model import Mission, Team
 from kitrobot.mission.trial import write_breakpoint, write_failure
 from kitrobot.primitives import Texts, write_constructor, write_variable
+from kitrobot.text import Sentence, Word
 from kitrobot.world import world_lines
 from kitrobot.xml import attributes, text_element
 
@@ -71,5 +72,8 @@ def save(path: Path, mission: Mission) -> bytes:
     try:
         replace_whole(path, data, keep_old=True)
     except OSError as error:
-        raise SaveError(f"{path.name} cannot be saved: {error.strerror or error}", "The file is as it was.") from error
+        raise SaveError(
+            Sentence("{path} cannot be saved: {reason}", path.name, Word(error.strerror or error)),
+            Sentence("The file is as it was."),
+        ) from error
     return data

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from kitrobot.lll import is_name
 from kitrobot.primitives.robot import LARGEST_VALUE
+from kitrobot.text import Sentence
 from kitrobot.xml import LONGEST_NAME, Kind, one, optional, whole
 
 COLOURS = ("loop", "choice", "parallel", "action", "test", "team")
@@ -18,7 +19,7 @@ IDENTIFIER = Kind(
     longest=LONGEST_NAME,
     pattern=r"[\p{L}_][\p{L}\p{M}\p{N}_]*",
     fits=is_name,
-    words="a name of letters, digits and _ (not WAIT or BREAK)",
+    words=Sentence("a name of letters, digits and _ (not WAIT or BREAK)"),
     name="identifier",
     about="Letters of any script, digits and _; not a digit first.",
 )
@@ -39,11 +40,11 @@ ROBOT_NAME = Kind(
     longest=LONGEST_NAME,
     pattern=r"\p{L}[\p{L}\p{M}\p{N}_\-]*",
     fits=re.compile(r"[^\W\d_][\w-]*").fullmatch,
-    words="a name of letters, digits, _ and -",
+    words=Sentence("a name of letters, digits, _ and -"),
 )
 """What a robot may be called."""
 
-NAMED_ROBOT = replace(ROBOT_NAME, words="the name of a robot")
+NAMED_ROBOT = replace(ROBOT_NAME, words=Sentence("the name of a robot"))
 """What a robot is called, where another file names it."""
 
 USUAL_MAXIMUM = 100

@@ -10,7 +10,7 @@ import re
 
 from kitrobot.primitives import rules
 from kitrobot.primitives.robot import LONGEST_SETTING, MOST_SETTINGS, Board
-from kitrobot.text import shown
+from kitrobot.text import Sentence, shown
 from kitrobot.xml import Element, Kind, Tag, optional
 
 _DRIVER = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
@@ -24,24 +24,33 @@ def _fits(text: str) -> bool:
 def _board(element: Element) -> Board:
     driver = element.attributes.get("driver")
     if driver is not None and not (_DRIVER.fullmatch(driver) and len(driver) <= LONGEST_SETTING):
-        expected = f"1 to {LONGEST_SETTING} of the letters a to z, digits, _ and -, a letter first"
-        element.bad_value("driver", expected, "without it, the driver is the one with the name of the device")
+        expected = Sentence("1 to {longest} of the letters a to z, digits, _ and -, a letter first", LONGEST_SETTING)
+        element.bad_value("driver", expected, Sentence("without it, the driver is the one with the name of the device"))
     settings = {
         name: value
         for name, value in element.attributes.items()
         if name != "driver" and not name.startswith(("xmlns", "xsi:"))
     }
     if len(settings) > MOST_SETTINGS:
-        message = f"expected at most {MOST_SETTINGS} settings on <board>, found {len(settings)}"
+        message = Sentence("expected at most {most} settings on <board>, found {count}", MOST_SETTINGS, len(settings))
         element.report(rules.BOARD, message)
     for name, value in settings.items():
         if not _fits(name):
-            message = f"expected at most {LONGEST_SETTING} characters in the name of a setting, found {shown(name)}"
+            message = Sentence(
+                "expected at most {longest} characters in the name of a setting, found {found}",
+                LONGEST_SETTING,
+                shown(name),
+            )
             element.report(rules.BOARD, message, name)
         elif not _fits(value):
-            expected = f"1 to {LONGEST_SETTING} characters without spaces, = and quotation marks"
-            help = "they travel to small boards in one short line; put a comma where a space would be"
-            element.report(rules.BOARD, f"expected {expected} in {name}, found {shown(value)}", name, help)
+            expected = Sentence("1 to {longest} characters without spaces, = and quotation marks", LONGEST_SETTING)
+            help = Sentence("they travel to small boards in one short line; put a comma where a space would be")
+            element.report(
+                rules.BOARD,
+                Sentence("expected {expected} in {attribute}, found {found}", expected, name, shown(value)),
+                name,
+                help,
+            )
     return Board(driver or "", settings)
 
 

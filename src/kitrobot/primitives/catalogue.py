@@ -28,7 +28,7 @@ from kitrobot.primitives.own_xml import OWN_GROUP, OWN_LABEL, OwnVariable
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.templates import Shape, inverse_shape, shape, shape_drawn
-from kitrobot.text import Suggestions, did_you_mean
+from kitrobot.text import COMMA, Sentence, Series, Suggestions, Word, did_you_mean
 from kitrobot.xml import MAX_BYTES
 from kitrobot.xml import rules as xml_rules
 
@@ -122,7 +122,9 @@ class Catalogue:
                 taken[robot.name] = {part.name for part in robot.objects}
             names = taken[robot.name]
             if variable.name in names:
-                problems.append(rules.OWN_VARIABLE(f"{robot.name} has a {variable.name} already"))
+                problems.append(
+                    rules.OWN_VARIABLE(Sentence("{robot} has a {variable} already", robot.name, variable.name))
+                )
             else:
                 names.add(variable.name)
                 added.setdefault(robot.name, []).append(variable)
@@ -141,15 +143,19 @@ class Catalogue:
             return self.robots[name_or_path]
         path = Path(name_or_path)
         if path.suffix.lower() != ".xml":
-            help = did_you_mean(str(name_or_path), self.robots) or f"robots at hand: {', '.join(self.robots)}"
-            raise KitRobotError(f"there is no robot named {name_or_path}", help)
+            help = did_you_mean(str(name_or_path), self.robots) or Sentence(
+                "robots at hand: {robots}", Series(COMMA, self.robots)
+            )
+            raise KitRobotError(Sentence("there is no robot named {robot}", name_or_path), help)
         data, problem = _read(path)
         if data is None:
             assert problem is not None
-            raise KitRobotError(problem.message, "give a robot's name, or the path of its .robot.xml")
+            raise KitRobotError(problem.message, Sentence("give a robot's name, or the path of its .robot.xml"))
         robot, problems = read_robot(data, str(path))
         if robot is None:
-            raise KitRobotError(f"the robot of {path} cannot be used", "mend the file", tuple(problems))
+            raise KitRobotError(
+                Sentence("the robot of {path} cannot be used", path), Sentence("mend the file"), tuple(problems)
+            )
         return robot
 
 
@@ -223,7 +229,9 @@ class _Loading:
             elif data is not None:
                 for name in self.file(path, data):
                     if name in seen:
-                        message = f"{name} is in {seen[name].name} of this folder already; this one is used"
+                        message = Sentence(
+                            "{name} is in {file} of this folder already; this one is used", name, seen[name].name
+                        )
                         self.problems.append(rules.SAME_FOLDER(message, Place(str(path))))
                     seen[name] = path
 
@@ -238,7 +246,7 @@ class _Loading:
                 return []
             self.robots[robot.name] = robot
             self.robot_files[robot.name] = path
-            return [f"the robot {robot.name}"]
+            return [Sentence("the robot {robot}", robot.name)]
         if root != b"constructors" and not path.name.lower().endswith("constructors.xml"):
             return []
         groups, problems = _constructors(data, str(path))
@@ -249,7 +257,11 @@ class _Loading:
             self.groups[group.name] = Group(group.name, group.colour, (), label)
             for constructor in group.constructors:
                 self.constructors[constructor.name] = (constructor, Place(str(path)))
-        return [f"the constructor {constructor.name}" for group in groups for constructor in group.constructors]
+        return [
+            Sentence("the constructor {constructor}", constructor.name)
+            for group in groups
+            for constructor in group.constructors
+        ]
 
     def catalogue(self) -> Catalogue:
         suggestions = Suggestions()
@@ -260,7 +272,12 @@ class _Loading:
                 found = self.constructors.get(target)
                 slot = found[0].slot(name) if found is not None else None
                 if slot is None or not slot.repeat:
-                    message = f"{constructor.name} adds to {target}.{name}, which is no repeated slot"
+                    message = Sentence(
+                        "{constructor} adds to {target}.{slot}, which is no repeated slot",
+                        constructor.name,
+                        target,
+                        name,
+                    )
                     help = suggestions.did_you_mean(target, self.constructors) if found is None else ""
                     self.problems.append(rules.ADDS(message, place, help=help))
                     continue
@@ -278,7 +295,9 @@ def _read(path: Path) -> tuple[bytes | None, Diagnostic | None]:
     try:
         size = path.stat().st_size
         if size > MAX_BYTES:
-            return None, xml_rules.TOO_LARGE(f"expected at most {MAX_BYTES} bytes, found {size}", Place(str(path)))
+            return None, xml_rules.TOO_LARGE(
+                Sentence("expected at most {most} bytes, found {found}", MAX_BYTES, size), Place(str(path))
+            )
         with open_regular(path) as stream:
             return stream.read(), None
     except OSError as error:
@@ -286,5 +305,5 @@ def _read(path: Path) -> tuple[bytes | None, Diagnostic | None]:
 
 
 def _unreadable(path: Path, error: OSError) -> Diagnostic:
-    reason = error.strerror or type(error).__name__
-    return rules.UNREADABLE(f"cannot read {path}: {reason}", Place(str(path)))
+    reason = Word(error.strerror or type(error).__name__)
+    return rules.UNREADABLE(Sentence("cannot read {path}: {reason}", path, reason), Place(str(path)))

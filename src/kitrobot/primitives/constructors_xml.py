@@ -20,7 +20,7 @@ from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, Slo
 from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
 from kitrobot.primitives.templates import holes
-from kitrobot.text import one_of, shown
+from kitrobot.text import Help, Sentence, one_of, shown
 from kitrobot.xml import (
     ICON,
     LONGEST_NAME,
@@ -85,18 +85,20 @@ def _slot(element: Element) -> Slot:
     kind = SlotKind(element.name)
     name = element.matching("name")
     if name in _TAKEN_PORTS:
-        element.report(rules.SLOT, f"a slot cannot be named {name}, a port of every vertex", "name")
+        element.report(rules.SLOT, Sentence("a slot cannot be named {name}, a port of every vertex", name), "name")
     slot = Slot(name, kind, label=element.texts.get("label", {}))
     if kind is SlotKind.FLOW:
         repeat = element.flag("repeat")
         if not repeat and "least" in element.attributes:
-            element.report(rules.SLOT, 'expected repeat="yes" beside least, found none', "least")
+            element.report(rules.SLOT, Sentence('expected repeat="yes" beside least, found none'), "least")
         return replace(slot, loop=element.flag("loop"), repeat=repeat, least=element.integer("least"))
     if kind in (SlotKind.NUMBER, SlotKind.VALUE):
         least = element.integer("min", 0) if "min" in element.attributes else None
         most = element.integer("max", 0) if "max" in element.attributes else None
         if least is not None and most is not None and least > most:
-            element.report(rules.RANGE, f"expected min at most max, found {least} and {most}", "min")
+            element.report(
+                rules.RANGE, Sentence("expected min at most max, found {least} and {most}", least, most), "min"
+            )
         default = element.optional("default")
         if default:
             low = least if least is not None else -LARGEST_VALUE
@@ -117,7 +119,7 @@ def _code(element: Element) -> _Code:
 def _reads(element: Element) -> _Reads:
     template = read_template(element)
     if isinstance(template, Seq | Call):
-        element.report(rules.TEMPLATE, "expected one construct to read, found several instructions or a call")
+        element.report(rules.TEMPLATE, Sentence("expected one construct to read, found several instructions or a call"))
     return _Reads(template)
 
 
@@ -128,22 +130,29 @@ def _check_holes(constructor: Element, element: Element, template: Template) -> 
     filled: set[str] = set()
     for hole, fitting, repeats in holes(template):
         slot = slots.get(hole.name)
-        message, help = "", ""
+        message = Sentence("")
+        help: Help = ""
         if slot is None:
-            message, help = f"the hole {{{hole.name}}} has no slot", element.did_you_mean(hole.name, slots)
+            message, help = Sentence("the hole {{hole}} has no slot", hole.name), element.did_you_mean(hole.name, slots)
         elif hole.name in filled and slot.kind not in (SlotKind.NUMBER, SlotKind.TEXT):
-            message, help = f"the hole {{{hole.name}}} stands there twice", "only what is typed in can be used twice"
+            message, help = (
+                Sentence("the hole {{hole}} stands there twice", hole.name),
+                Sentence("only what is typed in can be used twice"),
+            )
         elif slot.kind not in fitting:
             wanted = one_of(f"<{kind}>" for kind in fitting)
-            message = f"expected a slot {wanted} for {{{hole.name}}}, found <{slot.kind}>"
+            message = Sentence("expected a slot {wanted} for {{hole}}, found <{kind}>", wanted, hole.name, slot.kind)
         elif slot.repeat and not repeats:
-            message, help = f"the repeated slot {hole.name} can only be a branch of a parallel", "write //({branch})"
+            message, help = (
+                Sentence("the repeated slot {hole} can only be a branch of a parallel", hole.name),
+                Sentence("write //({branch})"),
+            )
         filled.add(hole.name)
         if message:
             place = element.reader.span(offsets[hole.start], offsets[hole.end])
             element.add(rules.TEMPLATE(message, place, help=help))
     for name in slots.keys() - filled:
-        element.report(rules.TEMPLATE, f"expected a hole {{{name}}} for the slot {name}, found none")
+        element.report(rules.TEMPLATE, Sentence("expected a hole {{name}} for the slot {name}, found none", name))
 
 
 def _adds(element: Element) -> _Adds:
@@ -163,11 +172,15 @@ def _constructor(element: Element) -> Constructor | None:
     codes, added = element.found(_Code), element.found(_Adds)
     if len(codes) + len(added) != 1:
         element.report(
-            xml_rules.MISSING, f"expected one <code> or one <adds> in the constructor, found {len(codes) + len(added)}"
+            xml_rules.MISSING,
+            Sentence("expected one <code> or one <adds> in the constructor, found {count}", len(codes) + len(added)),
         )
     if added and slots:
         element.report(
-            rules.SLOT, "expected no slots beside <adds>, found some", None, "a branch is a slot of what it adds to"
+            rules.SLOT,
+            Sentence("expected no slots beside <adds>, found some"),
+            None,
+            Sentence("a branch is a slot of what it adds to"),
         )
     for code, around in element.found_at(_Code):
         if code.template is not None and not element.faulty:
@@ -217,7 +230,11 @@ def _distinct(root: Element) -> list[Group]:
         kept: list[Constructor] = []
         for constructor, place in around.found_at(Constructor):
             if constructor.name in seen:
-                place.report(xml_rules.DUPLICATE, f"the constructor {shown(constructor.name)} is there already", "name")
+                place.report(
+                    xml_rules.DUPLICATE,
+                    Sentence("the constructor {constructor} is there already", shown(constructor.name)),
+                    "name",
+                )
             else:
                 kept.append(constructor)
             seen.add(constructor.name)
@@ -254,7 +271,7 @@ _CONSTRUCTOR_NAME = Kind(
     longest=LONGEST_NAME,
     pattern=r"[^.\s]+( [^.\s]+)*",
     fits=_element_name,
-    words="a name that is not Start or Stop and has no dot",
+    words=Sentence("a name that is not Start or Stop and has no dot"),
 )
 CONSTRUCTOR = Tag(
     _constructor,

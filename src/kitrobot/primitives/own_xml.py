@@ -20,7 +20,7 @@ from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import CONSTRUCTOR
 from kitrobot.primitives.robot import RobotObject, Texts, ValueType
 from kitrobot.primitives.robot_xml import VARIABLE
-from kitrobot.text import shown
+from kitrobot.text import Sentence, shown
 from kitrobot.xml import Element, Reader, Tag, attributes, escape_text, needed, text_element
 from kitrobot.xml import rules as xml_rules
 
@@ -47,7 +47,7 @@ def _own_constructor(element: Element) -> Constructor | None:
     made = CONSTRUCTOR.close(element)
     if not isinstance(made, Constructor) or element.parent is None:
         return None
-    if _is_one_too_many(element, made.name, f"the constructor {shown(made.name)}"):
+    if _is_one_too_many(element, made.name, Sentence("the constructor {constructor}", shown(made.name))):
         return None
     return replace(made, group=OWN_GROUP)
 
@@ -58,7 +58,9 @@ def _own_variable(element: Element) -> OwnVariable | None:
     made = VARIABLE.close(element)
     if element.faulty or not isinstance(made, RobotObject) or element.parent is None:
         return None
-    if _is_one_too_many(element, (robot, made.name), f"the variable {shown(made.name)} of {robot}"):
+    if _is_one_too_many(
+        element, (robot, made.name), Sentence("the variable {variable} of {robot}", shown(made.name), robot)
+    ):
         return None
     return OwnVariable(robot, made)
 
@@ -66,9 +68,12 @@ def _own_variable(element: Element) -> OwnVariable | None:
 def _is_one_too_many(element: Element, name: Hashable, what: str) -> bool:
     before = element.reader.own.setdefault(element.name, set())
     if name in before:
-        element.report(xml_rules.DUPLICATE, f"{what} is there already", "name")
+        element.report(xml_rules.DUPLICATE, Sentence("{what} is there already", what), "name")
     elif len(before) >= MOST_OWN:
-        element.report(rules.TOO_MANY_OWN, f"expected at most {MOST_OWN} of <{element.name}> in a mission, found more")
+        element.report(
+            rules.TOO_MANY_OWN,
+            Sentence("expected at most {most} of <{element}> in a mission, found more", MOST_OWN, element.name),
+        )
     else:
         before.add(name)
         return False

@@ -38,7 +38,7 @@ from kitrobot.primitives.robot import (
     Texts,
     ValueType,
 )
-from kitrobot.text import shown
+from kitrobot.text import Sentence, Word, shown
 from kitrobot.xml import ICON, TEXT, TEXTS, YES_NO, Element, Reader, Tag, needed, one, optional, version, whole
 from kitrobot.xml import rules as xml_rules
 
@@ -74,7 +74,8 @@ def _range(element: Element, least: int = 0, most: int = USUAL_MAXIMUM) -> tuple
     maximum = element.integer("max", most)
     if minimum > maximum:
         where = "min" if "min" in element.attributes else "max"
-        element.report(rules.RANGE, f"expected min at most max, found {minimum} and {maximum}", where)
+        message = Sentence("expected min at most max, found {least} and {most}", minimum, maximum)
+        element.report(rules.RANGE, message, where)
         return maximum, minimum
     return minimum, maximum
 
@@ -82,7 +83,10 @@ def _range(element: Element, least: int = 0, most: int = USUAL_MAXIMUM) -> tuple
 def _inside(element: Element, name: str, minimum: int, maximum: int, usual: int) -> int:
     value = element.integer(name, usual)
     if not minimum <= value <= maximum:
-        element.report(rules.RANGE, f"expected a number from {minimum} to {maximum} in {name}, found {value}", name)
+        message = Sentence(
+            "expected a number from {minimum} to {maximum} in {attribute}, found {found}", minimum, maximum, name, value
+        )
+        element.report(rules.RANGE, message, name)
     return value
 
 
@@ -97,7 +101,8 @@ def _text(element: Element, kind: str) -> Texts:
 def _parameter(element: Element) -> Parameter:
     name = element.matching("name")
     if name in ("in", "next", "return"):
-        element.report(xml_rules.BAD_VALUE, f"a parameter cannot be named {name}, a port of every vertex", "name")
+        message = Sentence("a parameter cannot be named {name}, a port of every vertex", name)
+        element.report(xml_rules.BAD_VALUE, message, "name")
     made = Parameter(
         name, 0, 1, 0, unit=element.optional("unit"), label=_text(element, "label"), help=_text(element, "help")
     )
@@ -120,9 +125,8 @@ def _method(element: Element, kind: Kind, phrase: Texts) -> Method:
         for hole in _HOLE.findall(text):
             if hole not in holes:
                 help = element.did_you_mean(hole, holes)
-                element.report(
-                    rules.PHRASE, f"the phrase {shown(text)} has a hole {{{hole}}} that nothing fills", None, help
-                )
+                message = Sentence("the phrase {phrase} has a hole {{hole}} that nothing fills", shown(text), hole)
+                element.report(rules.PHRASE, message, None, help)
     return Method(
         name,
         kind,
@@ -145,18 +149,20 @@ def _operation(element: Element) -> Method:
     if element.flag("value"):
         for extra in ("test", "to"):
             if extra in element.attributes:
-                element.report(rules.METHOD, f'expected no {extra} beside value="yes", found one', extra)
+                message = Sentence('expected no {attribute} beside value="yes", found one', extra)
+                element.report(rules.METHOD, message, extra)
         if count:
-            element.report(rules.METHOD, f"expected no parameter on a value, found {count}")
+            element.report(rules.METHOD, Sentence("expected no parameter on a value, found {count}", count))
         return _method(element, Kind.VALUE, {"": "{object}"})
     if "test" not in element.attributes:
-        element.report(rules.METHOD, 'expected test="…" or value="yes" on <operation>, found neither')
+        element.report(rules.METHOD, Sentence('expected test="…" or value="yes" on <operation>, found neither'))
         return _method(element, Kind.TEST, {})
     test = element.choice("test")
     if ("to" in element.attributes) == bool(count) or count > 1:
-        parameters = f"{count} parameter{'' if count == 1 else 's'}"
-        found = f"to and {parameters}" if "to" in element.attributes else parameters
-        element.report(rules.METHOD, f'expected either to="…" or one parameter on a test, found {found}')
+        parameters = Sentence.counted("{count} parameter", "{count} parameters", count)
+        found = Sentence("to and {parameters}", parameters) if "to" in element.attributes else parameters
+        message = Sentence('expected either to="…" or one parameter on a test, found {found}', found)
+        element.report(rules.METHOD, message)
     if "to" not in element.attributes:
         parameter = next((parameter.name for parameter in element.found(Parameter)), "value")
         return replace(_method(element, Kind.TEST, comparison(test, f"{{{parameter}}}")), test=test)
@@ -181,11 +187,11 @@ def _device(element: Element, category: Category) -> RobotObject:
     device = element.optional("device")
     first, *more = [*element.found_at(Board), (Board(), element)]
     for _, around in more[:-1]:
-        around.report(xml_rules.DUPLICATE, f"<{element.name}> holds a <board> already")
+        around.report(xml_rules.DUPLICATE, Sentence("<{element}> holds a <board> already", element.name))
     settings = {name: value for name, value in element.attributes.items() if name not in element.tag.attributes}
     simulated = element.found_at(Simulated)
     for _, around in simulated[1:]:
-        around.report(xml_rules.DUPLICATE, f"<{element.name}> holds a <simulate> already")
+        around.report(xml_rules.DUPLICATE, Sentence("<{element}> holds a <simulate> already", element.name))
     return RobotObject(
         _object_name(element),
         category,
@@ -217,7 +223,8 @@ def _simulated(element: Element) -> Simulated:
 def _object_name(element: Element) -> str:
     name = element.matching("name")
     if name == FAULT:
-        element.report(xml_rules.DUPLICATE, f"every robot has a {FAULT} already", "name", "choose another name")
+        message = Sentence("every robot has a {part} already", FAULT)
+        element.report(xml_rules.DUPLICATE, message, "name", Sentence("choose another name"))
     return name
 
 
@@ -226,7 +233,11 @@ def _actuator(element: Element) -> RobotObject:
     plain = {method.name for method in made.methods if not method.parameters}
     for method, around in element.found_at(Method):
         if method.stop is not None and method.stop not in plain:
-            message = f"expected in stop a procedure of {made.name} without parameters, found {shown(method.stop)}"
+            message = Sentence(
+                "expected in stop a procedure of {part} without parameters, found {found}",
+                made.name,
+                shown(method.stop),
+            )
             around.report(rules.STOP, message, "stop", around.did_you_mean(method.stop, plain))
     return made
 
@@ -265,17 +276,19 @@ def _robot(element: Element) -> Robot:
     calls: dict[tuple[str, str], str] = {}
     for part, around in element.found_at(RobotObject):
         if (part.category, part.name) in names:
-            around.report(xml_rules.DUPLICATE, f"the {part.category} {shown(part.name)} is there already", "name")
+            message = Sentence("the {category} {part} is there already", Word(part.category), shown(part.name))
+            around.report(xml_rules.DUPLICATE, message, "name")
             continue
         names.add((part.category, part.name))
         groups[part.category].append(part)
         for method in part.methods:
             other = calls.setdefault((part.name, method.name), part.category.value)
             if other != part.category:
-                message = f"{part.name}.{method.name} is a method of the {other} {part.name} already"
-                around.report(
-                    xml_rules.DUPLICATE, message, "name", "an actuator and a sensor may share a name, not a method"
+                message = Sentence(
+                    "{part}.{method} is a method of the {category} {part} already", part.name, method.name, Word(other)
                 )
+                help = Sentence("an actuator and a sensor may share a name, not a method")
+                around.report(xml_rules.DUPLICATE, message, "name", help)
     return Robot(
         element.matching("name"),
         tuple(groups[Category.ACTUATOR]),

@@ -11,6 +11,7 @@ from itertools import accumulate
 
 from kitrobot.lll import Condition, Hole, Instr, Seq, parse_template
 from kitrobot.primitives import rules
+from kitrobot.text import Sentence
 from kitrobot.xml import Element
 
 LONGEST_CODE = 10_000
@@ -22,7 +23,10 @@ Template = Instr | Condition | Seq
 def read_template(element: Element) -> Template | None:
     """The template that an element's text is; None when it is not LLL, which is reported."""
     if len(element.text) > LONGEST_CODE:
-        element.report(rules.TEMPLATE, f"expected at most {LONGEST_CODE} characters, found {len(element.text)}")
+        element.report(
+            rules.TEMPLATE,
+            Sentence("expected at most {longest} characters, found {count}", LONGEST_CODE, len(element.text)),
+        )
         return None
     template, problems = parse_template(element.text, element.reader.name)
     offsets = element.reader.offsets_of_text(element)
@@ -34,5 +38,5 @@ def read_template(element: Element) -> Template | None:
             problem = replace(problem, place=element.reader.span(offsets[start], offsets[end]))
         element.add(problem)
     if isinstance(template, Hole):
-        element.report(rules.TEMPLATE, "expected LLL around the hole, found only a hole")
+        element.report(rules.TEMPLATE, Sentence("expected LLL around the hole, found only a hole"))
     return template

@@ -5,6 +5,7 @@ from __future__ import annotations
 from kitrobot.deploy import Fault
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.state import RobotEvent
+from kitrobot.text import Recorded
 from kitrobot.trace import LINK, PROGRAM, ROBOT
 
 _CAUSES = {3: PROGRAM, 4: PROGRAM, 6: LINK}
@@ -17,11 +18,19 @@ def fault_said(fault: Fault, names: BoardNames | None) -> str:
     vertex = names.vertex(fault.instruction) if names is not None else None
     line = names.line(fault.instruction) if names is not None else 0
     if not line:
-        return f"fault {fault.number}: {fault.meaning} ({said})" if said else f"fault {fault.number}: {fault.meaning}"
-    place = f"at the vertex {vertex}, line {line} of the code" if vertex else f"at line {line} of the code"
+        return (
+            Recorded("fault {number}: {meaning} ({text})", fault.number, fault.meaning, said)
+            if said
+            else Recorded("fault {number}: {meaning}", fault.number, fault.meaning)
+        )
+    place = (
+        Recorded("at the vertex {vertex}, line {line} of the code", vertex, line)
+        if vertex
+        else Recorded("at line {line} of the code", line)
+    )
     if said:
-        return f"fault {fault.number}: {fault.meaning} ({said}); {place}"
-    return f"fault {fault.number}: {fault.meaning}; {place}"
+        return Recorded("fault {number}: {meaning} ({text}); {place}", fault.number, fault.meaning, said, place)
+    return Recorded("fault {number}: {meaning}; {place}", fault.number, fault.meaning, place)
 
 
 def fault_event(fault: Fault, names: BoardNames | None) -> RobotEvent:

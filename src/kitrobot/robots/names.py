@@ -14,7 +14,7 @@ from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Layout
 from kitrobot.primitives import Robot
-from kitrobot.text import did_you_mean
+from kitrobot.text import COMMA, Sentence, Series, did_you_mean
 
 _DEVICE = re.compile(r"([as])(\d{1,3}) ?(.*)", re.DOTALL)
 NAME_ON_ROBOT = re.compile(r"[0-9a-f]{8}")
@@ -53,7 +53,7 @@ class BoardNames:
         Raises:
             NoNameError: there is none of that name.
         """
-        return _cell(self.sensors, name, f"the robot `{self.robot}` has no sensor `{name}`")
+        return _cell(self.sensors, name, Sentence("the robot `{robot}` has no sensor `{sensor}`", self.robot, name))
 
     def variable(self, name: str) -> int:
         """The cell of a variable.
@@ -61,7 +61,9 @@ class BoardNames:
         Raises:
             NoNameError: there is none of that name.
         """
-        return _cell(self.variables, name, f"the robot `{self.robot}` has no variable `{name}`")
+        return _cell(
+            self.variables, name, Sentence("the robot `{robot}` has no variable `{variable}`", self.robot, name)
+        )
 
     def vertex(self, instruction: int | None) -> str | None:
         """The vertex that an instruction came from."""
@@ -113,8 +115,8 @@ def names_of(program: str, robot: Robot, compiled: Compiled) -> BoardNames:
     )
 
 
-def _cell(cells: Mapping[str, int], name: str, message: str) -> int:
+def _cell(cells: Mapping[str, int], name: str, message: Sentence) -> int:
     if name not in cells:
-        has = f"it has: {', '.join(cells)}" if cells else "it has none"
+        has = Sentence("it has: {cells}", Series(COMMA, cells)) if cells else Sentence("it has none")
         raise NoNameError(message, did_you_mean(name, cells) or has)
     return cells[name]

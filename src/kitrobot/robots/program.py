@@ -24,6 +24,7 @@ from kitrobot.robots.carried import Carried
 from kitrobot.robots.names import BoardNames, names_of
 from kitrobot.robots.session import Known
 from kitrobot.robots.sharing import SHARED_ON_BOARD
+from kitrobot.text import COMMA, Sentence, Series
 
 
 @dataclass(frozen=True)
@@ -93,6 +94,11 @@ def no_driver(robot: Robot, driver: str, package: Package) -> PackageError:
     parts = [part.name for part in (*robot.actuators, *robot.sensors) if (part.board.driver or part.device) == driver]
     files = list(dict.fromkeys(path for family in FAMILIES for path in package.looked_for(driver, family)))
     return PackageError(
-        f"`{parts[0]}` of the robot `{robot.name}` wants the driver `{driver}`, and there is none",
-        f"it was looked for as {', '.join(f'`{path}`' for path in files)}",
+        Sentence(
+            "`{part}` of the robot `{robot}` wants the driver `{driver}`, and there is none",
+            parts[0],
+            robot.name,
+            driver,
+        ),
+        Sentence("it was looked for as {files}", Series(COMMA, (f"`{path}`" for path in files))),
     )

@@ -14,6 +14,7 @@ from typing import Any
 from kitrobot.robots.records import RecordedBoard, header_of
 from kitrobot.robots.run import RobotsRun
 from kitrobot.robots.state import Change
+from kitrobot.text import Sentence, Word
 from kitrobot.trace import TickRecord, TraceError, TraceWriter
 
 SETTLE_S = 5.0
@@ -64,7 +65,7 @@ class RobotRecorder:
                 if not self._done and self.error is None:
                     TraceWriter.end(path, self.outcome())
             except OSError as error:
-                raise TraceError(f"the recording cannot be saved: {error.strerror}") from error
+                raise TraceError(Sentence("the recording cannot be saved: {reason}", Word(error.strerror))) from error
 
     def close(self) -> None:
         """Ends the recording; again does nothing."""

@@ -14,6 +14,7 @@ from kitrobot.robots.carried import Carried
 from kitrobot.robots.faults import fault_said
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.state import RobotState
+from kitrobot.text import Sentence
 from kitrobot.trace import TEAM, Column, Threads, TraceAgent, TraceHeader
 
 BEFORE = ("doing", "forced", "tick")
@@ -45,8 +46,8 @@ def header_of(boards: Sequence[RecordedBoard]) -> TraceHeader:
     first = boards[0]
     if any((one.carried.mission, one.carried.parts) != (first.carried.mission, first.carried.parts) for one in boards):
         raise NoRecordingError(
-            "the robots run programs of different missions, and a recording holds one mission",
-            "record them one by one, each into a file of its own",
+            Sentence("the robots run programs of different missions, and a recording holds one mission"),
+            Sentence("record them one by one, each into a file of its own"),
         )
     columns = [Column(one.name, name) for one in boards for name in (*BEFORE, *one.carried.cells)] + [
         Column(TEAM, "collisions")

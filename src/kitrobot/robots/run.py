@@ -17,6 +17,7 @@ from typing import NoReturn
 from kitrobot.robots.records import RecordedBoard, active_of, first_row, header_of, row_of, sentence_of
 from kitrobot.robots.session import RobotSession
 from kitrobot.robots.state import Change, RobotState
+from kitrobot.text import Recorded, Sentence
 from kitrobot.trace import Ability, AbilityError, NewEvents, Threads, TickRecord, TraceCommand, TraceEvent, TraceHeader
 
 LONGEST_TEXT = 500
@@ -120,9 +121,11 @@ class RobotsRun:
         if self._wrong:
             number, sentence = next(iter(self._wrong.items()))
             several = len(self._robots) > 1
-            return "failed", f"{self._robots[number].name}: {sentence}" if several else sentence
+            return "failed", Recorded(
+                "{robot}: {sentence}", self._robots[number].name, sentence
+            ) if several else sentence
         if all(state.doing == "ended" for state in self._states):
-            return "done", "the program of each robot has ended"
+            return "done", Recorded("the program of each robot has ended")
         return "stopped", ""
 
     def record(self, in_full: Collection[int] | None = None) -> TickRecord:
@@ -188,7 +191,7 @@ class RobotsRun:
 
     def _session(self, agent: str) -> RobotSession:
         if agent not in self._sessions:
-            raise AbilityError("nobody talks with this robot", "connect it first")
+            raise AbilityError(Sentence("nobody talks with this robot"), Sentence("connect it first"))
         return self._sessions[agent]
 
     def fail(self, agent: str, kind: str) -> None:
@@ -196,7 +199,7 @@ class RobotsRun:
         self._refuse()
 
     def _refuse(self) -> NoReturn:
-        raise AbilityError("these are real robots: that can only be done in the simulator")
+        raise AbilityError(Sentence("these are real robots: that can only be done in the simulator"))
 
     def stop(self) -> None:
         """Stops every robot that there is a link to; in the thread of their sessions."""

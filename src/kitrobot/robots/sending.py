@@ -10,6 +10,7 @@ from typing import TypeVar
 from kitrobot.deploy import Board, Deployed, DeployError, Hello, Port, connect, deploy, list_ports
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots.program import BoardProgram
+from kitrobot.text import COMMA, Sentence, Series
 
 _MOST_AT_ONCE = 32
 
@@ -64,10 +65,16 @@ def chosen_boards(addresses: Sequence[str]) -> list[str]:
         return [ports[0].address]
     if not ports:
         raise NoBoardError(
-            "no robot is plugged in", "plug one in with a USB cable that carries data, or name its address with --to"
+            Sentence("no robot is plugged in"),
+            Sentence("plug one in with a USB cable that carries data, or name its address with --to"),
         )
-    names = ", ".join(f"`{port.address}` ({port.name})" for port in ports)
-    raise NoBoardError(f"{len(ports)} robots may be meant: {names}", "choose with --to")
+    names = Series(COMMA, (f"`{port.address}` ({port.name})" for port in ports))
+    raise NoBoardError(
+        Sentence.counted(
+            "{count} robot may be meant: {names}", "{count} robots may be meant: {names}", len(ports), names
+        ),
+        Sentence("choose with --to"),
+    )
 
 
 def send_program(

@@ -20,13 +20,14 @@ from kitrobot.robots.faults import fault_event
 from kitrobot.robots.link import Link
 from kitrobot.robots.names import BoardNames
 from kitrobot.robots.state import Change, Happening, RobotEvent, RobotState
+from kitrobot.text import Recorded, Sentence
 from kitrobot.trace import LINK, PERSON, PROGRAM, ROBOT
 
 LOOK_S = 0.5
 """How often a robot's state is looked at; it is asked only while it does not report that itself."""
 
 Subscriber = Callable[[Change], None]
-_STOPPED = RobotEvent("outside", "it was stopped from here", PERSON)
+_STOPPED = RobotEvent("outside", Recorded("it was stopped from here"), PERSON)
 
 
 class NotConnectedError(KitRobotError):
@@ -80,7 +81,7 @@ class RobotSession:
             NotConnectedError: there is none.
         """
         if self._link is None:
-            raise NotConnectedError("nobody talks with this robot", "connect it first")
+            raise NotConnectedError(Sentence("nobody talks with this robot"), Sentence("connect it first"))
         return self._link
 
     def open(self, link: Link, hello: Hello, known: Known | None) -> None:
@@ -91,7 +92,7 @@ class RobotSession:
         self._period_ms = 0
         events = []
         if was.lost and state.installed == was.installed:
-            events.append(RobotEvent("revival", "the link is back", LINK))
+            events.append(RobotEvent("revival", Recorded("the link is back"), LINK))
         self._stands(state, was, events, Happening.GREETED)
 
     def watch(self, period_ms: int) -> None:
@@ -118,7 +119,7 @@ class RobotSession:
         """Begins the program that it has. Held: it stops when it hears nothing from here."""
         self.link.start(held=held)
         first = self.known.first_values() if self.known is not None else {}
-        event = RobotEvent("outside", "its program was started from here", PERSON)
+        event = RobotEvent("outside", Recorded("its program was started from here"), PERSON)
         self._change(Happening.STARTED, self.state.started(held, first), event)
 
     def stop(self) -> None:
@@ -142,7 +143,7 @@ class RobotSession:
         self.link.force(self._names().input(sensor), value)
         forced = {name: held for name, held in self.state.forced.items() if name != sensor}
         if value is None:
-            event = RobotEvent("outside", f"the sensor {sensor} measures again", PERSON)
+            event = RobotEvent("outside", Recorded("the sensor {sensor} measures again", sensor), PERSON)
         else:
             forced[sensor] = value
             event = held_event(sensor, value)
@@ -158,13 +159,14 @@ class RobotSession:
         cell = self._names().variable(variable)
         self.link.set(cell, value)
         state = replace(self.state, cells={**self.state.cells, cell: value})
-        event = RobotEvent("outside", f"the variable {variable} was set to {value}", PERSON)
+        event = RobotEvent("outside", Recorded("the variable {variable} was set to {value}", variable, value), PERSON)
         self._change(Happening.SET, state, event)
 
     def _names(self) -> BoardNames:
         if self.known is None:
             raise NotConnectedError(
-                "the robot has another program than the one that is open here", "send this one first"
+                Sentence("the robot has another program than the one that is open here"),
+                Sentence("send this one first"),
             )
         return self.known.names
 
@@ -203,7 +205,7 @@ class RobotSession:
     def _stands(self, now: RobotState, was: RobotState, events: list[RobotEvent], happening: Happening) -> None:
         """Takes a state that was looked at; an end and a fault that were not reported are found then."""
         if now.doing == "ended" != was.doing:
-            events.append(RobotEvent("end", "its program has ended", PROGRAM))
+            events.append(RobotEvent("end", Recorded("its program has ended"), PROGRAM))
         self._change(happening, now, *events)
         if now.doing == "fault" and now.fault is None:
             fault = self.link.last_fault()
@@ -220,7 +222,7 @@ class RobotSession:
         """It was without power for a moment, and runs by itself as it does when that comes back. One that is held is
         stopped; another one is watched again, which it has forgotten.
         """
-        event = RobotEvent("message", "it began anew by itself", ROBOT)
+        event = RobotEvent("message", Recorded("it began anew by itself"), ROBOT)
         if self.state.held:
             self.link.stop()
             self._change(Happening.REBOOTED, self.state.rebooted().stopped(), event, _STOPPED)
@@ -244,4 +246,4 @@ class RobotSession:
 
 def held_event(sensor: str, value: int) -> RobotEvent:
     """A sensor is held at a value from here."""
-    return RobotEvent("outside", f"the sensor {sensor} is held at {value}", PERSON)
+    return RobotEvent("outside", Recorded("the sensor {sensor} is held at {value}", sensor, value), PERSON)

@@ -6,6 +6,7 @@ from kitrobot.compiler import Compiled
 from kitrobot.diagnostics import Diagnostic, Severity, rule
 from kitrobot.lll import Call, nodes
 from kitrobot.primitives import Robot
+from kitrobot.text import Sentence
 
 SHARED_ON_BOARD = rule(
     "shared-on-board",
@@ -26,11 +27,17 @@ def warn_of_sharing(name: str, robot: Robot, compiled: Compiled) -> list[Diagnos
         if not isinstance(node, Call) or node.object not in shared or node.object in found:
             continue
         place = compiled.source.place(node.start, node.end)
-        where = f"line {place.line}, vertex `{vertex}`" if vertex else f"line {place.line}"
+        where = (
+            Sentence("line {line}, vertex `{vertex}`", place.line, vertex)
+            if vertex
+            else Sentence("line {line}", place.line)
+        )
         found[node.object] = SHARED_ON_BOARD(
-            f"`{node.object}` is shared with the team, and real robots do not pass it on: {where}",
+            Sentence(
+                "`{object}` is shared with the team, and real robots do not pass it on: {where}", node.object, where
+            ),
             place,
-            help="the robot runs, and sees only what it sets itself; to run as a team, use the simulator",
+            help=Sentence("the robot runs, and sees only what it sets itself; to run as a team, use the simulator"),
             program=name,
             vertices=(vertex,) if vertex else (),
         )

@@ -27,7 +27,7 @@ from kitrobot.server.parts_routes import parts_routes
 from kitrobot.server.routes import routes
 from kitrobot.server.runs import run_routes
 from kitrobot.server.security import Guard, refuse
-from kitrobot.server.sentences import InReadersLanguage, spoken
+from kitrobot.server.sentences import InReadersLanguage
 from kitrobot.server.shapes import (
     BOARD_MESSAGE_MODELS,
     BOARD_REQUEST_MODELS,
@@ -43,6 +43,7 @@ from kitrobot.server.studio import Studio
 from kitrobot.server.texts import text_routes
 from kitrobot.server.trace_routes import trace_routes
 from kitrobot.server.tutorials import tutorial_routes
+from kitrobot.text import Sentence, Word
 
 ROUTERS = (
     routes,
@@ -113,8 +114,8 @@ def _serve_page(app: FastAPI, static: Path) -> None:
         if index.is_file():
             return FileResponse(index, media_type="text/html")
         message, help = (
-            "The studio's page has not been built",
-            "run `python tools/page.py build` and load this page again",
+            Sentence("The studio's page has not been built"),
+            Sentence("run `python tools/page.py build` and load this page again"),
         )
         return HTMLResponse(pages.sentence(message, help), status_code=503)
 
@@ -138,7 +139,7 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
 def _failed(request: Request, error: Exception) -> Response:
     """An operation failed: which status, and the sentence."""
     assert isinstance(error, KitRobotError)
-    message, help = spoken(error.message), spoken(error.help)
+    message, help = error.message, error.help
     if isinstance(error, ConflictError):
         conflict = ConflictShape(message=message, help=help, revision=error.revision)
         return JSONResponse(conflict.model_dump(), status_code=409)
@@ -155,7 +156,9 @@ def _failed(request: Request, error: Exception) -> Response:
 
 def _disk_failed(request: Request, error: Exception) -> Response:
     assert isinstance(error, OSError)
-    failure = FailureShape(message=spoken(error.strerror or "the disk could not be used"), help="")
+    failure = FailureShape(
+        message=Word(error.strerror) if error.strerror else Sentence("the disk could not be used"), help=""
+    )
     return JSONResponse(failure.model_dump(), status_code=422)
 
 
@@ -164,8 +167,8 @@ def _not_understood(request: Request, error: Exception) -> Response:
     first = error.errors()[0]
     where = ".".join(str(part) for part in first["loc"])
     failure = FailureShape(
-        message=f"The request was not understood: {first['msg']} ({where}).",
-        help="Load the page again: it may be older than the studio.",
+        message=Sentence("The request was not understood: {reason} ({where}).", first["msg"], where),
+        help=Sentence("Load the page again: it may be older than the studio."),
     )
     return JSONResponse(failure.model_dump(), status_code=422)
 
@@ -174,7 +177,7 @@ def _refused(request: Request, error: Exception) -> Response:
     """Nothing is there, or not for that method."""
     assert isinstance(error, HTTPException)
     if request.url.path.startswith("/api/"):
-        failure = FailureShape(message=f"{error.detail}.", help="")
+        failure = FailureShape(message=Word(error.detail), help="")
         return JSONResponse(failure.model_dump(), status_code=error.status_code, headers=error.headers)
-    page = pages.sentence(f"{error.detail}", "the studio is at `/`")
+    page = pages.sentence(Word(error.detail), Sentence("the studio is at `/`"))
     return HTMLResponse(page, status_code=error.status_code, headers=error.headers)

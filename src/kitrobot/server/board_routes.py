@@ -23,7 +23,7 @@ from starlette.requests import HTTPConnection
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.robot_registry import AddressError, RobotRegistry, Subscriber
 from kitrobot.server.routing import studio_of
-from kitrobot.server.sentences import spoken
+from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     BOARD_REQUEST,
     BoardCancelRequest,
@@ -42,6 +42,7 @@ from kitrobot.server.shapes import (
     problem_shapes,
 )
 from kitrobot.server.studio import Studio
+from kitrobot.text import Sentence
 from kitrobot.trace import ENDING
 
 if TYPE_CHECKING:
@@ -59,8 +60,8 @@ async def boards(socket: WebSocket) -> None:
     if not (studio.boards_for_visitors or _is_here(socket)):
         message = BoardRefusedMessage(
             address="",
-            message=spoken("the robots are plugged into another machine"),
-            help=spoken("use them there"),
+            message=Sentence("the robots are plugged into another machine"),
+            help=Sentence("use them there"),
             problems=[],
         )
         await socket.send_text(message.model_dump_json())
@@ -74,7 +75,7 @@ async def board_trace(request: Request, address: Annotated[str, Query(max_length
     """What a robot did in its last run, or does in the one that is on, as a recording."""
     studio = studio_of(request)
     if not (studio.boards_for_visitors or _is_here(request)):
-        raise AddressError("the robots are plugged into another machine", "use them there")
+        raise AddressError(Sentence("the robots are plugged into another machine"), Sentence("use them there"))
     recorder = studio.boards.recorder(address)
     path = await asyncio.to_thread(studio.recordings.new_file, f"robot{ENDING}")
     try:
@@ -119,10 +120,7 @@ class BoardSession:
         try:
             request: BoardRequest = BOARD_REQUEST.validate_json(text)
         except ValidationError as error:
-            first = error.errors(include_url=False, include_input=False)[0]
-            where = ".".join(str(part) for part in first["loc"])
-            message = f"the request was not understood: {first['msg']}{f' ({where})' if where else ''}"
-            self._refuse(subscriber, "", KitRobotError(message, "load the page again: it may be older than the studio"))
+            self._refuse(subscriber, "", not_understood(error))
             return
         address = "" if isinstance(request, BoardsLookRequest) else request.address
         try:
@@ -132,14 +130,18 @@ class BoardSession:
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a robot's request broke: %s: %s", type(error).__name__, error, exc_info=debugging)
-            self._refuse(subscriber, address, KitRobotError("something went wrong inside KitRobot", "please report it"))
+            self._refuse(
+                subscriber,
+                address,
+                KitRobotError(Sentence("something went wrong inside KitRobot"), Sentence("please report it")),
+            )
 
     def _refuse(self, subscriber: Subscriber, address: str, error: KitRobotError) -> None:
         subscriber.tell(
             BoardRefusedMessage(
                 address=address,
-                message=spoken(error.message),
-                help=spoken(error.help),
+                message=error.message,
+                help=error.help,
                 problems=problem_shapes(error.diagnostics),
             )
         )

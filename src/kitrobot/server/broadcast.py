@@ -22,7 +22,6 @@ from fastapi import WebSocketDisconnect
 
 from kitrobot.mission import Mission
 from kitrobot.server.run_messages import MOST_EVENTS_TOLD
-from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import ErrorMessage, StartedMessage, StateMessage
 from kitrobot.translation import said, said_in
 
@@ -232,7 +231,7 @@ class Broadcast:
         """There is no run any more, and why; those who know that it is over need not be told."""
         if not self.on and not self._new:
             return
-        last = ErrorMessage(message=spoken(message), help=spoken(help), ended=True)
+        last = ErrorMessage(message=message, help=help, ended=True)
         for watcher in (*self._watchers, *self._new) if self.on else self._new:
             watcher.end(last)
         self.on = False

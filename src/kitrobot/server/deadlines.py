@@ -14,6 +14,8 @@ from collections.abc import Awaitable, Callable
 
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from kitrobot.text import Sentence
+
 DEADLINE_S = 120.0
 """How long an answer may keep a page waiting before it begins."""
 MOST_AT_ONCE = 500
@@ -43,8 +45,8 @@ class Deadlines:
                 scope,
                 send,
                 503,
-                "the studio is busy with more requests than it can do at once",
-                "try again in a moment",
+                Sentence("the studio is busy with more requests than it can do at once"),
+                Sentence("try again in a moment"),
             )
         else:
             await self._serve(scope, receive, send)
@@ -84,8 +86,8 @@ class Deadlines:
             scope,
             send,
             504,
-            "the studio did not come to the end of this in time",
-            "try again; when it stays so, look whether the disk or network drive with the missions answers",
+            Sentence("the studio did not come to the end of this in time"),
+            Sentence("try again; when it stays so, look whether the disk or network drive with the missions answers"),
         )
 
     async def _work(self, scope: Scope, receive: Receive, send: Send) -> None:

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import MissionEntry
-from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import MissionEntryShape, PictureShape, mission_shape, world_shape
 from kitrobot.workspace import OpenMission
 
@@ -62,7 +61,7 @@ def _plain(entry: MissionEntry) -> MissionEntryShape:
         label={},
         help={},
         picture=None,
-        problem=spoken(entry.problem),
+        problem=entry.problem,
     )
 
 

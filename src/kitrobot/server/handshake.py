@@ -21,6 +21,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.proofs import proof_of
 from kitrobot.server.routing import api_router
 from kitrobot.server.security import page_cookie
+from kitrobot.text import Sentence
 
 MOST_ASKED = 64
 """Numbers of ours that wait for a proof; the oldest goes when there are more."""
@@ -90,7 +91,9 @@ class Handshake:
             self._open.pop(answered, None)
         if hmac.compare_digest(proof_of(self.secret, "page", address, asked, answered), proof) and fresh:
             return self._token
-        raise StrangerError("this page is not one of this folder", "open the address that `kitrobot` printed")
+        raise StrangerError(
+            Sentence("this page is not one of this folder"), Sentence("open the address that `kitrobot` printed")
+        )
 
 
 def _handshake(request: Request) -> Handshake:

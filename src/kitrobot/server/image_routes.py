@@ -9,6 +9,7 @@ from kitrobot.image import disassemble
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.image import ImageAskShape, ImageShape
+from kitrobot.text import Sentence
 
 image_routes = api_router()
 
@@ -21,15 +22,19 @@ def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
     compiled = opened.compiled.get(program.name)
     if compiled is None:
         raise ProblemsError(
-            f"the robot `{program.target}` of `{program.name}` is not at hand, so there is no image of it",
-            "put the robot's file beside the mission",
+            Sentence(
+                "the robot `{robot}` of `{program}` is not at hand, so there is no image of it",
+                program.target,
+                program.name,
+            ),
+            Sentence("put the robot's file beside the mission"),
             opened.diagnostics,
         )
     if compiled.image is None:
         errors = tuple(item for item in compiled.diagnostics if item.is_error)
         raise ProblemsError(
-            f"`{program.name}` has {_counted(len(errors))}, so there is no image of it yet",
-            "mend what the list of problems shows",
+            Sentence("`{program}` has {errors}, so there is no image of it yet", program.name, _counted(len(errors))),
+            Sentence("mend what the list of problems shows"),
             errors,
         )
     data = compiled.image.to_bytes()
@@ -37,4 +42,4 @@ def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
 
 
 def _counted(errors: int) -> str:
-    return f"{errors} error{'s' if errors != 1 else ''}"
+    return Sentence.counted("{count} error", "{count} errors", errors)

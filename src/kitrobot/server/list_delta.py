@@ -10,6 +10,7 @@ from collections.abc import Callable, Hashable, Sequence
 from typing import Any, TypeVar
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
 
 Thing = TypeVar("Thing")
 
@@ -31,10 +32,15 @@ def taken(rows: Sequence[Thing | tuple[int, int]], before: Sequence[Thing], most
             continue
         start, end = row
         if not 0 <= start < end <= len(before):
-            raise StretchError(f"a list of {len(before)} has no stretch from {start} to {end}", "load the page again")
+            raise StretchError(
+                Sentence("a list of {count} has no stretch from {start} to {end}", len(before), start, end),
+                Sentence("load the page again"),
+            )
         found += before[start:end]
         if len(found) > most:
-            raise StretchError(f"this program has a list of more than {most}", "make the program smaller")
+            raise StretchError(
+                Sentence("this program has a list of more than {most}", most), Sentence("make the program smaller")
+            )
     return found
 
 

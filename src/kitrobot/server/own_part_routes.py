@@ -9,7 +9,6 @@ from kitrobot.lll import print_template
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, write_constructors
 from kitrobot.server.routing import ThisStudio, api_router
-from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import FailureShape, TextShape, mission_from_shape, mission_shape, problem_shapes
 from kitrobot.server.shapes.catalogue import ConstructorShape
 from kitrobot.server.shapes.mission import ProgramShape
@@ -29,6 +28,7 @@ from kitrobot.server.shapes.part import (
     chosen_from_shape,
 )
 from kitrobot.server.studio import Studio
+from kitrobot.text import Sentence
 from kitrobot.workspace import NoProgramError
 
 MOST_PROBLEMS = 100
@@ -78,13 +78,20 @@ def part_read(studio: ThisStudio, wanted: PartTextShape) -> PartReadShape:
     """Reads a part as it was edited: what became of it, or its mistakes."""
     if len(wanted.constructor.code) > LONGEST_PART:
         raise OwnPartError(
-            f"this part has {len(wanted.constructor.code)} characters, and a part has at most {LONGEST_PART}",
-            "make several smaller parts of it",
+            Sentence(
+                "this part has {count} characters, and a part has at most {longest}",
+                len(wanted.constructor.code),
+                LONGEST_PART,
+            ),
+            Sentence("make several smaller parts of it"),
         )
     if wanted.constructor.adds is not None:
         raise OwnPartError(
-            f"the part `{wanted.constructor.name}` adds a branch to another one, and has no code to read",
-            "give it code instead",
+            Sentence(
+                "the part `{constructor}` adds a branch to another one, and has no code to read",
+                wanted.constructor.name,
+            ),
+            Sentence("give it code instead"),
         )
     mission = mission_from_shape(wanted.mission)
     catalogue = studio.parts_of(mission, wanted.path)
@@ -108,14 +115,16 @@ def part_file(wanted: PartFileShape) -> TextShape:
 def _refused(error: KitRobotError) -> FailureShape:
     """What a person can mend is an answer, no failure."""
     problems = problem_shapes(error.diagnostics[:MOST_PROBLEMS])
-    return FailureShape(message=spoken(error.message), help=spoken(error.help), problems=problems)
+    return FailureShape(message=error.message, help=error.help, problems=problems)
 
 
 def _of(studio: Studio, wanted: SelectedShape) -> tuple[Program, Catalogue]:
     mission = mission_from_shape(wanted.mission)
     program = next((one for one in mission.programs if one.name == wanted.program), None)
     if program is None:
-        raise NoProgramError(f"the mission holds no program `{wanted.program}`", "load the page again")
+        raise NoProgramError(
+            Sentence("the mission holds no program `{program}`", wanted.program), Sentence("load the page again")
+        )
     return program, studio.parts_of(mission, wanted.path)
 
 

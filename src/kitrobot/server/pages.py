@@ -6,7 +6,7 @@ import html
 import re
 
 from kitrobot.server.sentences import spoken
-from kitrobot.translation import DIRECTIONS, said, said_in
+from kitrobot.translation import DIRECTIONS, said_in
 
 _PAGE = """<!doctype html>
 <html lang="{language}" dir="{direction}">
@@ -36,8 +36,8 @@ def sentence(message: str, help: str) -> str:
     return _PAGE.format(
         language=language,
         direction=DIRECTIONS[language],
-        message=_words(said(spoken(message))),
-        help=_words(said(spoken(help))),
+        message=_words(spoken(message)),
+        help=_words(spoken(help)),
     )
 
 

@@ -36,6 +36,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import FileLock, state_folder
 from kitrobot.server import pages
 from kitrobot.server.proofs import proof_of
+from kitrobot.text import Sentence
 
 _LARGEST_BYTES = 10_000
 _STARTS_WITHIN_S = 10.0
@@ -95,8 +96,8 @@ class Presence:
                 return running
             if time.monotonic() > until:
                 raise PresenceError(
-                    "the studio of this folder runs already, and does not answer",
-                    "end it in its terminal, or start a second one with --new",
+                    Sentence("the studio of this folder runs already, and does not answer"),
+                    Sentence("end it in its terminal, or start a second one with --new"),
                 )
             time.sleep(_LOOK_AGAIN_S)
         return None

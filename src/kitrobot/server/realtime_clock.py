@@ -75,3 +75,8 @@ class Pace:
     def _anchor(self, tick: int) -> None:
         self._from_time = self._clock()
         self._from_tick = tick
+
+
+def speed_of(wanted: float) -> float:
+    """The speed for one that was asked for: none is slower than `SLOWEST` but `UNPACED`."""
+    return wanted if wanted == UNPACED else max(SLOWEST, wanted)

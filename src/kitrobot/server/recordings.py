@@ -14,6 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
 from kitrobot.workspace import OpenTrace, open_trace, unpack
 
 MOST_KEPT = 16
@@ -81,5 +82,5 @@ class Recordings:
         with self._lock:
             path = self._files.get(name)
         if path is None:
-            raise RecordingError("this recording is not open any more", "open its file once more")
+            raise RecordingError(Sentence("this recording is not open any more"), Sentence("open its file once more"))
         return open_trace(path)

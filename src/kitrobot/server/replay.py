@@ -13,6 +13,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.mission import Breakpoint
 from kitrobot.server.recorded_agents import recorded_agents, testable
 from kitrobot.server.watched_run import WatchedRun
+from kitrobot.text import Sentence
 from kitrobot.trace import RecordingSource
 from kitrobot.workspace import OpenMission, OpenTrace
 
@@ -54,8 +55,10 @@ class Replay(WatchedRun):
         super().pause_at(sensible)
         if not all_of_them:
             raise ReplayError(
-                "a condition of a breakpoint cannot be tested in this recording: its robot is not known as it was",
-                "the recording pauses there at every visit",
+                Sentence(
+                    "a condition of a breakpoint cannot be tested in this recording: its robot is not known as it was"
+                ),
+                Sentence("the recording pauses there at every visit"),
             )
 
     def record_to(self, path: Path) -> None:

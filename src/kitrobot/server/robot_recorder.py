@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kitrobot.text import Sentence
 from kitrobot.trace import ENDING, TraceError
 
 if TYPE_CHECKING:
@@ -54,7 +55,9 @@ class LastRun:
         """
         with self._lock:
             if self._recorder is None:
-                raise TraceError("this robot was not recorded yet", "a recording begins when it runs")
+                raise TraceError(
+                    Sentence("this robot was not recorded yet"), Sentence("a recording begins when it runs")
+                )
             self._recorder.save(path)
 
     def close(self) -> None:

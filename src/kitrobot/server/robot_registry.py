@@ -28,6 +28,7 @@ from kitrobot.server.shapes import (
     BoardPortsMessage,
     BoardsWelcomeMessage,
 )
+from kitrobot.text import Sentence
 from kitrobot.translation import said_in
 
 if TYPE_CHECKING:
@@ -214,7 +215,10 @@ class RobotRegistry:
         if found is not None:
             return self._mine(subscriber, found)
         if len(self._sessions) >= MOST_BOARDS:
-            raise BoardsError(f"this studio talks with {MOST_BOARDS} robots already", "disconnect one of them first")
+            raise BoardsError(
+                Sentence("this studio talks with {most} robots already", MOST_BOARDS),
+                Sentence("disconnect one of them first"),
+            )
         from kitrobot.server.robot_worker import RobotWorker
 
         loop = asyncio.get_running_loop()
@@ -236,14 +240,16 @@ class RobotRegistry:
             known = {one.address: one.name for one in self._ports}
         if address not in known:
             raise AddressError(
-                f"there is no robot at `{address}`", "choose one of the list, or write `socket://host:port`"
+                Sentence("there is no robot at `{address}`", address),
+                Sentence("choose one of the list, or write `socket://host:port`"),
             )
         return _shown(address, known[address])
 
     def _mine(self, subscriber: Subscriber, session: RobotWorker) -> RobotWorker:
         if session.holder != subscriber.name:
             raise HeldError(
-                f"another page of this studio has `{session.name}`", "disconnect it there; to stop it, press STOP here"
+                Sentence("another page of this studio has `{robot}`", session.name),
+                Sentence("disconnect it there; to stop it, press STOP here"),
             )
         return session
 
@@ -255,7 +261,7 @@ class RobotRegistry:
         """
         found = self._sessions.get(address)
         if found is None:
-            raise AddressError("nobody talks with this robot", "connect it first")
+            raise AddressError(Sentence("nobody talks with this robot"), Sentence("connect it first"))
         return self._mine(subscriber, found)
 
     def recorder(self, address: str) -> LastRun:
@@ -266,7 +272,7 @@ class RobotRegistry:
         """
         found = self._sessions.get(address)
         if found is None:
-            raise AddressError("nobody talks with this robot", "connect it first")
+            raise AddressError(Sentence("nobody talks with this robot"), Sentence("connect it first"))
         return found.recorder
 
     def stop(self, address: str) -> None:

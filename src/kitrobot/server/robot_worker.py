@@ -26,7 +26,6 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import BoardNames, BoardProgram, Change, Happening, RobotSession, RobotState
 from kitrobot.server.robot_gateway import RobotGateway
 from kitrobot.server.robot_recorder import LastRun
-from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import (
     BoardFaultShape,
     BoardMessage,
@@ -35,6 +34,7 @@ from kitrobot.server.shapes import (
     BoardStep,
     BoardWay,
 )
+from kitrobot.text import Recorded, Sentence
 
 LISTEN_S = 0.05
 """How long the robot is listened to before what was asked for meanwhile is looked at."""
@@ -43,7 +43,7 @@ WATCH_MS = 100
 MOST_ORDERS = 64
 STEPS: tuple[BoardStep, ...] = get_args(BoardStep)
 LONGEST_TEXT = 500
-_KEPT = "the robot still has the program that it had"
+_KEPT = Sentence("the robot still has the program that it had")
 
 Order = Callable[[], None]
 _log = logging.getLogger("kitrobot.server")
@@ -155,7 +155,9 @@ class RobotWorker:
     def _order(self, order: Order) -> None:
         with self._wake:
             if len(self._orders) >= MOST_ORDERS:
-                raise BusyError("the robot does not keep up with what it is asked for", "wait a moment")
+                raise BusyError(
+                    Sentence("the robot does not keep up with what it is asked for"), Sentence("wait a moment")
+                )
             self._orders.append(order)
             self._wake.notify()
 
@@ -205,13 +207,15 @@ class RobotWorker:
     def _lose(self) -> None:
         state = self._session.state
         if state.doing != "running":
-            message = f"the link to `{self.name}` is lost"
+            message = Recorded("the link to `{robot}` is lost", self.name)
         elif state.held:
-            message = f"the link to `{self.name}` is lost: its motors stop within one second"
+            message = Recorded("the link to `{robot}` is lost: its motors stop within one second", self.name)
         else:
-            message = f"the link to `{self.name}` is lost; it runs on by itself"
+            message = Recorded("the link to `{robot}` is lost; it runs on by itself", self.name)
         self._session.lose(message)
-        self._say(phase="lost", progress=None, message=message, help="look at its cable, then press Reconnect")
+        self._say(
+            phase="lost", progress=None, message=message, help=Sentence("look at its cable, then press Reconnect")
+        )
 
     # -- the orders
 
@@ -247,7 +251,7 @@ class RobotWorker:
             self._say(progress=None)
             self._greet(program)
         except _Cancelled:
-            self._say(phase="closed", progress=None, message="the sending was broken off", help=_KEPT)
+            self._say(phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT)
             return
         except (KitRobotError, OSError) as error:
             self._session.close()
@@ -282,16 +286,16 @@ class RobotWorker:
         self._session.poll(LISTEN_S)
         error = self.recorder.error()
         if error is not None:
-            self._say(message=error.message, help="what was recorded before can be saved")
+            self._say(message=error.message, help=Sentence("what was recorded before can be saved"))
 
     def _robot_changed(self, change: Change) -> None:
         if change.happening is not Happening.REBOOTED:
             self._say()
             return
-        help = "it may have lost its power for a moment: look at its battery and cable"
+        help = Sentence("it may have lost its power for a moment: look at its battery and cable")
         if change.state.doing != "running":
-            help = "it was stopped; it may have lost its power for a moment: look at its battery and cable"
-        self._say(message=f"`{self.name}` began anew by itself", help=help)
+            help = Sentence("it was stopped; it may have lost its power for a moment: look at its battery and cable")
+        self._say(message=Sentence("`{robot}` began anew by itself", self.name), help=help)
 
     # -- telling
 
@@ -331,8 +335,8 @@ class RobotWorker:
             forced=sorted(state.forced),
             progress=now.progress,
             fault=_fault_shape(state.fault, names) if state.fault is not None else None,
-            message=spoken(now.message),
-            help=spoken(now.help),
+            message=now.message,
+            help=now.help,
             way=now.way,
             recorded=now.recorded,
         )
@@ -342,7 +346,7 @@ def _fault_shape(fault: Fault, names: BoardNames | None) -> BoardFaultShape:
     at = fault.instruction
     return BoardFaultShape(
         number=fault.number,
-        sentence=spoken(fault.meaning),
+        sentence=fault.meaning,
         text=(names.fault_text(fault.text) if names is not None else fault.text)[:LONGEST_TEXT],
         program=names.program if names is not None else "",
         vertex=(names.vertex(at) or "") if names is not None else "",
@@ -356,13 +360,19 @@ def _way_out(error: KitRobotError) -> str:
     if "`kitrobot " not in error.help and " --" not in error.help:
         return error.help
     if isinstance(error, ForeignError):
-        return "save it first if you need it, then press Replace it"
+        return Sentence("save it first if you need it, then press Replace it")
     if isinstance(error, FullError):
-        return "press Make room: what KitRobot put there goes first, and until the new program is whole there is none"
+        return Sentence(
+            "press Make room: what KitRobot put there goes first, and until the new program is whole there is none"
+        )
     if isinstance(error, SilentError):
-        return "press its reset button; when it holds no KitRobot yet, press Send"
-    return "look at its cable, then try again" if isinstance(error, LineError) else "send the program again"
+        return Sentence("press its reset button; when it holds no KitRobot yet, press Send")
+    return (
+        Sentence("look at its cable, then try again")
+        if isinstance(error, LineError)
+        else Sentence("send the program again")
+    )
 
 
 def _no_answer(name: str) -> KitRobotError:
-    return KitRobotError(f"`{name}` does not answer", "look at its cable, then try again")
+    return KitRobotError(Sentence("`{robot}` does not answer", name), Sentence("look at its cable, then try again"))

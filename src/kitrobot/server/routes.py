@@ -32,7 +32,7 @@ from kitrobot.server.shapes import (
 from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
-from kitrobot.text import collection_paused
+from kitrobot.text import Sentence, collection_paused
 from kitrobot.workspace import OpenMission, new_mission
 
 _FAILURES: dict[int | str, dict[str, object]] = {
@@ -111,8 +111,8 @@ def _read(studio: Studio, data: bytes, name: str, path: str) -> OpenMission:
     """
     opened = studio.read(data, name, path)
     if not any(program.vertices for program in opened.mission.programs):
-        message = f"`{name}` is no mission that can be shown: there is no program in it"
-        raise ProblemsError(message, "open the `.krt` of a mission", opened.diagnostics, opened.sources)
+        message = Sentence("`{name}` is no mission that can be shown: there is no program in it", name)
+        raise ProblemsError(message, Sentence("open the `.krt` of a mission"), opened.diagnostics, opened.sources)
     return opened
 
 
@@ -123,7 +123,9 @@ def mission_save(studio: ThisStudio, wanted: SaveShape) -> SavedShape:
     data = write_mission(made)
     if read_mission(data, wanted.path)[0] is None:
         # Only XML that is kept word for word can do that; what is on the disk is worth more.
-        raise UnsavableError("this mission would not open again, so it was not saved", "load the page again")
+        raise UnsavableError(
+            Sentence("this mission would not open again, so it was not saved"), Sentence("load the page again")
+        )
     hold = studio.folder.hold(wanted.path, wanted.revision)
     with hold as path:
         save(path, made)

@@ -16,6 +16,7 @@ from typing import Any
 
 from kitrobot.server.shapes import EVENT_CAUSES, EVENT_KINDS, StartedAgentShape, StartedMessage, world_shape
 from kitrobot.sim import DOING
+from kitrobot.text import Sentence
 from kitrobot.trace import POSE_WORDS, PROGRAM, TEAM, Threads, TickRecord, TraceError, TraceEvent, TraceHeader
 from kitrobot.world import World
 
@@ -76,7 +77,9 @@ class RunEncoder:
             self._agents = [self._plan(one.name, one.program, by_owner.get(one.name, [])) for one in header.agents]
             self._collisions = dict(by_owner.get(TEAM, []))["collisions"]
         except KeyError as error:
-            raise TraceError("the trace lacks numbers that every run has", "record the run once more") from error
+            raise TraceError(
+                Sentence("the trace lacks numbers that every run has"), Sentence("record the run once more")
+            ) from error
         self._poses = [place for agent in self._agents for place in agent.pose]
         team = by_owner.get(TEAM, [])
         self._stock = _named("stock ", team)
@@ -217,7 +220,7 @@ class RunEncoder:
             "tick": event.tick,
             "kind": event.kind if event.kind in EVENT_KINDS else "message",
             "agent": self._header.agents[event.agent].name if event.agent >= 0 else "",
-            "text": event.text[:LONGEST_TEXT],
+            "text": event.text if len(event.text) <= LONGEST_TEXT else event.text[:LONGEST_TEXT],
             "cause": event.cause if event.cause in EVENT_CAUSES else PROGRAM,
         }
 

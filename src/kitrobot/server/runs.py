@@ -26,10 +26,10 @@ from pydantic import BaseModel, ValidationError
 from kitrobot.diagnostics import KitRobotError, ProblemsError
 from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber, Telling
 from kitrobot.server.live_run import LiveRun
-from kitrobot.server.realtime_clock import SLOWEST, UNPACED, Pace
+from kitrobot.server.realtime_clock import Pace, speed_of
 from kitrobot.server.replay import Replay
 from kitrobot.server.routing import studio_of
-from kitrobot.server.sentences import spoken
+from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     REQUEST,
     ErrorMessage,
@@ -51,6 +51,7 @@ from kitrobot.server.shapes import (
 from kitrobot.server.steering import Job, goes_back, job_of
 from kitrobot.server.studio import Studio
 from kitrobot.server.watched_run import WatchedRun
+from kitrobot.text import Sentence
 from kitrobot.workspace import RunOptions
 
 LARGEST_MESSAGE_BYTES = 16 * 1024 * 1024
@@ -121,7 +122,8 @@ class Session:
         self._studio.watches.pop(self._name, None)
         self._studio.broadcasts.pop(self._name, None)
         if self._broadcast is not None:
-            self._broadcast.end("the page that steered this run is gone, and the run with it", "start one of your own")
+            message = Sentence("the page that steered this run is gone, and the run with it")
+            self._broadcast.end(message, Sentence("start one of your own"))
 
     def _close_watch(self) -> None:
         if self._watch is not None:
@@ -131,10 +133,8 @@ class Session:
         try:
             request = REQUEST.validate_json(text)
         except ValidationError as error:
-            first = error.errors(include_url=False, include_input=False)[0]
-            where = ".".join(str(part) for part in first["loc"])
-            message = f"the request was not understood: {first['msg']}{f' ({where})' if where else ''}"
-            await self._fail(message, "load the page again: it may be older than the studio")
+            wrong = not_understood(error)
+            await self._fail(wrong.message, wrong.help)
             return
         if isinstance(request, StartRequest | ReplayRequest):
             await self._start(request)
@@ -144,14 +144,15 @@ class Session:
             if isinstance(request, LookRequest):
                 self._subscriber.look(request.agents)
             else:
-                await self._fail("the page that started this run steers it", "to steer one, start a run of your own")
+                help = Sentence("to steer one, start a run of your own")
+                await self._fail(Sentence("the page that started this run steers it"), help)
         elif self._task is not None and not self._task.done():
             self._steer(request)
 
     async def _start(self, request: StartRequest | ReplayRequest) -> None:
         if self._task is not None and not self._task.done():
             if self._counts:
-                await self._fail("a run is on already", "stop it first")
+                await self._fail(Sentence("a run is on already"), Sentence("stop it first"))
                 return
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
@@ -174,7 +175,7 @@ class Session:
 
     async def _sit_down(self, request: WatchRequest) -> None:
         if self._task is not None and not self._task.done():
-            await self._fail("a run is on already", "stop it first")
+            await self._fail(Sentence("a run is on already"), Sentence("stop it first"))
             return
         await self._stand_up()
         try:
@@ -184,9 +185,10 @@ class Session:
             return
         broadcast = self._studio.broadcasts.get(request.run)
         if broadcast is None or not broadcast.on:
-            await self._fail("this run is over", "start one of your own", ended=True)
+            await self._fail(Sentence("this run is over"), Sentence("start one of your own"), ended=True)
         elif len(broadcast) >= MOST_WATCHERS:
-            await self._fail(f"{MOST_WATCHERS} pages watch this run already", "try again later", ended=True)
+            message = Sentence("{most} pages watch this run already", MOST_WATCHERS)
+            await self._fail(message, Sentence("try again later"), ended=True)
         else:
             self._subscriber = Subscriber(broadcast, self._socket, another=not broadcast.is_of(mission))
 
@@ -209,7 +211,7 @@ class Session:
         if isinstance(request, PauseRequest | ResumeRequest):
             pace.set_paused(isinstance(request, PauseRequest), watch.tick)
         elif isinstance(request, SpeedRequest):
-            pace.set_speed(_speed(request.value), watch.tick)
+            pace.set_speed(speed_of(request.value), watch.tick)
         elif isinstance(request, LookRequest):
             self._looks = tuple(request.agents)
             self._jobs.append(lambda: watch.look_at(self._looked_at()))
@@ -238,7 +240,7 @@ class Session:
             else:
                 path = request.path if isinstance(request, StartRequest) else ""
                 self._broadcast = Broadcast(path, watch.mission, self._wake.set)
-                await self._drive(watch, Pace(watch.tick_s, self._clock, _speed(request.speed)), self._broadcast)
+                await self._drive(watch, Pace(watch.tick_s, self._clock, speed_of(request.speed)), self._broadcast)
         except KitRobotError as error:
             await self._break_off(error.message, error.help)
         except (RuntimeError, OSError, WebSocketDisconnect):
@@ -247,7 +249,8 @@ class Session:
         except Exception as error:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a run broke: %s: %s", type(error).__name__, error, exc_info=debugging)
-            await self._break_off("something went wrong inside KitRobot", "the run has ended; please report it")
+            help = Sentence("the run has ended; please report it")
+            await self._break_off(Sentence("something went wrong inside KitRobot"), help)
 
     async def _break_off(self, message: str, help: str) -> None:
         """Says to everybody why the run is over."""
@@ -268,7 +271,8 @@ class Session:
             self._count(False)
 
     async def _no_place(self) -> None:
-        await self._fail(f"this studio has {MOST_RUNS} runs already", "stop one of them, perhaps in another tab")
+        help = Sentence("stop one of them, perhaps in another tab")
+        await self._fail(Sentence("this studio has {most} runs already", MOST_RUNS), help)
 
     def _count(self, counts: bool) -> None:
         self._studio.runs += counts - self._counts
@@ -381,7 +385,7 @@ class Session:
             status=status,
             tick=watch.tick,
             seconds=watch.seconds,
-            sentence=spoken(watch.sentence),
+            sentence=watch.sentence,
             hits=watch.hits if status == "paused" else [],
             problems=problem_shapes(watch.advice),
         )
@@ -393,8 +397,4 @@ class Session:
         await self._socket.send_text(message.model_dump_json())
 
     async def _fail(self, message: str, help: str, ended: bool = False) -> None:
-        await self._tell(ErrorMessage(message=spoken(message), help=spoken(help), ended=ended))
-
-
-def _speed(wanted: float) -> float:
-    return wanted if wanted == UNPACED else max(SLOWEST, wanted)
+        await self._tell(ErrorMessage(message=message, help=help, ended=ended))

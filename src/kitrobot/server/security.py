@@ -30,8 +30,8 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kitrobot.server import pages
-from kitrobot.server.sentences import readable, spoken
-from kitrobot.translation import said
+from kitrobot.server.sentences import spoken
+from kitrobot.text import Sentence
 
 LARGEST_BODY_BYTES = 16 * 1024 * 1024
 """A mission of 100 000 vertices is half of it."""
@@ -110,16 +110,20 @@ class Guard:
 
         if not _host_is_ours(headers):
             host = headers.get("host", "")[:80]
-            await refuse(scope, dressed, 403, f"the studio does not answer to the name `{host}`", _ADDRESS)
+            await refuse(
+                scope, dressed, 403, Sentence("the studio does not answer to the name `{host}`", host), _ADDRESS
+            )
             return
         if not _origin_is_ours(headers):
-            await refuse(scope, dressed, 403, "this request comes from another page", _ADDRESS)
+            await refuse(scope, dressed, 403, Sentence("this request comes from another page"), _ADDRESS)
             return
         if not _is_public(scope) and not self._token_is_right(scope, headers):
             if scope["path"] == "/":
-                await refuse(scope, dressed, 403, "the studio that this address belongs to has ended", _START_AGAIN)
+                await refuse(
+                    scope, dressed, 403, Sentence("the studio that this address belongs to has ended"), _START_AGAIN
+                )
             else:
-                await refuse(scope, dressed, 403, "the token of this request is missing or wrong", _ADDRESS)
+                await refuse(scope, dressed, 403, Sentence("the token of this request is missing or wrong"), _ADDRESS)
             return
         most = self.largest_trace_bytes if scope["path"] == TRACE_PATH else self.largest_body_bytes
         if _announced_too_much(headers, most):
@@ -135,7 +139,7 @@ class Guard:
         except Exception as error:
             _log.error("%s: %s", type(error).__name__, error, exc_info=bool(os.environ.get("KITROBOT_DEBUG")))
             if not started:
-                await refuse(scope, dressed, 500, "something went wrong inside KitRobot", _REPORT)
+                await refuse(scope, dressed, 500, Sentence("something went wrong inside KitRobot"), _REPORT)
 
     def _token_is_right(self, scope: Scope, headers: Headers) -> bool:
         right = False
@@ -151,12 +155,12 @@ class Guard:
         return scope["path"] == "/" and any(_same(self.token, value) for value in _query_tokens(scope))
 
 
-_ADDRESS = "open the address that `kitrobot` printed"
-_START_AGAIN = (
-    "run `kitrobot` in the same folder: it opens the page of the studio that runs there, "
-    "with the work that was not saved"
+_ADDRESS = Sentence("open the address that `kitrobot` printed")
+_START_AGAIN = Sentence(
+    "run `kitrobot` in the same folder: it opens the page of the studio that runs there, with the "
+    "work that was not saved"
 )
-_REPORT = "start it with KITROBOT_DEBUG=1 to see where, and please report it"
+_REPORT = Sentence("start it with KITROBOT_DEBUG=1 to see where, and please report it")
 
 
 def _same(one: str, other: str) -> bool:
@@ -235,7 +239,7 @@ async def refuse(scope: Scope, send: Send, status: int, message: str, help: str)
     """An answer without the application: a page for people, JSON for the page's own requests."""
     if scope["path"].startswith("/api"):
         body, kind = (
-            orjson.dumps({"message": readable(said(spoken(message))), "help": readable(said(spoken(help)))}),
+            orjson.dumps({"message": spoken(message), "help": spoken(help)}),
             "application/json",
         )
     else:
@@ -271,4 +275,4 @@ def _announced_too_much(headers: Headers, most: int) -> bool:
 
 async def _refuse_body(scope: Scope, send: Send, most: int) -> None:
     limit = most // (1024 * 1024)
-    await refuse(scope, send, 413, f"that is more than the {limit} MB that the studio takes", "")
+    await refuse(scope, send, 413, Sentence("that is more than the {limit} MB that the studio takes", limit), "")

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import PlainSerializer
+from pydantic import PlainSerializer, SkipValidation, ValidationError
 from starlette.datastructures import Headers, QueryParams
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from kitrobot.translation import best_language, reading_in, said
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
+from kitrobot.translation import STOPS, best_language, reading_in, said, said_in
 
 
 def readable(words: str) -> str:
@@ -16,21 +18,36 @@ def readable(words: str) -> str:
     return words.encode(errors="surrogatepass").decode(errors="replace")
 
 
-def _told(words: str) -> str:
+def clause(words: str) -> str:
+    """A message in the reader's language."""
     return readable(said(words))
 
 
+def spoken(words: str) -> str:
+    """A message in the reader's language as a sentence of its own: a capital letter and a full stop."""
+    text = clause(words)
+    return text and text[0].upper() + text[1:] + ("" if text[-1] in _ENDS else STOPS[said_in()])
+
+
+_ENDS = (*STOPS.values(), "?", "!", "؟")
+
 FileName = Annotated[str, PlainSerializer(readable, return_type=str)]
 """A field for the name of a file on the disk, which the page shows."""
-Sentence = Annotated[str, PlainSerializer(_told, return_type=str)]
-"""A field for people: English until it is sent, in the language of the request that it answers when it is."""
+Clause = Annotated[str, SkipValidation, PlainSerializer(clause, return_type=str)]
+"""A field for people, said in the language of the request that it answers when it is sent. It takes the message as it
+is, for checking it would make a plain `str` of a `kitrobot.text.Sentence`."""
+Spoken = Annotated[str, SkipValidation, PlainSerializer(spoken, return_type=str)]
+"""The same as a sentence of its own."""
 
 
-def spoken(words: str) -> str:
-    """A message as a sentence of its own: a capital letter and a full stop."""
-    if not words:
-        return ""
-    return words[0].upper() + words[1:] + ("" if words.endswith((".", "?", "!")) else ".")
+def not_understood(error: ValidationError) -> KitRobotError:
+    """What is wrong with a request over a WebSocket: the first mistake in it."""
+    first = error.errors(include_url=False, include_input=False)[0]
+    where = ".".join(str(part) for part in first["loc"])
+    return KitRobotError(
+        Sentence("the request was not understood: {reason}{where}", first["msg"], f" ({where})" if where else ""),
+        Sentence("load the page again: it may be older than the studio"),
+    )
 
 
 class InReadersLanguage:

@@ -16,6 +16,7 @@ from urllib.parse import urlencode
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import MissionFolder, first_example
 from kitrobot.server.presence import Presence, Running
+from kitrobot.text import Sentence
 
 USUAL_PORT = 8765
 """Always the same where it is free: what the page remembers belongs to its address."""
@@ -133,8 +134,8 @@ def _loopback(host: str) -> str:
     except ValueError:
         pass
     raise ServerError(
-        f"the studio does not listen on `{host}`",
-        "it is for the people at this machine: use 127.0.0.1, ::1 or localhost",
+        Sentence("the studio does not listen on `{host}`", host),
+        Sentence("it is for the people at this machine: use 127.0.0.1, ::1 or localhost"),
     )
 
 
@@ -161,8 +162,8 @@ def _listen(address: str, port: int | None, last: int | None = None) -> socket.s
             listening.close()
             reason = (error.strerror or str(error)).lower()
     raise ServerError(
-        f"the studio cannot listen on port {wanted[0]} of {address}: {reason}",
-        "choose another port with --port, or leave the option out",
+        Sentence("the studio cannot listen on port {wanted} of {address}: {reason}", wanted[0], address, reason),
+        Sentence("choose another port with --port, or leave the option out"),
     )
 
 

@@ -10,7 +10,7 @@ from kitrobot.server.fast_json import followed_answer
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes.sent import sent_mission
 from kitrobot.server.shapes.text import FollowedShape, TextEditShape
-from kitrobot.text import collection_paused
+from kitrobot.text import Sentence, collection_paused
 from kitrobot.workspace import NoProgramError
 
 LONGEST_TEXT = 1_000_000
@@ -32,13 +32,17 @@ def text_follow(studio: ThisStudio, wanted: TextEditShape) -> Response:
     """
     if len(wanted.text) > LONGEST_TEXT:
         raise TextError(
-            f"this text has {len(wanted.text)} characters, and a program has at most {LONGEST_TEXT}",
-            "take it apart into programs of several robots",
+            Sentence(
+                "this text has {count} characters, and a program has at most {longest}", len(wanted.text), LONGEST_TEXT
+            ),
+            Sentence("take it apart into programs of several robots"),
         )
     mission = sent_mission(wanted.mission, studio.programs.named)
     program = next((one for one in mission.programs if one.name == wanted.program), None)
     if program is None:
-        raise NoProgramError(f"the mission holds no program `{wanted.program}`", "load the page again")
+        raise NoProgramError(
+            Sentence("the mission holds no program `{program}`", wanted.program), Sentence("load the page again")
+        )
     with collection_paused():
         parts = studio.parts_of(mission, wanted.path)
         followed = follow_text(studio.programs.of(program, parts).translation, wanted.text, parts)

@@ -14,9 +14,9 @@ from kitrobot.files import RECORDING, FileError, read_bytes, revision_of
 from kitrobot.server.recordings import RecordingError
 from kitrobot.server.routes import LONGEST_NAME, mission_file
 from kitrobot.server.routing import ThisStudio, api_router
-from kitrobot.server.sentences import spoken
 from kitrobot.server.shapes import RecordingEntryShape, RecordingShape
 from kitrobot.server.studio import Studio
+from kitrobot.text import Sentence
 from kitrobot.trace import ENDING
 from kitrobot.workspace import is_trace
 
@@ -30,7 +30,7 @@ Name = Annotated[str, Query(max_length=LONGEST_NAME)]
 def traces(studio: ThisStudio) -> list[RecordingEntryShape]:
     """The recordings of the folder."""
     return [
-        RecordingEntryShape(path=one.path, name=one.name, modified=one.modified, problem=spoken(one.problem))
+        RecordingEntryShape(path=one.path, name=one.name, modified=one.modified, problem=one.problem)
         for one in studio.folder.traces()
     ]
 
@@ -40,7 +40,7 @@ def trace(studio: ThisStudio, path: Name) -> RecordingShape:
     """A recording of the folder, opened."""
     file = studio.folder.path_of(path, ENDING)
     if not file.is_file():
-        raise FileError(f"there is no file `{path}`", "", path=file)
+        raise FileError(Sentence("there is no file `{path}`", path), "", path=file)
     return _opened(studio, file)
 
 
@@ -64,7 +64,9 @@ def run_trace(studio: ThisStudio, run: Name, after: BackgroundTasks) -> FileResp
     """The whole past of a run that is on, or stands at its end, as a recording."""
     watch = studio.watches.get(run)
     if watch is None:
-        raise RecordingError("there is no such run any more", "a run can be saved until another one begins")
+        raise RecordingError(
+            Sentence("there is no such run any more"), Sentence("a run can be saved until another one begins")
+        )
     path = studio.recordings.new_file(f"run{ENDING}")
     after.add_task(shutil.rmtree, path.parent, ignore_errors=True)
     with studio.saving:

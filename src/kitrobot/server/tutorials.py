@@ -6,6 +6,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.tutorial import TutorialFitShape, TutorialShape, TutorialWatchShape, tutorial_shape
+from kitrobot.text import Sentence
 from kitrobot.workspace import watched
 
 tutorial_routes = api_router()
@@ -27,7 +28,9 @@ def tutorial_watch(studio: ThisStudio, wanted: TutorialWatchShape) -> TutorialFi
     found = studio.tutorials.found(wanted.tutorial)
     if found.tutorial is None:
         raise NoTutorialError(
-            "this tutorial cannot be used any more", "look at its file, or leave it", tuple(found.problems)
+            Sentence("this tutorial cannot be used any more"),
+            Sentence("look at its file, or leave it"),
+            tuple(found.problems),
         )
     mission = mission_from_shape(wanted.mission)
     return TutorialFitShape(fits=watched(found.tutorial, mission, studio.parts_of(mission, wanted.path)))

@@ -31,6 +31,7 @@ from kitrobot.sim.devices import actuators
 from kitrobot.sim.dispatch import KINDS
 from kitrobot.sim.failures import CAUSES
 from kitrobot.sim.state import State, numbers
+from kitrobot.text import Recorded
 from kitrobot.trace import Threads
 
 
@@ -122,12 +123,12 @@ class Agent:
         """In words: what befell it, when, and how that came about; "" for one that is well."""
         state, i = self.state, self.index
         if self.down == WELL:
-            return f"{self.name} has no radio" if state.robots.ints[MUTED][i] else ""
+            return Recorded("{robot} has no radio", self.name) if state.robots.ints[MUTED][i] else ""
         seconds = state.robots.ints[SINCE][i] * state.fixed_floats[DT]
         cause = CAUSES[state.robots.ints[CAUSE][i]]
         if self.down == FAILED:
-            return f"{self.name} failed after {seconds:.1f} s ({cause})"
-        return f"{self.name} stalled after {seconds:.1f} s ({cause})"
+            return Recorded("{robot} failed after {seconds} s ({cause})", self.name, f"{seconds:.1f}", cause)
+        return Recorded("{robot} stalled after {seconds} s ({cause})", self.name, f"{seconds:.1f}", cause)
 
     @property
     def is_outside(self) -> bool:

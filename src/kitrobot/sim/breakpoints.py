@@ -22,6 +22,7 @@ from kitrobot.image import Machine
 from kitrobot.lll import Conditional, parse
 from kitrobot.mission import Breakpoint
 from kitrobot.primitives import Robot
+from kitrobot.text import Sentence
 from kitrobot.trace import Threads
 
 
@@ -85,7 +86,10 @@ class Condition:
         parsed = parse(source, "condition")
         items = parsed.program.items
         if not parsed.ok or len(items) != 1 or not isinstance(items[0], Conditional) or items[0].orelse is not None:
-            raise ConditionError(f"`{text}` is no condition", "write one like Count.GreaterThan(3) & Run.IsTrue()")
+            raise ConditionError(
+                Sentence("`{condition}` is no condition", text),
+                Sentence("write one like Count.GreaterThan(3) & Run.IsTrue()"),
+            )
         compiled = compile_text(source, robot, "condition")
         if compiled.image is None:
             first = next(item for item in compiled.diagnostics if item.is_error)

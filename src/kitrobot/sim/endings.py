@@ -17,6 +17,7 @@ from collections.abc import Sequence
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.bodies import Stage
 from kitrobot.sim.columns import WELL
+from kitrobot.text import SEMICOLON, Recorded, Series, all_of
 
 AT_ONCE_S = 0.1
 """A run that ends before this came to its end at once."""
@@ -47,44 +48,56 @@ class Goals:
     def say_full(self, agents: Sequence[Agent]) -> str:
         """The storehouses in which arms wait for room; "" for none."""
         waited_for = dict.fromkeys(agent.full_house for agent in agents)
-        return _listed([f"storehouse {self._names[house]} is full" for house in waited_for if house >= 0])
+        return _listed(
+            [Recorded("storehouse {storehouse} is full", self._names[house]) for house in waited_for if house >= 0]
+        )
 
     def _said(self, name: str, stock: int, wanted: int) -> str:
         if stock > wanted:
-            return f"{name} holds {stock} box{'' if stock == 1 else 'es'} instead of {wanted}"
-        if wanted == 1:
-            return f"{name} holds 1 box" if stock == 1 else f"{name} does not hold its box"
+            return Recorded.counted(
+                "{name} holds {count} box instead of {wanted}",
+                "{name} holds {count} boxes instead of {wanted}",
+                name,
+                stock,
+                wanted,
+            )
+        if wanted == 1 and stock < wanted:
+            return Recorded("{name} does not hold its box", name)
         if stock < wanted:
-            return f"{name} holds {stock} of {wanted} boxes"
-        if 0 < wanted == self._stage.total:
-            return f"{name} holds all {wanted} boxes"
-        return f"{name} holds {wanted} boxes"
+            return Recorded("{name} holds {stock} of {wanted} boxes", name, stock, wanted)
+        if 1 < wanted == self._stage.total:
+            return Recorded("{name} holds all {wanted} boxes", name, wanted)
+        return Recorded.counted("{name} holds {count} box", "{name} holds {count} boxes", name, stock)
 
 
 def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """All goals hold; or there are none, and every program has ended."""
-    ending = goals.say() or (_at_once(agents) if is_at_once(seconds, agents) else "every program has ended")
+    ending = goals.say() or (_at_once(agents) if is_at_once(seconds, agents) else Recorded("every program has ended"))
     what = _joined(ending, _driving(agents), _left(agents))
     lost = _casualties(agents)
     if not lost and not all(agent.ended for agent in agents):
         lost = _unfinished(agents)
-    return f"Done after {seconds:.1f} s, although {lost}: {what}." if lost else f"Done after {seconds:.1f} s: {what}."
+    return (
+        Recorded("Done after {seconds} s, although {lost}: {what}.", f"{seconds:.1f}", lost, what)
+        if lost
+        else Recorded("Done after {seconds} s: {what}.", f"{seconds:.1f}", what)
+    )
 
 
 def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
     """Every program that could has ended, and some goal does not hold or somebody failed."""
     why = _joined(_casualties(agents), goals.say(), goals.say_full(agents), _left(agents))
     if all(agent.ended for agent in agents):
-        return f"Every program has ended, but {_joined(why, _driving(agents))}."
+        return Recorded("Every program has ended, but {why}.", _joined(why, _driving(agents)))
     if any(agent.ended for agent in agents):
-        return f"Every other program has ended, but {why}."
-    return f"Nobody is left to go on: {why}."
+        return Recorded("Every other program has ended, but {why}.", why)
+    return Recorded("Nobody is left to go on: {why}.", why)
 
 
 def say_time(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """The time ran out."""
     why = (goals.say() or _unfinished(agents), _casualties(agents), goals.say_full(agents), _left(agents))
-    return f"The time of {seconds:g} s ran out: {_joined(*why)}."
+    return Recorded("The time of {seconds} s ran out: {why}.", f"{seconds:g}", _joined(*why))
 
 
 def say_stuck(goals: Goals, agents: Sequence[Agent]) -> str:
@@ -93,21 +106,21 @@ def say_stuck(goals: Goals, agents: Sequence[Agent]) -> str:
     if not names:
         waiting = ""
     elif len(names) == 1:
-        waiting = f"{names[0]} waits for something that will not come"
+        waiting = Recorded("{name} waits for something that will not come", names[0])
     else:
-        waiting = f"{_listed(names)} wait for something that will not come"
+        waiting = Recorded("{names} wait for something that will not come", _listed(names))
     why = (waiting, goals.say_full(agents), _casualties(agents), goals.say(), _left(agents))
-    return f"Nothing can change any more: {_joined(*why)}."
+    return Recorded("Nothing can change any more: {why}.", _joined(*why))
 
 
 def _unfinished(agents: Sequence[Agent]) -> str:
     """How many programs go on."""
     running = sum(not agent.ended for agent in agents)
     if len(agents) == 1:
-        return "the program had not ended"
-    if running == 1:
-        return f"1 of {len(agents)} programs had not ended"
-    return f"{running} of {len(agents)} programs had not ended"
+        return Recorded("the program had not ended")
+    return Recorded.counted(
+        "{count} of {all} programs had not ended", "{count} of {all} programs had not ended", running, len(agents)
+    )
 
 
 def _casualties(agents: Sequence[Agent]) -> str:
@@ -122,32 +135,32 @@ def is_at_once(seconds: float, agents: Sequence[Agent]) -> bool:
 
 def _at_once(agents: Sequence[Agent]) -> str:
     if len(agents) == 1:
-        return "the program came to its end at once, without a part that takes time"
-    return "every program came to its end at once, without a part that takes time"
+        return Recorded("the program came to its end at once, without a part that takes time")
+    return Recorded("every program came to its end at once, without a part that takes time")
 
 
 def _driving(agents: Sequence[Agent]) -> str:
     """Whose motors go on after its program has ended; "" for nobody's."""
     names = [agent.name for agent in agents if agent.ended and agent.is_driving]
     if len(names) == 1:
-        return f"{names[0]} ended with its motors on"
-    return f"{_listed(names)} ended with their motors on" if names else ""
+        return Recorded("{name} ended with its motors on", names[0])
+    return Recorded("{names} ended with their motors on", _listed(names)) if names else ""
 
 
 def _left(agents: Sequence[Agent]) -> str:
     """Who is beyond the edge of the world; "" for nobody."""
     names = [agent.name for agent in agents if agent.is_outside]
-    return f"{_listed(names)} left the world, which has no wall there" if names else ""
+    return Recorded("{names} left the world, which has no wall there", _listed(names)) if names else ""
 
 
 def _joined(*clauses: str) -> str:
     """The clauses that say something, one after another."""
-    return "; ".join(clause for clause in clauses if clause)
+    return Series(SEMICOLON, filter(None, clauses))
 
 
 def _listed(names: Sequence[str]) -> str:
     """`a`, `a and b`, `a, b and c`: the first few of them."""
     shown = list(names[:SHOWN])
     if len(names) > SHOWN:
-        shown.append(f"{len(names) - SHOWN} more")
-    return " and ".join(filter(None, (", ".join(shown[:-1]), *shown[-1:])))
+        shown.append(Recorded("{count} more", len(names) - SHOWN))
+    return all_of(shown)

@@ -12,6 +12,7 @@ from kitrobot.sim.agents import Agent
 from kitrobot.sim.failures import said_of
 from kitrobot.sim.faults import REVIVE
 from kitrobot.sim.state import State, numbers
+from kitrobot.text import Recorded
 from kitrobot.world import World
 
 Cause = Literal["program", "world", "person", "mission", "chance"]
@@ -68,25 +69,27 @@ class EventText:
     def _say(self, kind: int, what: int, much: int) -> tuple[str, str]:
         """The event's kind and text."""
         if kind == c.END:
-            return "end", "its program has ended"
+            return "end", Recorded("its program has ended")
         if kind == c.COLLISION:
-            return "collision", f"touches {self._members[what].name if what >= 0 else 'a wall'}"
+            return "collision", Recorded(
+                "touches {what}", self._members[what].name if what >= 0 else Recorded("a wall")
+            )
         if kind == c.LOADED:
-            return "load", f"a box from {self._houses[what]}"
+            return "load", Recorded("a box from {storehouse}", self._houses[what])
         if kind == c.UNLOADED:
-            return "unload", f"a box into {self._houses[what]}"
+            return "unload", Recorded("a box into {storehouse}", self._houses[what])
         if kind == c.NO_EMPTY_CARRIER:
-            return "message", f"no empty carrier stands in dock {self._docks[what]}"
+            return "message", Recorded("no empty carrier stands in dock {dock}", self._docks[what])
         if kind == c.NO_LOADED_CARRIER:
-            return "message", f"no loaded carrier stands in dock {self._docks[what]}"
+            return "message", Recorded("no loaded carrier stands in dock {dock}", self._docks[what])
         if kind == c.NO_BOX:
-            return "message", f"storehouse {self._houses[what]} has no box"
+            return "message", Recorded("storehouse {storehouse} has no box", self._houses[what])
         if kind == c.NO_ROOM:
-            return "message", f"storehouse {self._houses[what]} is full"
+            return "message", Recorded("storehouse {storehouse} is full", self._houses[what])
         if kind == c.LEAVING:
-            return "message", "leaves the world: only walls hold robots at its edge"
+            return "message", Recorded("leaves the world: only walls hold robots at its edge")
         if kind == c.LOST:
-            return "message", f"a command did not reach {self._actuators[what]}"
+            return "message", Recorded("a command did not reach {actuator}", self._actuators[what])
         if kind == c.HARMED:
             return "revival" if what == REVIVE else "failure", said_of(what, much)
         assert kind == c.WRITTEN, f"nobody says {kind}"

@@ -12,11 +12,12 @@ from kitrobot.sim import columns as c
 from kitrobot.sim.chance import keys
 from kitrobot.sim.faults import BY_HAND, FAIL, MUTE, PLAN_ROWS, REVIVE, STALL, harm
 from kitrobot.sim.state import State
+from kitrobot.text import Recorded
 
 KINDS = tuple(FailureKind)
 """The kinds in the order of their numbers in `faults`."""
 
-CAUSES = ("by hand", "on schedule", "by chance")
+CAUSES = (Recorded("by hand"), Recorded("on schedule"), Recorded("by chance"))
 """How it comes about, in the order of their numbers in `faults`."""
 
 MINUTE_MS = 60_000
@@ -85,10 +86,10 @@ def said_of(kind: int, cause: int) -> str:
     """What befalls a robot and how that comes about, in words."""
     why = CAUSES[cause]
     if kind == FAIL:
-        return f"fails ({why})"
+        return Recorded("fails ({why})", why)
     if kind == STALL:
-        return f"stalls ({why})"
-    return f"loses its radio ({why})" if kind == MUTE else f"is well again ({why})"
+        return Recorded("stalls ({why})", why)
+    return Recorded("loses its radio ({why})", why) if kind == MUTE else Recorded("is well again ({why})", why)
 
 
 def room_to_tell(state: State, most: int) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.setup import SimulationError
+from kitrobot.text import Sentence
 
 MAX_SEED = 2**53
 """Larger whole numbers do not reach the page as they are."""
@@ -19,15 +20,22 @@ def check_limits(seconds: float | None, seed: int, fail_rate: float) -> None:
     """
     if seconds is not None and not 0 < seconds <= MAX_SECONDS:
         raise SimulationError(
-            f"expected a time limit of more than 0 and at most {MAX_SECONDS:.0f} seconds, found {seconds:g}",
-            "the usual one is 600 seconds",
+            Sentence(
+                "expected a time limit of more than 0 and at most {most} seconds, found {found}",
+                f"{MAX_SECONDS:.0f}",
+                f"{seconds:g}",
+            ),
+            Sentence("the usual one is 600 seconds"),
         )
     if not 0 <= seed <= MAX_SEED:
         # Python writes no number of very many digits.
-        found = str(seed) if seed.bit_length() < 1000 else "one of very many digits"
-        raise SimulationError(f"expected a seed from 0 to {MAX_SEED}, found {found}", "any small number will do")
+        found = str(seed) if seed.bit_length() < 1000 else Sentence("one of very many digits")
+        raise SimulationError(
+            Sentence("expected a seed from 0 to {most}, found {found}", MAX_SEED, found),
+            Sentence("any small number will do"),
+        )
     if not 0 <= fail_rate <= 1:
         raise SimulationError(
-            f"expected a probability from 0 to 1 that a robot fails, found {fail_rate:g}",
-            "0.1 lets one robot in ten fail within a minute",
+            Sentence("expected a probability from 0 to 1 that a robot fails, found {found}", f"{fail_rate:g}"),
+            Sentence("0.1 lets one robot in ten fail within a minute"),
         )

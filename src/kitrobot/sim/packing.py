@@ -8,6 +8,7 @@ from typing import Any
 
 from kitrobot.sim.columns import CONTACTS, EVENT, EVENTS, KEPT, MOVED
 from kitrobot.sim.state import CHANGING, State, numbers
+from kitrobot.text import Sentence
 
 
 def row_lengths(state: State) -> tuple[list[int], ...]:
@@ -66,10 +67,10 @@ class Packing:
         size = 8 * len(state.clock)
         clock = array("q", data[:size])
         if len(data) < size:
-            raise ValueError("too short")
+            raise ValueError(Sentence("too short"))
         kept, contacts, events = clock[KEPT] > 0, clock[CONTACTS], clock[EVENTS]
         if not (0 <= 2 * contacts <= len(state.contacts.before) and 0 <= EVENT * events <= len(state.events)):
-            raise ValueError("counts beyond what there is room for")
+            raise ValueError(Sentence("counts beyond what there is room for"))
         if kept:
             for name in CHANGING:
                 for row, length in zip(getattr(state.machines, f"kept_{name}"), self._lengths[name], strict=True):
@@ -78,7 +79,7 @@ class Packing:
         tables = list(self._tables(state, kept, contacts, events))
         sizes = {kind: array(kind).itemsize for kind in "qdi"}
         if size + sum(sizes[kind] * length for kind, _, length in tables) != len(data):
-            raise ValueError("another size")
+            raise ValueError(Sentence("another size"))
         state.clock[:] = clock.tolist()
         at = size
         for kind, row, length in tables:

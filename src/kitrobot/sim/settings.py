@@ -11,10 +11,10 @@ from kitrobot.primitives import Category, Robot, RobotObject
 from kitrobot.sim import rules
 from kitrobot.sim.devices import Actuator, Device, Sensor, Setting, Values, actuators, sensors
 from kitrobot.sim.devices.base import Hand, Look
-from kitrobot.text import did_you_mean, one_of, shown
+from kitrobot.text import Sentence, did_you_mean, one_of, shown
 from kitrobot.world import World
 
-_OTHER_DEVICE = 'say what stands for it, as in <simulate as="slider"/>, or let the robot run on a board only'
+_OTHER_DEVICE = Sentence('say what stands for it, as in <simulate as="slider"/>, or let the robot run on a board only')
 
 
 SIMULATED = (Category.ACTUATOR, Category.SENSOR)
@@ -45,18 +45,27 @@ def find_device(robot: Robot, part: RobotObject) -> tuple[type[Device] | None, l
     device = known.get(part.model)
     where = f"{robot.name}.{part.name}"
     if device is None:
-        message = f"{where}: expected a device of the simulator ({one_of(sorted(known))}), found {shown(part.model)}"
+        message = Sentence(
+            "{where}: expected a device of the simulator ({known}), found {found}",
+            where,
+            one_of(sorted(known)),
+            shown(part.model),
+        )
         help = did_you_mean(part.model, known) or _OTHER_DEVICE
         return None, [rules.DEVICE(message, part.place, help=help)]
     problems = []
     if issubclass(device, Actuator) and device.procedures:
         for method in part.methods:
             if method.name not in device.procedures:
-                message = (
-                    f"{where}: the device {part.model} does {one_of(sorted(device.procedures))}, not {method.name}"
+                message = Sentence(
+                    "{where}: the device {device} does {procedures}, not {method}",
+                    where,
+                    part.model,
+                    one_of(sorted(device.procedures)),
+                    method.name,
                 )
-                help = did_you_mean(method.name, device.procedures)
-                problems.append(rules.DEVICE(message, method.place or part.place, help=help))
+                near = did_you_mean(method.name, device.procedures)
+                problems.append(rules.DEVICE(message, method.place or part.place, help=near))
     assert issubclass(device, Actuator | Sensor)
     return device, problems
 
@@ -71,19 +80,28 @@ def read_settings(part: RobotObject, device: type[Device], where: str) -> tuple[
     for name, text in part.settings.items():
         setting = known.get(name)
         if setting is None:
-            message = f"{where}: the device {part.model} has no setting {shown(name)}"
+            message = Sentence("{where}: the device {device} has no setting {setting}", where, part.model, shown(name))
             problems.append(rules.DEVICE(message, part.place, help=did_you_mean(name, known)))
             continue
         value = _value(setting, text)
         if value is None:
-            message = f"{where}: expected {_expected(setting)} in {name}, found {shown(text)}"
-            problems.append(rules.DEVICE(message, part.place, help=f"{name}: {setting.help}"))
+            message = Sentence(
+                "{where}: expected {expected} in {setting}, found {found}", where, _expected(setting), name, shown(text)
+            )
+            problems.append(rules.DEVICE(message, part.place, help=Sentence("{setting}: {help}", name, setting.help)))
         else:
             values[name] = value
     for setting in device.settings:
         if setting.required and setting.name not in part.settings:
-            message = f"{where}: expected the setting {setting.name} of the device {part.model}, found none"
-            problems.append(rules.DEVICE(message, part.place, help=f"{setting.name}: {setting.help}"))
+            message = Sentence(
+                "{where}: expected the setting {setting} of the device {device}, found none",
+                where,
+                setting.name,
+                part.model,
+            )
+            problems.append(
+                rules.DEVICE(message, part.place, help=Sentence("{setting}: {help}", setting.name, setting.help))
+            )
     return Values(values), problems
 
 
@@ -95,9 +113,17 @@ def place_problems(
     for setting in device.settings:
         if setting.names_place and values.word(setting.name) not in world.places:
             name = values.word(setting.name)
-            message = f"{robot.name}.{part.name}: the world {world.name} has no storehouse, dock or start {shown(name)}"
-            help = did_you_mean(name, world.places) or f"it has {one_of(sorted(world.places)[:20])}"
-            problems.append(rules.DEVICE(message, part.place, help=help if world.places else "add one to the world"))
+            message = Sentence(
+                "{robot}.{part}: the world {world} has no storehouse, dock or start {name}",
+                robot.name,
+                part.name,
+                world.name,
+                shown(name),
+            )
+            help = did_you_mean(name, world.places) or Sentence("it has {known}", one_of(sorted(world.places)[:20]))
+            problems.append(
+                rules.DEVICE(message, part.place, help=help if world.places else Sentence("add one to the world"))
+            )
     return problems
 
 
@@ -142,19 +168,31 @@ def read_conflicts(robot: Robot) -> list[Diagnostic]:
             continue
         other = next((one for one in robot.actuators if one.model in device.excludes), None)
         if other is not None:
-            message = (
-                f"{where}: a robot with the device {part.model} cannot have {other.name}, the device {other.model}, too"
+            message = Sentence(
+                "{where}: a robot with the device {device} cannot have {other}, the device {other_device}, too",
+                where,
+                part.model,
+                other.name,
+                other.model,
             )
-            help = f"take {part.name} or {other.name} out of the robot's XML"
+            help = Sentence("take {part} or {other} out of the robot's XML", part.name, other.name)
             problems.append(rules.DEVICE(message, part.place, help=help))
         if device.differs_in:
             default = next(str(one.default) for one in device.settings if one.name == device.differs_in)
             value = part.settings.get(device.differs_in, default)
             first = taken.setdefault((part.model, value), part.name)
             if first != part.name:
-                message = f"{where}: expected another {device.differs_in} than that of {first}, found {shown(value)}"
+                message = Sentence(
+                    "{where}: expected another {setting} than that of {first}, found {found}",
+                    where,
+                    device.differs_in,
+                    first,
+                    shown(value),
+                )
                 problems.append(
-                    rules.DEVICE(message, part.place, help=f"give each of them its own {device.differs_in}")
+                    rules.DEVICE(
+                        message, part.place, help=Sentence("give each of them its own {setting}", device.differs_in)
+                    )
                 )
     return problems
 
@@ -177,4 +215,4 @@ def _expected(setting: Setting) -> str:
     if setting.reads is not None:
         return setting.unit
     unit = f" {setting.unit}" if setting.unit else ""
-    return f"a number from {setting.least:g} to {setting.most:g}{unit}"
+    return Sentence("a number from {least} to {most}{unit}", f"{setting.least:g}", f"{setting.most:g}", unit)

@@ -28,7 +28,7 @@ from kitrobot.sim.settings import find_device, place_problems, read_conflicts, r
 from kitrobot.sim.shared import SharedTables
 from kitrobot.sim.tables import Tables
 from kitrobot.sim.world_tables import wall_rows
-from kitrobot.text import Suggestions, collection_paused, did_you_mean, shown
+from kitrobot.text import COMMA, Help, Sentence, Series, Suggestions, Word, collection_paused, did_you_mean, shown
 from kitrobot.world import LOAD, Start, World, distance_to_stretch
 
 MAX_AGENTS = 100_000
@@ -38,11 +38,13 @@ MAX_OVERLAPS = 100
 """So many robots in one another's way are told at most; there may be millions of pairs."""
 
 
-def free_start(name: str, free: Sequence[str], suggestions: Suggestions) -> str:
+def free_start(name: str, free: Sequence[str], suggestions: Suggestions) -> Help:
     """The help for an agent whose start a world has not: the free one that was meant, or those there are."""
     if free:
-        return suggestions.did_you_mean(name, free) or f"starts that are free there: {', '.join(free[:20])}"
-    return "no start of this world is free: add one to it, or take an agent out of the team"
+        return suggestions.did_you_mean(name, free) or Sentence(
+            "starts that are free there: {free}", Series(COMMA, free[:20])
+        )
+    return Sentence("no start of this world is free: add one to it, or take an agent out of the team")
 
 
 class SimulationError(KitRobotError):
@@ -92,12 +94,14 @@ class Setup:
     def _build(self) -> None:
         members = self.mission.team.agents
         if not members:
-            help = 'add one in the studio, or write <agent name="robot-1" program="…"/> into its <team>'
-            self.problems.append(rules.NO_AGENT("this mission has no agents, so there is nobody to run", help=help))
+            help = Sentence('add one in the studio, or write <agent name="robot-1" program="…"/> into its <team>')
+            self.problems.append(
+                rules.NO_AGENT(Sentence("this mission has no agents, so there is nobody to run"), help=help)
+            )
             return
         if len(members) > MAX_AGENTS:
-            message = f"expected at most {MAX_AGENTS} agents in a run, found {len(members)}"
-            self.problems.append(rules.TOO_MANY(message, help="take some out of the team"))
+            message = Sentence("expected at most {most} agents in a run, found {count}", MAX_AGENTS, len(members))
+            self.problems.append(rules.TOO_MANY(message, help=Sentence("take some out of the team")))
             return
         robots = {name: self._robot(name) for name in dict.fromkeys(member.program for member in members)}
         for kind in {robot.name: robot for robot in robots.values() if robot is not None}.values():
@@ -117,7 +121,11 @@ class Setup:
                 self.tables.goals[0].append(houses.index(goal.storehouse))
                 self.tables.goals[1].append(total if goal.stock == ALL else int(goal.stock))
             else:
-                message = f"the goal's storehouse {shown(goal.storehouse)} is not in the world {self.world.name}"
+                message = Sentence(
+                    "the goal's storehouse {storehouse} is not in the world {world}",
+                    shown(goal.storehouse),
+                    self.world.name,
+                )
                 self.problems.append(rules.GOAL(message, help=did_you_mean(goal.storehouse, houses)))
         if not self.problems:
             self._nobody_overlaps()
@@ -130,12 +138,20 @@ class Setup:
         program = self.mission.program(program_name)
         compiled = self.images.get(program_name)
         if program is None or compiled is None or compiled.image is None:
-            what = "is not in this mission" if program is None else "has errors"
-            self.problems.append(rules.NO_PROGRAM(f"the program {shown(program_name)} {what}", program=program_name))
+            what = Sentence("is not in this mission") if program is None else Sentence("has errors")
+            self.problems.append(
+                rules.NO_PROGRAM(
+                    Sentence("the program {program} {what}", shown(program_name), what), program=program_name
+                )
+            )
             return None
         robot = self.catalogue.robots.get(program.target)
         if robot is None:
-            message = f"the program {program_name} is for the robot {shown(program.target)}, which is not at hand"
+            message = Sentence(
+                "the program {program} is for the robot {robot}, which is not at hand",
+                program_name,
+                shown(program.target),
+            )
             help = did_you_mean(program.target, self.catalogue.robots)
             self.problems.append(rules.NO_PROGRAM(message, help=help, program=program_name))
         return robot
@@ -143,7 +159,12 @@ class Setup:
     def _member(self, member: Member, robot: Robot) -> None:
         start = self._starts.get(member.start_name)
         if start is None:
-            message = f"{member.name} has no start {shown(member.start_name)} in the world {self.world.name}"
+            message = Sentence(
+                "{agent} has no start {start} in the world {world}",
+                member.name,
+                shown(member.start_name),
+                self.world.name,
+            )
             help = free_start(member.start_name, self._free_starts, self._suggestions)
             self.problems.append(rules.START(message, help=help))
             return
@@ -213,10 +234,17 @@ class Setup:
         needs = "road" if values.says("guide", "road") else device.needs
         has = {"road": bool(start.road), "dock": standing.dock >= 0, "storehouse": standing.storehouse >= 0}
         if needs and not has[needs]:
-            message = (
-                f"{agent.name} has {robot.name}.{part.name}, which needs a {needs}, and the start {start.name} has none"
+            message = Sentence(
+                "{agent} has {robot}.{part}, which needs a {place}, and the start {start} has none",
+                agent.name,
+                robot.name,
+                part.name,
+                Word(needs),
+                start.name,
             )
-            self.problems.append(rules.START(message, help=f'give the <start> of this agent a {needs}="…"'))
+            self.problems.append(
+                rules.START(message, help=Sentence('give the <start> of this agent a {place}="…"', needs))
+            )
             return None, None
         return device, values
 
@@ -243,8 +271,8 @@ class Setup:
             for wall in grid.items[grid.starts[cell] : grid.starts[cell + 1]]:
                 away, _ = distance_to_stretch(x, y, *(row[wall] for row in walls))
                 if away < floats[RADIUS][robot]:
-                    message = f"{self.agents[robot].name} starts in a wall"
-                    self.problems.append(rules.START(message, help="move its start away from the wall"))
+                    message = Sentence("{agent} starts in a wall", self.agents[robot].name)
+                    self.problems.append(rules.START(message, help=Sentence("move its start away from the wall")))
                     break
         size = max((floats[LENGTH][robot] for robot in solid), default=0.0)
         cells: defaultdict[tuple[int, int], list[int]] = defaultdict(list)
@@ -254,18 +282,22 @@ class Setup:
             for near in ((column + dx, row + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)):
                 for other in cells.get(near, ()):
                     if self._overlap(robot, other):
-                        message = f"{self.agents[other].name} and {self.agents[robot].name} start in the same place"
+                        message = Sentence(
+                            "{agent} and {other} start in the same place",
+                            self.agents[other].name,
+                            self.agents[robot].name,
+                        )
                         self.problems.append(rules.START(message, help=self._apart()))
                         found += 1
                         if found == MAX_OVERLAPS:
                             return
             cells[column, row].append(robot)
 
-    def _apart(self) -> str:
+    def _apart(self) -> Help:
         free = self._free_starts
         if not free:
-            return "every start of this world is taken: add one to it, or take an agent out of the team"
-        return f"give one of them a start that is free: {', '.join(free[:20])}"
+            return Sentence("every start of this world is taken: add one to it, or take an agent out of the team")
+        return Sentence("give one of them a start that is free: {free}", Series(COMMA, free[:20]))
 
     def _overlap(self, robot: int, other: int) -> bool:
         floats, road = self.tables.floats, self.tables.ints[ROAD]

@@ -18,6 +18,7 @@ from kitrobot.sim.sharing import (
     WRITING,
 )
 from kitrobot.sim.state import Shared
+from kitrobot.text import Sentence
 
 
 class SharedTables:
@@ -46,8 +47,12 @@ class SharedTables:
                 other, name = first[variable.name], agent.robot.name
                 if _meaning(self.variables[number]) != _meaning(variable) and (name, variable.name) not in told:
                     told.add((name, variable.name))
-                    message = f"{variable.name} is shared, and {other} and {name} define it differently"
-                    self.problems.append(rules.SHARED(message, help="give it the same type, range and first value"))
+                    message = Sentence(
+                        "{variable} is shared, and {one} and {other} define it differently", variable.name, other, name
+                    )
+                    self.problems.append(
+                        rules.SHARED(message, help=Sentence("give it the same type, range and first value"))
+                    )
                 cell = agent.machine.layout.variables[variable.name]
                 mine.append(number)
                 mine_cell.append(cell)

@@ -56,7 +56,7 @@ from kitrobot.sim.packing import Packing
 from kitrobot.sim.setup import Setup, SimulationError, shared_by
 from kitrobot.sim.state import State
 from kitrobot.sim.stepping import advance, is_reached
-from kitrobot.text import collection_paused
+from kitrobot.text import Sentence, collection_paused
 from kitrobot.world import World, write_world
 
 Outcome = Literal["done", "failed", "stuck", "time"]
@@ -217,7 +217,9 @@ class Simulation:
         """
         k = next((self._sensors.get((a.index, sensor)) for a in self.members if a.name == agent), None)
         if k is None:
-            raise KitRobotError(f"no agent {agent} with a sensor {sensor} takes part in this run")
+            raise KitRobotError(
+                Sentence("no agent {agent} with a sensor {sensor} takes part in this run", agent, sensor)
+            )
         table, clock = self.state.sensors.ints, self.state.clock
         by_chance = self.state.sensors.floats[S_NOISE][k] > 0 or self.state.sensors.floats[S_DROPOUT][k] > 0
         was_forced, is_forced = bool(table[S_FORCED][k]), value is not None
@@ -248,7 +250,9 @@ class Simulation:
         """
         member = next((a for a in self.members if a.name == agent and variable in a.machine.layout.variables), None)
         if member is None:
-            raise KitRobotError(f"no agent {agent} with a variable {variable} takes part in this run")
+            raise KitRobotError(
+                Sentence("no agent {agent} with a variable {variable} takes part in this run", agent, variable)
+            )
         member.machine.set_variable(variable, value)
         self.state.robots.ints[ASLEEP][member.index] = 0
         stirred(self.state.clock)
@@ -264,10 +268,12 @@ class Simulation:
         """
         member = next((one for one in self.members if one.name == agent), None)
         if member is None:
-            raise KitRobotError(f"no agent {agent} takes part in this run")
+            raise KitRobotError(Sentence("no agent {agent} takes part in this run", agent))
         keep_untold(self.state)
         if not room_to_tell(self.state, 1 + len(self._variables)):
-            raise KitRobotError("too much was done to this run between two steps", "let it go on for a step")
+            raise KitRobotError(
+                Sentence("too much was done to this run between two steps"), Sentence("let it go on for a step")
+            )
         before = self.state.clock[EVENTS]
         harm_by_hand(self.state, member.index, FailureKind(kind))
         if self.state.clock[EVENTS] == before:
@@ -320,15 +326,20 @@ class Simulation:
         mark, at = len(SNAPSHOT_MARK), len(SNAPSHOT_MARK) + 36
         body = snapshot[at:]
         if snapshot[:mark] != SNAPSHOT_MARK or zlib.crc32(body).to_bytes(4, "little") != snapshot[at - 4 : at]:
-            raise SimulationError("this is not a whole snapshot of a run", "take one with `snapshot()`")
+            raise SimulationError(
+                Sentence("this is not a whole snapshot of a run"), Sentence("take one with `snapshot()`")
+            )
         if snapshot[mark : at - 4] != self.identity:
             raise SimulationError(
-                "this snapshot is of another run", "its mission, world, programs, seed or time limit were others"
+                Sentence("this snapshot is of another run"),
+                Sentence("its mission, world, programs, seed or time limit were others"),
             )
         try:
             self._packing.unpack(self.state, body)
         except ValueError as error:
-            raise SimulationError("this is not a whole snapshot of a run", "take one with `snapshot()`") from error
+            raise SimulationError(
+                Sentence("this is not a whole snapshot of a run"), Sentence("take one with `snapshot()`")
+            ) from error
         self.outcome, self.sentence = None, ""
         self.events = [event for event in self._event_text.events(self.state) if event.tick < self.tick]
         self._look_for_an_end()

@@ -19,6 +19,7 @@ from typing import Literal
 from kitrobot.mission import FailureKind
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
+from kitrobot.text import Recorded
 
 ROOM_BYTES = 64 * 1024 * 1024
 OUTSIDE = "outside"
@@ -190,9 +191,13 @@ class Timeline:
         who, name, value = intervention.agent, intervention.name, intervention.value
         index = next((one.index for one in self.simulation.members if one.name == who), -1)
         if intervention.kind == "set":
-            text = f"{name} was set to {value} by hand"
+            text = Recorded("{name} was set to {value} by hand", name, value)
         elif intervention.kind == "force":
-            text = f"{name} was let go" if value is None else f"{name} was held at {value} by hand"
+            text = (
+                Recorded("{name} was let go", name)
+                if value is None
+                else Recorded("{name} was held at {value} by hand", name, value)
+            )
         else:
             return []
         return [Event(intervention.tick, OUTSIDE, who, text, index, "person")]

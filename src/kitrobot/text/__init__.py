@@ -2,13 +2,23 @@
 
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.positions import BytePositions, TextPositions
+from kitrobot.text.sentences import COMMA, HOLE, SEMICOLON, Help, Recorded, Sentence, Series, Word
 from kitrobot.text.suggestions import Suggestions, did_you_mean, nearest
-from kitrobot.text.wording import listed, one_of, shown
+from kitrobot.text.wording import all_of, listed, one_of, shown
 
 __all__ = [
+    "COMMA",
+    "HOLE",
+    "SEMICOLON",
     "BytePositions",
+    "Help",
+    "Recorded",
+    "Sentence",
+    "Series",
     "Suggestions",
     "TextPositions",
+    "Word",
+    "all_of",
     "collection_paused",
     "did_you_mean",
     "listed",

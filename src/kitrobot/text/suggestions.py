@@ -10,6 +10,8 @@ import difflib
 from collections.abc import Iterable
 from itertools import islice
 
+from kitrobot.text.sentences import Help, Sentence
+
 _COMPARED = 1000
 """Known words that an unknown one is compared with, at most."""
 
@@ -45,10 +47,10 @@ class Suggestions:
         alike = difflib.get_close_matches(word, known, _GUESSES, 0.6)
         return next((one for one in alike if _changes(word.casefold(), one.casefold()) <= max(1, len(word) // 3)), "")
 
-    def did_you_mean(self, word: str, words: Iterable[str]) -> str:
+    def did_you_mean(self, word: str, words: Iterable[str]) -> Help:
         """`did you mean X?` for a help line, or ""."""
         near = self.nearest(word, words)
-        return f"did you mean {near}?" if near else ""
+        return Sentence("did you mean {near}?", near) if near else ""
 
 
 def nearest(word: str, words: Iterable[str]) -> str:
@@ -56,7 +58,7 @@ def nearest(word: str, words: Iterable[str]) -> str:
     return Suggestions().nearest(word, words)
 
 
-def did_you_mean(word: str, words: Iterable[str]) -> str:
+def did_you_mean(word: str, words: Iterable[str]) -> Help:
     """`did you mean X?` for a help line, or ""."""
     return Suggestions().did_you_mean(word, words)
 

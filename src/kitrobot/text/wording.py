@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import islice
 
+from kitrobot.text.sentences import COMMA, Sentence, Series
+
 _SHOWN = 40
 """Characters of a value that a message repeats at most."""
 
@@ -21,10 +23,17 @@ def shown(text: str) -> str:
 def one_of(options: Iterable[str]) -> str:
     """`a, b or c`."""
     *front, last = options
-    return f"{', '.join(front)} or {last}" if front else last
+    return Sentence("{front} or {last}", Series(COMMA, front), last) if front else last
 
 
-def listed(names: Iterable[str]) -> str:
+def all_of(names: Iterable[str]) -> str:
+    """`a, b and c`; "" without any."""
+    *front, last = (*names,) or ("",)
+    return Sentence("{front} and {last}", Series(COMMA, front), last) if front else last
+
+
+def listed(names: Iterable[str]) -> Sentence:
     """`a, b, c`: the first names, with `…` where there are more; "" without any."""
     first = list(islice(names, _LISTED + 1))
-    return ", ".join(first[:_LISTED]) + (" …" if len(first) > _LISTED else "")
+    series = Series(COMMA, first[:_LISTED])
+    return Sentence("{names} …", series) if len(first) > _LISTED else series

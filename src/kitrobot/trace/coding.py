@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kitrobot.text import Recorded, Sentence
 from kitrobot.trace.model import Threads, TickRecord, TraceCommand, TraceError, TraceEvent
 
 MAX_ITEMS = 1_000_000
@@ -73,14 +74,22 @@ class Encoder:
         """Packs one record behind the others of this chunk."""
         if len(record.numbers) != self._columns or len(record.active) != self._agents:
             raise TraceError(
-                f"a record has {len(record.numbers)} numbers and {len(record.active)} agents; "
-                f"the header of this trace says {self._columns} and {self._agents}"
+                Sentence(
+                    "a record has {numbers} numbers and {agents} agents; the header of this trace says "
+                    "{wanted_numbers} and {wanted_agents}",
+                    len(record.numbers),
+                    len(record.active),
+                    self._columns,
+                    self._agents,
+                )
             )
         out = self._out
         if self.records == 0:
             self.first_tick = self._tick = record.tick
         elif record.tick <= self._tick:
-            raise TraceError(f"tick {record.tick} comes after tick {self._tick} in a trace; ticks must grow")
+            raise TraceError(
+                Sentence("tick {tick} comes after tick {before} in a trace; ticks must grow", record.tick, self._tick)
+            )
         _put(out, record.tick - self._tick)
         self._put_numbers(record.numbers)
         self._put_active(record.active)
@@ -154,7 +163,7 @@ class _Bytes:
         value, shift = byte & 127, 7
         while byte > 127:
             if shift > MOST_BITS:
-                raise ValueError("a number without end")
+                raise ValueError(Sentence("a number without end"))
             byte = data[at]
             at += 1
             value |= (byte & 127) << shift
@@ -169,13 +178,13 @@ class _Bytes:
     def count(self) -> int:
         value = self.number()
         if value > MAX_ITEMS:
-            raise ValueError("a count beyond all reason")
+            raise ValueError(Sentence("a count beyond all reason"))
         return value
 
     def text(self) -> str:
         length = self.number()
         if length > len(self.data) - self.at:
-            raise ValueError("a text longer than its chunk")
+            raise ValueError(Sentence("a text longer than its chunk"))
         self.at += length
         return self.data[self.at - length : self.at].decode()
 
@@ -220,7 +229,9 @@ def decode(data: bytes, first_tick: int, records: int, columns: int, agents: int
         if source.at != len(data):
             raise ValueError("rest")
     except (IndexError, ValueError) as error:
-        raise TraceError(f"the trace is damaged after tick {tick}: its records do not make sense") from error
+        raise TraceError(
+            Sentence("the trace is damaged after tick {tick}: its records do not make sense", tick)
+        ) from error
 
 
 def decode_events(data: bytes, first_tick: int, last_tick: int, agents: int) -> Iterator[tuple[int, TraceEvent]]:
@@ -239,9 +250,11 @@ def decode_events(data: bytes, first_tick: int, last_tick: int, agents: int) -> 
                 raise ValueError("tick")
             before = later
             kind, agent, text, cause = source.text(), source.number(), source.text(), source.text()
-            yield tick, TraceEvent(tick - ago, kind, _one_of(agent, agents + 1) - 1, text, cause)
+            yield tick, TraceEvent(tick - ago, kind, _one_of(agent, agents + 1) - 1, Recorded(text), cause)
     except (IndexError, ValueError) as error:
-        raise TraceError(f"the trace is damaged after tick {first_tick}: its events do not make sense") from error
+        raise TraceError(
+            Sentence("the trace is damaged after tick {tick}: its events do not make sense", first_tick)
+        ) from error
 
 
 def _one_of(number: int, count: int) -> int:

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from itertools import groupby
 from typing import Any
 
+from kitrobot.text import Sentence
 from kitrobot.trace.model import TEAM, Column, TraceAgent, TraceError, TraceHeader, TracePart
 
 MOST_AGENTS = 1_000_000
@@ -33,7 +34,7 @@ def header_to_json(header: TraceHeader) -> dict[str, Any]:
     if [(owner, *pair) for owner in owners for pair in mine[owner]] != [
         (column.owner, column.name, column.scale) for column in header.columns
     ]:
-        raise TraceError("the numbers of this trace are not in the order of its agents")
+        raise TraceError(Sentence("the numbers of this trace are not in the order of its agents"))
     numbers: dict[Layout, int] = {}
     for agent in header.agents:
         numbers.setdefault(mine[agent.name], len(numbers))
@@ -74,10 +75,10 @@ def header_from_json(data: Any) -> TraceHeader:
             _rate(data["fail_rate"]),
         )
     except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
-        raise TraceError("the header of this trace does not say what a trace's header says") from error
+        raise TraceError(Sentence("the header of this trace does not say what a trace's header says")) from error
     names = {agent.name for agent in header.agents}
     if len(names) < len(header.agents) or TEAM in names:
-        raise TraceError("the header of this trace does not fit together: two of its agents have one name")
+        raise TraceError(Sentence("the header of this trace does not fit together: two of its agents have one name"))
     return header
 
 

@@ -18,6 +18,7 @@ from types import TracebackType
 from typing import Any
 
 from kitrobot.diagnostics import open_regular
+from kitrobot.text import Sentence, Word
 from kitrobot.trace import layout
 from kitrobot.trace.coding import decode, decode_events
 from kitrobot.trace.header import header_from_json
@@ -49,7 +50,7 @@ class _Chunk:
 
     @property
     def ticks(self) -> str:
-        return f"ticks {self.first_tick} to {self.last_tick}"
+        return Sentence("ticks {first} to {last}", self.first_tick, self.last_tick)
 
 
 class TraceReader:
@@ -67,44 +68,47 @@ class TraceReader:
         try:
             self._file = open_regular(path)
         except (OSError, ValueError) as error:
-            reason = error.strerror if isinstance(error, OSError) else str(error)
-            raise TraceError(f"the trace {path.name} cannot be read: {reason}") from error
+            reason = Word(error.strerror if isinstance(error, OSError) else error)
+            raise TraceError(Sentence("the trace {path} cannot be read: {reason}", path.name, reason)) from error
         try:
             self.header: TraceHeader = self._read_header()
             self._chunks = list(self._scan())
         except OSError as error:
             self._file.close()
-            raise TraceError(f"the trace {path.name} cannot be read: {error.strerror}") from error
+            raise TraceError(
+                Sentence("the trace {path} cannot be read: {reason}", path.name, Word(error.strerror))
+            ) from error
         except BaseException:
             self._file.close()
             raise
         self._firsts = [chunk.first_tick for chunk in self._chunks]
 
     def _damaged(self, what: str) -> TraceError:
-        return TraceError(f"the trace {self.path.name} is damaged: {what}")
+        return TraceError(Sentence("the trace {path} is damaged: {what}", self.path.name, what))
 
     # -- the file
 
     def _read_header(self) -> TraceHeader:
         if self._file.read(len(layout.MAGIC)) != layout.MAGIC:
             raise TraceError(
-                f"{self.path.name} is not a KitRobot trace", "a trace is what `kitrobot run --trace` writes"
+                Sentence("{path} is not a KitRobot trace", self.path.name),
+                Sentence("a trace is what `kitrobot run --trace` writes"),
             )
         start = self._file.read(layout.VERSION_HEAD.size)
         if len(start) < layout.VERSION_HEAD.size:
-            raise self._damaged("it ends in its header")
+            raise self._damaged(Sentence("it ends in its header"))
         self._check_version(*layout.VERSION_HEAD.unpack(start))
         head = self._file.read(layout.HEAD.size)
         if len(head) < layout.HEAD.size:
-            raise self._damaged("it ends in its header")
+            raise self._damaged(Sentence("it ends in its header"))
         raw, packed, crc = layout.HEAD.unpack(head)
         if raw > layout.MOST_HEADER_BYTES or packed > layout.MOST_HEADER_BYTES:
-            raise self._damaged("its header is not what was written")
-        text = self._unpacked(_Packed(self._file.tell(), raw, packed, crc), "its header")
+            raise self._damaged(Sentence("its header is not what was written"))
+        text = self._unpacked(_Packed(self._file.tell(), raw, packed, crc), Sentence("its header"))
         # A list of nothing is two bytes in a file and many in memory.
         if text.count(b"[") + text.count(b"{") > layout.MOST_HEADER_LISTS:
-            raise self._damaged("its header is not what was written")
-        return header_from_json(self._plain(text, "its header"))
+            raise self._damaged(Sentence("its header is not what was written"))
+        return header_from_json(self._plain(text, Sentence("its header")))
 
     def _check_version(self, version: int) -> None:
         if version == layout.VERSION:
@@ -112,19 +116,28 @@ class TraceReader:
         name = self.path.name
         if version < layout.VERSION:
             raise TraceError(
-                f"the trace {name} is of an older KitRobot (format {version}), which did not keep the mission",
-                "record the run once more: the same mission and seed give the same run",
+                Sentence(
+                    "the trace {path} is of an older KitRobot (format {version}), which did not keep the mission",
+                    name,
+                    version,
+                ),
+                Sentence("record the run once more: the same mission and seed give the same run"),
             )
         raise TraceError(
-            f"the trace {name} has format {version}, and this KitRobot reads format {layout.VERSION}",
-            "open it with the KitRobot that wrote it, or a newer one",
+            Sentence(
+                "the trace {path} has format {found}, and this KitRobot reads format {wanted}",
+                name,
+                version,
+                layout.VERSION,
+            ),
+            Sentence("open it with the KitRobot that wrote it, or a newer one"),
         )
 
     def _plain(self, text: bytes, what: str) -> Any:
         try:
             return json.loads(text)
         except (ValueError, RecursionError) as error:
-            raise self._damaged(f"{what} is not what was written") from error
+            raise self._damaged(Sentence("{what} is not what was written", what)) from error
 
     def _scan(self) -> Iterator[_Chunk]:
         size = self.path.stat().st_size
@@ -138,12 +151,12 @@ class TraceReader:
                 return
             if len(head) < layout.CHUNK.size:
                 if not (layout.CHUNK_MARK.startswith(head[:4]) or layout.END_MARK.startswith(head[:4])):
-                    raise self._damaged(f"byte {offset} begins neither a chunk nor the end")
+                    raise self._damaged(Sentence("byte {offset} begins neither a chunk nor the end", offset))
                 return
             chunk = self._chunk(head, offset, last)
             count += 1
             if count > layout.MOST_CHUNKS:
-                raise self._damaged("it has more parts than any run")
+                raise self._damaged(Sentence("it has more parts than any run"))
             offset = chunk.events.offset + chunk.events.packed_bytes
             if offset > size:
                 return
@@ -156,7 +169,7 @@ class TraceReader:
         whole = mark == layout.CHUNK_MARK and check == zlib.crc32(head[:-4])
         sensible = last < first <= final and 0 < records <= min(layout.CHUNK_RECORDS, final - first + 1)
         if not whole or not sensible or max(raw, packed, events_raw, events_packed) > layout.MOST_CHUNK_BYTES:
-            raise self._damaged(f"byte {offset} does not begin a chunk")
+            raise self._damaged(Sentence("byte {offset} does not begin a chunk", offset))
         at = offset + layout.CHUNK.size
         body = _Packed(at, raw, packed, crc)
         return _Chunk(first, final, records, body, _Packed(at + packed, events_raw, events_packed, events_crc))
@@ -166,16 +179,16 @@ class TraceReader:
             return
         _, length, crc = layout.END.unpack(head[: layout.END.size])
         if length > layout.MOST_OUTCOME_BYTES:
-            raise self._damaged("its end is not what was written")
+            raise self._damaged(Sentence("its end is not what was written"))
         self._file.seek(offset + layout.END.size)
         text = self._file.read(length)
         if len(text) < length:
             return
         if zlib.crc32(text) != crc or self._file.read(1):
-            raise self._damaged("its end is not what was written")
-        outcome = self._plain(text, "its end")
+            raise self._damaged(Sentence("its end is not what was written"))
+        outcome = self._plain(text, Sentence("its end"))
         if not isinstance(outcome, dict):
-            raise self._damaged("its end is not what was written")
+            raise self._damaged(Sentence("its end is not what was written"))
         self.outcome = outcome
         self.cut = False
 
@@ -184,13 +197,13 @@ class TraceReader:
         self._file.seek(packed.offset)
         data = self._file.read(packed.packed_bytes)
         if len(data) < packed.packed_bytes or zlib.crc32(data) != packed.crc:
-            raise self._damaged(f"{what} is not there as it was written")
+            raise self._damaged(Sentence("{what} is not there as it was written", what))
         try:
             raw = zlib.decompressobj().decompress(data, packed.raw_bytes + 1)
         except zlib.error as error:
-            raise self._damaged(f"{what} cannot be unpacked") from error
+            raise self._damaged(Sentence("{what} cannot be unpacked", what)) from error
         if len(raw) != packed.raw_bytes:
-            raise self._damaged(f"{what} unpacks to another length")
+            raise self._damaged(Sentence("{what} unpacks to another length", what))
         return raw
 
     # -- what is in it
@@ -220,7 +233,7 @@ class TraceReader:
         return found[-MOST_EVENTS:]
 
     def _events_of(self, chunk: _Chunk) -> Iterator[tuple[int, TraceEvent]]:
-        data = self._unpacked(chunk.events, f"what happened in {chunk.ticks}")
+        data = self._unpacked(chunk.events, Sentence("what happened in {ticks}", chunk.ticks))
         return decode_events(data, chunk.first_tick, chunk.last_tick, len(self.header.agents))
 
     def _records(self, chunk: _Chunk) -> Iterator[TickRecord]:
@@ -237,7 +250,7 @@ class TraceReader:
             record.events = events.get(record.tick, [])
             yield record
         if made != chunk.last_tick:
-            raise self._damaged(f"{chunk.ticks} are not the ticks that are in it")
+            raise self._damaged(Sentence("{ticks} are not the ticks that are in it", chunk.ticks))
 
     def __iter__(self) -> Iterator[TickRecord]:
         for chunk in self._chunks:
@@ -259,7 +272,7 @@ class TraceReader:
     def seek(self, tick: int) -> TickRecord:
         """The record of that tick, or the last one before it (the first of all, if there is none before)."""
         if not self._chunks:
-            raise TraceError(f"the trace {self.path.name} holds no ticks")
+            raise TraceError(Sentence("the trace {path} holds no ticks", self.path.name))
         chunk = self._chunks[max(0, bisect_right(self._firsts, tick) - 1)]
         wanted = min(max(tick, chunk.first_tick), chunk.last_tick)
         dense = chunk.records == chunk.last_tick - chunk.first_tick + 1

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import Literal, NamedTuple, NoReturn, Protocol
 
+from kitrobot.text import Recorded, Sentence
 from kitrobot.trace.model import Threads, TickRecord, TraceError, TraceEvent, TraceHeader
 from kitrobot.trace.reading import TraceReader, kept
 
@@ -141,10 +142,10 @@ class RecordingSource:
         if outcome is None:
             return ""
         if outcome != "end" and isinstance(sentence, str):
-            return sentence[:1000]
+            return Recorded(sentence[:1000])
         if self.reader.cut:
-            return "the recording ends here: its file was cut off"
-        return "the recording ends here; the run was still on"
+            return Sentence("the recording ends here: its file was cut off")
+        return Sentence("the recording ends here; the run was still on")
 
     def record(self, in_full: Collection[int] | None = None) -> TickRecord:
         """The record of the tick that it stands at, whole."""
@@ -210,7 +211,8 @@ class RecordingSource:
 
     def _refuse(self) -> NoReturn:
         raise AbilityError(
-            "this is a recording: what happened cannot be changed", "run its mission, and do it in that run"
+            Sentence("this is a recording: what happened cannot be changed"),
+            Sentence("run its mission, and do it in that run"),
         )
 
     def stop(self) -> None:

@@ -10,6 +10,7 @@ from types import TracebackType
 from typing import Any, BinaryIO
 
 from kitrobot.diagnostics import expect_regular, lock_handle
+from kitrobot.text import Sentence, Word
 from kitrobot.trace import layout
 from kitrobot.trace.coding import Encoder
 from kitrobot.trace.header import header_to_json
@@ -38,7 +39,9 @@ class TraceWriter:
             expect_regular(path)
             self._file: BinaryIO = path.open("ab", buffering=0)
         except OSError as error:
-            raise TraceError(f"the trace {path.name} cannot be written: {error.strerror}") from error
+            raise TraceError(
+                Sentence("the trace {path} cannot be written: {reason}", path.name, Word(error.strerror))
+            ) from error
         try:
             self._begin()
             self._write(layout.MAGIC + head + packed)
@@ -54,7 +57,7 @@ class TraceWriter:
             with suppress(OSError):
                 free = lock_handle(self._file.fileno())
         if not free:
-            raise TraceError(f"the trace {self.path.name} is being written by another run")
+            raise TraceError(Sentence("the trace {path} is being written by another run", self.path.name))
         self._file.truncate(0)
 
     def record(self, record: TickRecord) -> None:
@@ -79,7 +82,7 @@ class TraceWriter:
     def _write(self, data: bytes) -> None:
         """Adds something whole to the file, or nothing of it."""
         if self._broken:
-            raise TraceError(f"the trace {self.path.name} is not written any more")
+            raise TraceError(Sentence("the trace {path} is not written any more", self.path.name))
         left = memoryview(data)
         try:
             while left:
@@ -88,7 +91,9 @@ class TraceWriter:
             self._broken = True
             with suppress(OSError):
                 self._file.truncate(self._bytes)
-            raise TraceError(f"the trace {self.path.name} cannot be written: {error.strerror}") from error
+            raise TraceError(
+                Sentence("the trace {path} cannot be written: {reason}", self.path.name, Word(error.strerror))
+            ) from error
         self._bytes += len(data)
 
     def finish(self, outcome: dict[str, Any]) -> None:

@@ -1,11 +1,12 @@
 """The sentences of all rooms in the reader's language.
 
-The rooms speak English and know no other language. At the door a sentence is matched with the English one that it was
-made of, and said again in the other language (`matching`). The languages are tables beside this file, `fr.json` and
-`ur.json`, read when they are first asked for; `tools/sentences.py` finds what lacks a translation.
+The rooms speak English and know no other language; their sentences keep the template and the values that they were made
+of (`kitrobot.text.Sentence`). At the door they are said again in the reader's language (`rendering`). The languages are
+gettext catalogues beside this file, `fr.po` and `ur.po`, read when they are first asked for (`catalogue`);
+`tools/sentences.py` finds what lacks a translation.
 """
 
 from kitrobot.translation.languages import best_language, reading_in, said, said_in
-from kitrobot.translation.matching import DIRECTIONS, ENGLISH, LANGUAGES
+from kitrobot.translation.rendering import DIRECTIONS, ENGLISH, LANGUAGES, STOPS
 
-__all__ = ["DIRECTIONS", "ENGLISH", "LANGUAGES", "best_language", "reading_in", "said", "said_in"]
+__all__ = ["DIRECTIONS", "ENGLISH", "LANGUAGES", "STOPS", "best_language", "reading_in", "said", "said_in"]

@@ -13,7 +13,7 @@ from typing import get_args
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.lll import Node, children
 from kitrobot.primitives import IDENTIFIER, Template, holes, read_template
-from kitrobot.text import one_of
+from kitrobot.text import Sentence, Series, Word, one_of
 from kitrobot.tutorial import rules
 from kitrobot.tutorial.model import EVENTS, Pattern, Point, PointKind, Range, Step, Tutorial
 from kitrobot.xml import (
@@ -72,9 +72,13 @@ def read_tutorial(data: bytes, name: str) -> tuple[Tutorial | None, list[Diagnos
     icon = root.matching("icon", "graduation-cap")
     steps = root.found(Step)
     if "" not in root.texts.get("label", {}):
-        root.report(rules.START, "expected a <label> in English, found none", help="say what the tutorial is called")
+        root.report(
+            rules.START,
+            Sentence("expected a <label> in English, found none"),
+            help=Sentence("say what the tutorial is called"),
+        )
     if not 1 <= len(steps) <= MOST_STEPS:
-        root.report(rules.START, f"expected 1 to {MOST_STEPS} steps, found {len(steps)}")
+        root.report(rules.START, Sentence("expected 1 to {most} steps, found {count}", MOST_STEPS, len(steps)))
     if root.faulty:
         return None, reader.diagnostics
     label, help = root.texts.get("label", {}), root.texts.get("help", {})
@@ -84,7 +88,7 @@ def read_tutorial(data: bytes, name: str) -> tuple[Tutorial | None, list[Diagnos
 def _code(element: Element) -> Template | None:
     template = read_template(element)
     if template is not None and _depth(template) > DEEPEST_PATTERN:
-        element.report(rules.PATTERN, f"expected at most {DEEPEST_PATTERN} levels, found more")
+        element.report(rules.PATTERN, Sentence("expected at most {deepest} levels, found more", DEEPEST_PATTERN))
         return None
     return template
 
@@ -104,7 +108,9 @@ def _hole(element: Element) -> _Hole:
     least = element.integer("min")
     most = element.integer("max")
     if least > most:
-        element.report(rules.PATTERN, f"expected min at most max, found {least} and {most}", "min")
+        element.report(
+            rules.PATTERN, Sentence("expected min at most max, found {least} and {most}", least, most), "min"
+        )
     return name, (least, most)
 
 
@@ -114,7 +120,9 @@ def _pattern(element: Element) -> Pattern | None:
     written = sum(inner.name == "code" for _, inner in element.values)
     if written != 1:
         if not element.faulty:
-            element.report(rules.PATTERN, f"expected one <code> in <{element.name}>, found {written}")
+            element.report(
+                rules.PATTERN, Sentence("expected one <code> in <{element}>, found {found}", element.name, written)
+            )
         return None
     code = codes[0]
     assert isinstance(code, Node)
@@ -124,21 +132,23 @@ def _pattern(element: Element) -> Pattern | None:
         assert isinstance(value, tuple)
         name, bounds = value
         if name not in known:
-            inner.report(rules.PATTERN, f"the code has no hole {{{name}}}", "name", inner.did_you_mean(name, known))
+            inner.report(
+                rules.PATTERN, Sentence("the code has no hole {{hole}}", name), "name", inner.did_you_mean(name, known)
+            )
         elif name in ranges:
-            inner.report(rules.PATTERN, f"the range of {{{name}}} is given already", "name")
+            inner.report(rules.PATTERN, Sentence("the range of {{hole}} is given already", name), "name")
         ranges[name] = bounds
     programs = element.integer("programs")
     program = element.optional("program")
     if program and programs > 1:
-        element.report(rules.PATTERN, "expected either program or programs, found both", "programs")
+        element.report(rules.PATTERN, Sentence("expected either program or programs, found both"), "programs")
     return Pattern(code, element.name == "matches", program, programs, ranges)  # type: ignore[arg-type]
 
 
 def _any(element: Element) -> _Alternatives | None:
     patterns = element.found(Pattern)
     if not patterns and not element.faulty:
-        element.report(rules.PATTERN, "expected <contains> or <matches> in <any>, found none")
+        element.report(rules.PATTERN, Sentence("expected <contains> or <matches> in <any>, found none"))
     return _Alternatives(patterns) if patterns else None
 
 
@@ -150,19 +160,26 @@ def _point(element: Element) -> Point | None:
     kinds: list[PointKind] = [kind for kind in _POINTS if kind in element.attributes]
     inner = [kind for kind in _INNER if kind in element.attributes]
     if len(kinds) != 1:
-        element.report(rules.POINT, f"expected {one_of(_POINTS)} on <point>, found {' and '.join(kinds) or 'none'}")
+        element.report(
+            rules.POINT,
+            Sentence(
+                "expected {points} on <point>, found {found}",
+                one_of(_POINTS),
+                Series(Sentence(" and "), kinds) or Word("none"),
+            ),
+        )
         return None
     [kind] = kinds
     name = element.choice(kind) if kind in ("button", "panel") else ""
     if len(inner) > (kind == "vertex"):
-        element.report(rules.POINT, f"expected no {inner[-1]} here, found one", inner[-1])
+        element.report(rules.POINT, Sentence("expected no {element} here, found one", inner[-1]), inner[-1])
         return None
     return Point(kind, name or element.required(kind), element.required(inner[0]) if inner else "")
 
 
 def _step(element: Element) -> Step:
     if "" not in element.texts.get("label", {}):
-        element.report(rules.START, "expected a <label> in English in the step, found none")
+        element.report(rules.START, Sentence("expected a <label> in English in the step, found none"))
     wants: list[tuple[Pattern, ...]] = []
     for value, _ in element.values:
         if isinstance(value, Pattern):
@@ -184,7 +201,7 @@ _NUMBER = whole(0, _LARGEST, "lll-number")
 _HOLE = Tag(
     _hole,
     {
-        "name": needed(replace(IDENTIFIER, words="the name of a hole")),
+        "name": needed(replace(IDENTIFIER, words=Sentence("the name of a hole"))),
         "min": optional(_NUMBER, "0"),
         "max": optional(_NUMBER, str(_LARGEST)),
     },
@@ -234,7 +251,7 @@ _MISSION_NAME = Kind(
     longest=LONGEST_NAME,
     pattern=r"""[^\\/:*?"<>|]+\.[kK][rR][tT]""",
     fits=_START.fullmatch,
-    words="the name of a .krt in the same folder",
+    words=Sentence("the name of a .krt in the same folder"),
 )
 TUTORIAL = {
     "tutorial": Tag(

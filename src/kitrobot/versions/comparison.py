@@ -12,18 +12,19 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import Any
 
 from kitrobot.compiler.common_order import common_order
 from kitrobot.diagnostics import KitRobotError, ProblemsError, Source
 from kitrobot.files import lay_out_file, read_carried
 from kitrobot.graph import START, STOP, Note, Program, Vertex
-from kitrobot.mission import NO_PROGRAM, Agent, Goal, Mission, read_mission
+from kitrobot.mission import NO_PROGRAM, Mission, read_mission
+from kitrobot.text import Sentence, Word
 from kitrobot.versions.outline import PARKED, Outline
 from kitrobot.versions.own_parts import TOLD_HERE, own_part_differences
 from kitrobot.versions.own_worlds import world_differences
+from kitrobot.versions.team import team_differences
+from kitrobot.versions.wording import named, quoted, short, value, where
 
-_LONGEST_QUOTE = 60
 _ALIKE = 0.6
 """So much of two programs' vertices must be the same for one to be the other renamed."""
 
@@ -53,14 +54,20 @@ class Difference:
 def differences(before: Mission, after: Mission) -> list[Difference]:
     """What makes `after` of `before`; empty when they are equal."""
     found = list(_programs(before, after))
-    found += _agents(before.team.agents, after.team.agents)
-    found += _goals(before.team.goals, after.team.goals)
+    found += [Difference(kind, words) for kind, words in team_differences(before.team, after.team)]
     found += [Difference(kind, words) for kind, words in world_differences(before, after)]
     found += [Difference(kind, words) for kind, words in own_part_differences(before, after)]
     for field in fields(Mission):
         one, other = getattr(before, field.name), getattr(after, field.name)
         if field.name not in ("programs", "team", "world_href", "own_world", *TOLD_HERE) and one != other:
-            found.append(Difference("mission", f"the {field.name} of the mission: {_short(one)} → {_short(other)}"))
+            found.append(
+                Difference(
+                    "mission",
+                    Sentence(
+                        "the {field} of the mission: {before} → {after}", Word(field.name), short(one), short(other)
+                    ),
+                )
+            )
     return found
 
 
@@ -72,12 +79,18 @@ def text_differences(before: str, after: str) -> list[Difference]:
     for j, m in (*common_order(old, new), (len(old), len(new))):
         pairs = min(j - i, m - k)
         for step in range(pairs):
-            words = f"line {k + step + 1}: `{old[i + step].strip()}` → `{new[k + step].strip()}`"
+            words = Sentence(
+                "line {line}: `{old}` → `{new}`", k + step + 1, old[i + step].strip(), new[k + step].strip()
+            )
             found.append(Difference("line-changed", words))
         found += [
-            Difference("line-removed", f"line {at + 1} removed: `{old[at].strip()}`") for at in range(i + pairs, j)
+            Difference("line-removed", Sentence("line {line} removed: `{old}`", at + 1, old[at].strip()))
+            for at in range(i + pairs, j)
         ]
-        found += [Difference("line-added", f"line {at + 1} added: `{new[at].strip()}`") for at in range(k + pairs, m)]
+        found += [
+            Difference("line-added", Sentence("line {line} added: `{new}`", at + 1, new[at].strip()))
+            for at in range(k + pairs, m)
+        ]
         i, k = j + 1, m + 1
     return found
 
@@ -143,24 +156,29 @@ def _programs(before: Mission, after: Mission) -> Iterator[Difference]:
     for program in before.programs:
         name = renamed.get(program.name, program.name)
         if name not in now:
-            yield Difference("program-removed", f"the program {program.name} removed")
+            yield Difference("program-removed", Sentence("the program {program} removed", program.name))
     for program in after.programs:
         old = was.get(came_from.get(program.name, program.name))
         if old is None:
-            yield Difference("program-added", f"the program {program.name} added, for the robot {program.target}")
+            yield Difference(
+                "program-added",
+                Sentence("the program {program} added, for the robot {robot}", program.name, program.target),
+            )
             continue
         if old.name != program.name:
-            yield Difference("program-renamed", f"the program {old.name} renamed to {program.name}")
+            yield Difference(
+                "program-renamed", Sentence("the program {before} renamed to {after}", old.name, program.name)
+            )
         yield from _program(old, program)
     order = [name for name in (renamed.get(one.name, one.name) for one in before.programs) if name in now]
     if order != [program.name for program in after.programs if program.name in kept]:
-        yield Difference("order", "the programs stand in another order")
+        yield Difference("order", Sentence("the programs stand in another order"))
 
 
 def _program(before: Program, after: Program) -> Iterator[Difference]:
     name = after.name
     if before.target != after.target:
-        yield Difference("robot", f"the robot: {before.target} → {after.target}", name)
+        yield Difference("robot", Sentence("the robot: {before} → {after}", before.target, after.target), name)
     old, new = Outline(before), Outline(after)
     told = False
     for found in _vertices(old, new, name):
@@ -170,54 +188,82 @@ def _program(before: Program, after: Program) -> Iterator[Difference]:
         return
     arcs = [{(arc.source, arc.out, arc.target, arc.at) for arc in program.arcs} for program in (before, after)]
     for source, out, target, at in sorted(arcs[0] - arcs[1]):
-        yield Difference("arc-removed", f"the arc {source}.{out} → {target}.{at} removed", name, source)
+        yield Difference(
+            "arc-removed",
+            Sentence("the arc {source}.{out} → {target}.{at} removed", source, out, target, at),
+            name,
+            source,
+        )
     for source, out, target, at in sorted(arcs[1] - arcs[0]):
-        yield Difference("arc-added", f"the arc {source}.{out} → {target}.{at} added", name, source)
+        yield Difference(
+            "arc-added", Sentence("the arc {source}.{out} → {target}.{at} added", source, out, target, at), name, source
+        )
     if arcs[0] == arcs[1]:
-        yield Difference("order", "the same vertices and arcs in another order of the file", name)
+        yield Difference("order", Sentence("the same vertices and arcs in another order of the file"), name)
 
 
 def _vertices(old: Outline, new: Outline, name: str) -> Iterator[Difference]:
     for id, vertex in old.vertices.items():
         if id not in new.vertices:
-            yield Difference("removed", f"{_named(vertex)} removed, it stood{_where(old, id)}", name, id)
+            yield Difference(
+                "removed", Sentence("{vertex} removed, it stood{where}", named(vertex), where(old, id)), name, id
+            )
     moved = _moved(old, new)
     for id, vertex in new.vertices.items():
         before = old.vertices.get(id)
         if before is None:
-            yield Difference("added", f"{_named(vertex)} added{_where(new, id)}", name, id)
+            yield Difference("added", Sentence("{vertex} added{where}", named(vertex), where(new, id)), name, id)
             yield from _inside(Vertex(id, vertex.element, vertex.settings), vertex, name)
             continue
         if id in moved:
-            yield Difference("moved", f"{_named(vertex)} moved{_where(new, id)}", name, id)
+            yield Difference("moved", Sentence("{vertex} moved{where}", named(vertex), where(new, id)), name, id)
         yield from _inside(before, vertex, name)
 
 
 def _inside(before: Vertex, after: Vertex, name: str) -> Iterator[Difference]:
     """What is different in a vertex itself."""
-    what = _named(after)
+    what = named(after)
     if before.element != after.element:
-        yield Difference("element", f"{_named(before)} became {after.element}", name, after.id)
+        yield Difference(
+            "element", Sentence("{before} became {after}", named(before), Word(after.element)), name, after.id
+        )
     for setting in dict.fromkeys((*before.settings, *after.settings)):
         one, other = before.settings.get(setting), after.settings.get(setting)
         if one != other:
-            words = f"the {setting} of {what}: {_value(one)} → {_value(other)}"
+            words = Sentence(
+                "the {setting} of {vertex}: {before} → {after}", Word(setting), what, value(one), value(other)
+            )
             yield Difference("setting", words, name, after.id)
     for old_note, new_note in _note_pairs(before.notes, after.notes):
         if old_note is None and new_note is not None:
-            yield Difference("note-added", f"a note at {what} added: {_quoted(new_note.text)}", name, after.id)
+            yield Difference(
+                "note-added", Sentence("a note at {vertex} added: {note}", what, quoted(new_note.text)), name, after.id
+            )
         elif old_note is not None and new_note is None:
-            yield Difference("note-removed", f"the note {_quoted(old_note.text)} at {what} removed", name, after.id)
+            yield Difference(
+                "note-removed",
+                Sentence("the note {note} at {vertex} removed", quoted(old_note.text), what),
+                name,
+                after.id,
+            )
         elif old_note is not None and new_note is not None:
-            words = f"the note at {what}: {_quoted(old_note.text)} → {_quoted(new_note.text)}"
+            words = Sentence(
+                "the note at {vertex}: {before} → {after}", what, quoted(old_note.text), quoted(new_note.text)
+            )
             yield Difference("note", words, name, after.id)
     for field in fields(Vertex):
         one_value, other_value = getattr(before, field.name), getattr(after, field.name)
         if field.name not in ("id", "element", "settings", "notes") and one_value != other_value:
-            words = f"the {field.name} of {what}: {_short(one_value)} → {_short(other_value)}"
+            words = Sentence(
+                "the {setting} of {vertex}: {before} → {after}",
+                Word(field.name),
+                what,
+                short(one_value),
+                short(other_value),
+            )
             yield Difference("vertex", words, name, after.id)
     if before.settings == after.settings and list(before.settings) != list(after.settings):
-        yield Difference("order", f"the settings of {what} stand in another order", name, after.id)
+        yield Difference("order", Sentence("the settings of {vertex} stand in another order", what), name, after.id)
 
 
 def _note_pairs(before: Sequence[Note], after: Sequence[Note]) -> list[tuple[Note | None, Note | None]]:
@@ -274,73 +320,6 @@ def _longest_rising(places: Sequence[int]) -> set[int]:
     return found
 
 
-def _agents(before: Sequence[Agent], after: Sequence[Agent]) -> Iterator[Difference]:
-    old, new = {agent.name: agent for agent in before}, {agent.name: agent for agent in after}
-    for name in old:
-        if name not in new:
-            yield Difference("agent-removed", f"the team: {name} removed")
-    for name, agent in new.items():
-        was = old.get(name)
-        if was is None:
-            yield Difference("agent-added", f"the team: {name} added, runs {agent.program}")
-            continue
-        for field in fields(Agent):
-            one, other = getattr(was, field.name), getattr(agent, field.name)
-            if one != other:
-                yield Difference("agent", f"the team: the {field.name} of {name}: {one or 'none'} → {other or 'none'}")
-    if list(before) != list(after) and old == new:
-        yield Difference("order", "the team: its agents stand in another order")
-
-
-def _goals(before: Sequence[Goal], after: Sequence[Goal]) -> Iterator[Difference]:
-    had, has = {(goal.storehouse, goal.stock) for goal in before}, {(goal.storehouse, goal.stock) for goal in after}
-    for goal in before:
-        if (goal.storehouse, goal.stock) not in has:
-            yield Difference("goal-removed", f"the goals: {goal.storehouse} holds {goal.stock} removed")
-    for goal in after:
-        if (goal.storehouse, goal.stock) not in had:
-            yield Difference("goal-added", f"the goals: {goal.storehouse} holds {goal.stock} added")
-    if list(before) != list(after) and had == has:
-        yield Difference("order", "the goals stand in another order")
-
-
-def _where(outline: Outline, id: str) -> str:
-    """Where a vertex stands, as the end of a sentence."""
-    spot = outline.spots.get(id)
-    if spot is None:
-        return ""
-    holder, slot = spot.chain
-    after = f" after {_named(outline.vertices[spot.after])}" if spot.after else ""
-    if slot == PARKED:
-        return f"{after}, parked"
-    if not holder:
-        return after or " after Start"
-    if not after and len(outline.chains[spot.chain]) > 1:
-        after = " first"
-    return f"{after} in the {slot} of {_named(outline.vertices[holder])}"
-
-
-def _named(vertex: Vertex) -> str:
-    return vertex.element if vertex.element in (START, STOP) else f"{vertex.element} ({vertex.id})"
-
-
-def _value(value: str | None) -> str:
-    return "nothing" if value is None else _quoted(value) if value == "" or " " in value else value[:_LONGEST_QUOTE]
-
-
-def _quoted(text: str) -> str:
-    line = " ".join(text.split())
-    return f"“{line if len(line) <= _LONGEST_QUOTE else line[: _LONGEST_QUOTE - 1] + '…'}”"
-
-
-def _short(value: Any) -> str:
-    if isinstance(value, dict):
-        value = value.get("") or next(iter(value.values()), "")
-    if isinstance(value, list):
-        value = " ".join(map(str, value))
-    return _quoted(str(value)) if value else "nothing"
-
-
 def compare_files(before: Path, after: Path) -> list[Difference]:
     """What is different between two `.krt` (or pictures that carry one), or two `.lll` by their true layout.
 
@@ -353,7 +332,9 @@ def compare_files(before: Path, after: Path) -> list[Difference]:
     if kinds == {".lll"}:
         return text_differences(_laid_out(before), _laid_out(after))
     if ".lll" in kinds:
-        raise CompareError("expected two missions or two LLL texts, found one of each", "convert one of them first")
+        raise CompareError(
+            Sentence("expected two missions or two LLL texts, found one of each"), Sentence("convert one of them first")
+        )
     return differences(mission_whole(read_carried(before), before), mission_whole(read_carried(after), after))
 
 
@@ -366,12 +347,16 @@ def mission_whole(data: bytes, path: Path) -> Mission:
     mission, diagnostics = read_mission(data, str(path))
     if mission is None or any(item.is_error and item.code != NO_PROGRAM.code for item in diagnostics):
         source = Source(str(path), data.decode("utf-8-sig", errors="replace"))
-        raise ProblemsError(f"`{path}` cannot be used", "mend it first", tuple(diagnostics), (source,))
+        raise ProblemsError(
+            Sentence("`{path}` cannot be used", path), Sentence("mend it first"), tuple(diagnostics), (source,)
+        )
     return mission
 
 
 def _laid_out(path: Path) -> str:
     layout = lay_out_file(path)
     if layout.text is None:
-        raise ProblemsError(f"`{path}` cannot be used", "mend it first", layout.diagnostics, (layout.source,))
+        raise ProblemsError(
+            Sentence("`{path}` cannot be used", path), Sentence("mend it first"), layout.diagnostics, (layout.source,)
+        )
     return layout.text

@@ -8,6 +8,7 @@ from typing import Any
 
 from kitrobot.mission import Breakpoint, Failure, Mission
 from kitrobot.primitives import Constructor, OwnVariable, RobotObject
+from kitrobot.text import COMMA, Sentence, Series, Word
 
 TOLD_HERE = ("constructors", "variables", "breakpoints", "failures")
 """The fields of a mission whose differences are told here."""
@@ -25,40 +26,51 @@ def own_part_differences(before: Mission, after: Mission) -> Iterator[tuple[str,
     for list_ in TOLD_HERE:
         old, new = getattr(before, list_), getattr(after, list_)
         if old != new and sorted(map(repr, old)) == sorted(map(repr, new)):
-            yield "order", f"the mission's {list_} stand in another order"
+            yield "order", Sentence("the mission's {what} stand in another order", Word(list_))
 
 
 def _constructors(own: Sequence[Constructor]) -> dict[str, Constructor]:
-    return {f"the own part {constructor.name}": constructor for constructor in own}
+    return {Sentence("the own part {constructor}", constructor.name): constructor for constructor in own}
 
 
 def _variables(own: Sequence[OwnVariable]) -> dict[str, RobotObject]:
-    return {f"the variable {one.variable.name} of {one.robot}": one.variable for one in own}
+    return {Sentence("the variable {variable} of {robot}", one.variable.name, one.robot): one.variable for one in own}
 
 
 def _breakpoints(mission: Mission) -> dict[str, Breakpoint]:
     return {
-        f"the breakpoint at {one.vertex} of {one.program}{' for ' if one.agents else ''}{', '.join(one.agents)}": one
+        (
+            Sentence(
+                "the breakpoint at {vertex} of {program} for {agents}",
+                one.vertex,
+                one.program,
+                Series(COMMA, one.agents),
+            )
+            if one.agents
+            else Sentence("the breakpoint at {vertex} of {program}", one.vertex, one.program)
+        ): one
         for one in mission.breakpoints
     }
 
 
 def _failures(mission: Mission) -> dict[str, Failure]:
-    return {f"the failure of {one.agent} at {one.at_s:g} s": one for one in mission.failures}
+    return {
+        Sentence("the failure of {agent} at {seconds} s", one.agent, f"{one.at_s:g}"): one for one in mission.failures
+    }
 
 
 def _between(kind: str, old: dict[str, Any], new: dict[str, Any]) -> Iterator[tuple[str, str]]:
     for what in old:
         if what not in new:
-            yield f"{kind}-removed", f"{what} removed"
+            yield f"{kind}-removed", Sentence("{what} removed", what)
     for what, part in new.items():
         if what not in old:
-            yield f"{kind}-added", f"{what} added"
+            yield f"{kind}-added", Sentence("{what} added", what)
             continue
         changed = [
-            field.name
+            Word(field.name)
             for field in fields(part)
             if field.name not in _TOLD_BY_OTHERS and getattr(part, field.name) != getattr(old[what], field.name)
         ]
         if changed:
-            yield kind, f"{what}: {', '.join(changed)} changed"
+            yield kind, Sentence("{what}: {changed} changed", what, Series(COMMA, changed))

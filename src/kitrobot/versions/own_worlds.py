@@ -12,6 +12,7 @@ from dataclasses import fields, replace
 from typing import Any
 
 from kitrobot.mission import Mission
+from kitrobot.text import COMMA, Sentence, Series, Word
 from kitrobot.world import KINDS, World
 
 Choose = Callable[[str, Any, Any, Any], Any]
@@ -27,20 +28,20 @@ def world_differences(before: Mission, after: Mission) -> Iterator[tuple[str, st
     if old is not None and new is not None:
         yield from _within(old, new)
     elif before.world_href != after.world_href or old != new:
-        yield "world", f"the world: {_named(before)} → {_named(after)}"
+        yield "world", Sentence("the world: {before} → {after}", _named(before), _named(after))
 
 
 def _named(mission: Mission) -> str:
     if mission.own_world is not None:
-        return f"its own, {mission.own_world.name}"
-    return mission.world_href or "empty"
+        return Sentence("its own, {world}", mission.own_world.name)
+    return mission.world_href or Word("empty")
 
 
 def _within(old: World, new: World) -> Iterator[tuple[str, str]]:
     lists = [field for field, _ in KINDS.values()]
     for field in fields(World):
         if field.name not in lists and getattr(old, field.name) != getattr(new, field.name):
-            yield "world", f"the world: its {_word(field.name)} changed"
+            yield "world", Sentence("the world: its {what} changed", _word(field.name))
     for kind, (name, _) in KINDS.items():
         was, now = getattr(old, name), getattr(new, name)
         if kind in _NAMELESS:
@@ -53,14 +54,14 @@ def _nameless(kind: str, old: Sequence[Any], new: Sequence[Any]) -> Iterator[tup
     gone, come = _beyond(old, new), _beyond(new, old)
     if len(old) == len(new) and gone == come:
         for at in gone:
-            yield "world-thing", f"the world: {kind} {at + 1} changed"
+            yield "world-thing", Sentence("the world: {kind} {name} changed", Word(kind), at + 1)
         gone, come = [], []
     for at in gone:
-        yield "world-thing-removed", f"the world: {kind} {at + 1} removed"
+        yield "world-thing-removed", Sentence("the world: {kind} {name} removed", Word(kind), at + 1)
     for at in come:
-        yield "world-thing-added", f"the world: {kind} {at + 1} added"
+        yield "world-thing-added", Sentence("the world: {kind} {name} added", Word(kind), at + 1)
     if old != new and sorted(map(repr, old)) == sorted(map(repr, new)):
-        yield "order", f"the world: its {kind}s stand in another order"
+        yield "order", Sentence("the world: its {kind}s stand in another order", Word(kind))
 
 
 def _beyond(parts: Sequence[Any], others: Sequence[Any]) -> list[int]:
@@ -78,28 +79,31 @@ def _by_name(kind: str, old: Sequence[Any], new: Sequence[Any]) -> Iterator[tupl
     was, now = {part.name: part for part in old}, {part.name: part for part in new}
     if len(was) != len(old) or len(now) != len(new):
         if old != new:
-            yield "world-thing", f"the world: its {kind}s changed"
+            yield "world-thing", Sentence("the world: its {kind}s changed", Word(kind))
         return
     for name in was:
         if name not in now:
-            yield "world-thing-removed", f"the world: {kind} {name} removed"
+            yield "world-thing-removed", Sentence("the world: {kind} {name} removed", Word(kind), name)
     for name, part in now.items():
         if name not in was:
-            yield "world-thing-added", f"the world: {kind} {name} added"
+            yield "world-thing-added", Sentence("the world: {kind} {name} added", Word(kind), name)
             continue
         one = was[name]
         changed = [_word(field.name) for field in fields(part) if getattr(one, field.name) != getattr(part, field.name)]
         if changed:
-            yield "world-thing", f"the world: {kind} {name}: {', '.join(changed)} changed"
+            yield (
+                "world-thing",
+                Sentence("the world: {kind} {name}: {changed} changed", Word(kind), name, Series(COMMA, changed)),
+            )
     if list(old) != list(new) and was == now:
-        yield "order", f"the world: its {kind}s stand in another order"
+        yield "order", Sentence("the world: its {kind}s stand in another order", Word(kind))
 
 
-def _word(field: str) -> str:
+def _word(field: str) -> Word:
     """A field as people call it: its name without the unit."""
     for unit in _UNITS:
         field = field.removesuffix(unit)
-    return field.replace("_", " ")
+    return Word(field.replace("_", " "))
 
 
 def merge_places(
@@ -112,7 +116,7 @@ def merge_places(
     one, mine, other = base.own_world, ours.own_world, theirs.own_world
     if one is None or mine is None or other is None:
         sides = [(side.world_href, side.own_world) for side in (base, ours, theirs)]
-        found: tuple[str, World | None] = choose("the world of the mission", *sides)
+        found: tuple[str, World | None] = choose(Sentence("the world of the mission"), *sides)
         return found
     values: dict[str, Any] = {}
     kinds = {name: kind for kind, (name, _) in KINDS.items()}
@@ -120,11 +124,13 @@ def merge_places(
         old, first, second = (getattr(side, field.name) for side in (one, mine, other))
         kind = kinds.get(field.name)
         if kind is None:
-            values[field.name] = choose(f"the {_word(field.name)} of the world", old, first, second)
+            values[field.name] = choose(Sentence("the {word} of the world", _word(field.name)), old, first, second)
         elif kind in _NAMELESS:
             values[field.name] = _merged(old, first, second)
         else:
-            values[field.name] = tuple(merge(old, first, second, lambda part: part.name, f"the {kind}", choose))
+            values[field.name] = tuple(
+                merge(old, first, second, lambda part: part.name, Sentence("the {kind}", Word(kind)), choose)
+            )
     return "", replace(mine, **values)
 
 

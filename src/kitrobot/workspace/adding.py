@@ -13,6 +13,7 @@ from pathlib import PurePosixPath
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import ConflictError, MissionFolder, MissionNameError, replace_file, revision_of
 from kitrobot.primitives import read_constructors, read_robot
+from kitrobot.text import Sentence
 from kitrobot.workspace.checking import first_element
 from kitrobot.world import read_world
 
@@ -21,7 +22,7 @@ LARGEST_PARTS_BYTES = 4 * 1024 * 1024
 
 _ENDINGS = {"robot": ".robot.xml", "constructors": ".xml", "world": ".world.xml"}
 _UNREADABLE = ("xml-not-well-formed", "xml-encoding", "xml-forbidden", "xml-too-deep", "xml-too-large")
-_OTHER_KINDS = {"kitrobot": "a mission", "tutorial": "a tutorial"}
+_OTHER_KINDS = {"kitrobot": Sentence("a mission"), "tutorial": Sentence("a tutorial")}
 
 
 class PartsFileError(KitRobotError):
@@ -56,10 +57,13 @@ def add_parts(folder: MissionFolder, mission: str, file: str, data: bytes, over:
     """
     shown = PurePosixPath(unicodedata.normalize("NFC", file)).name.strip()
     if not shown.removesuffix(".xml").strip("."):
-        raise MissionNameError(f"`{shown}` is no name of a file", "give the file another name")
+        raise MissionNameError(Sentence("`{name}` is no name of a file", shown), Sentence("give the file another name"))
     if len(data) > LARGEST_PARTS_BYTES:
         limit = LARGEST_PARTS_BYTES // (1024 * 1024)
-        raise PartsFileError(f"`{shown[:80]}` is larger than {limit} MB", "no file of robots or worlds is that large")
+        raise PartsFileError(
+            Sentence("`{path}` is larger than {limit} MB", shown[:80], limit),
+            Sentence("no file of robots or worlds is that large"),
+        )
     kind, names = _looked_through(shown, data)
     wanted = shown if shown.lower().endswith(".xml") else f"{shown}.xml"
     if kind in ("robot", "world") and not wanted.lower().endswith(_ENDINGS[kind]):
@@ -92,15 +96,20 @@ def _looked_through(file: str, data: bytes) -> tuple[str, tuple[str, ...]]:
         raise _refusal(file, kind)
     for problem in problems:
         if problem.code in _UNREADABLE:
-            raise PartsFileError(f"`{file[:80]}` cannot be read: {problem.message}", problem.help, (problem,))
+            raise PartsFileError(
+                Sentence("`{path}` cannot be read: {reason}", file[:80], problem.message), problem.help, (problem,)
+            )
     return kind, tuple(names)
 
 
 def _refusal(file: str, kind: str) -> PartsFileError:
     if kind in _OTHER_KINDS:
-        message = f"`{file[:80]}` is {_OTHER_KINDS[kind]}"
-        return PartsFileError(message, "give its name the ending .krt and open it" if kind == "kitrobot" else "")
-    found = f"begins with <{kind[:40]}>" if kind else "is no XML"
+        message = Sentence("`{file}` is {kind}", file[:80], _OTHER_KINDS[kind])
+        return PartsFileError(
+            message, Sentence("give its name the ending .krt and open it") if kind == "kitrobot" else ""
+        )
+    found = Sentence("begins with <{element}>", kind[:40]) if kind else Sentence("is no XML")
     return PartsFileError(
-        f"`{file[:80]}` {found}, so it holds no parts", "files of parts begin with <robot>, <constructors> or <world>"
+        Sentence("`{file}` {found}, so it holds no parts", file[:80], found),
+        Sentence("files of parts begin with <robot>, <constructors> or <world>"),
     )

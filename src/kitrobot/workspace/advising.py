@@ -8,6 +8,7 @@ from kitrobot.graph import START, STOP
 from kitrobot.lll import parse
 from kitrobot.sim import Simulation
 from kitrobot.sim import rules as sim_rules
+from kitrobot.text import Help, Sentence
 from kitrobot.workspace.opening import OpenMission
 
 PAUSE = "WAIT(10);"
@@ -34,6 +35,6 @@ def _pause_before_the_end(opened: OpenMission, simulation: Simulation, name: str
         drawn = None  # A catalogue without a constructor for it.
     element = next((one.element for one in drawn.vertices if one.element not in (START, STOP)), "") if drawn else ""
     fix = Fix(PAUSE, FixKind.BEFORE, element) if element and stop else None
-    help = f"put a part that takes time before its end, such as `{element}`" if element else ""
-    message = f"the program `{name}` came to its end at once, without a part that takes time"
+    help: Help = Sentence("put a part that takes time before its end, such as `{element}`", element) if element else ""
+    message = Sentence("the program `{program}` came to its end at once, without a part that takes time", name)
     return sim_rules.AT_ONCE(message, help=help, program=name, vertices=(stop,) if stop else (), fix=fix)

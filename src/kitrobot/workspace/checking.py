@@ -16,6 +16,7 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError
 from kitrobot.files import FileError, decode, read_bytes
 from kitrobot.lll import parse
 from kitrobot.primitives import Robot, load_catalogue, read_constructors, read_robot
+from kitrobot.text import Sentence
 from kitrobot.tutorial import read_tutorial
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.opening import open_mission
@@ -83,9 +84,12 @@ def _check(path: Path, robot: Robot | None) -> FileReport:
             return _image(path)
         case ".xml":
             return _xml(path)
-    ending = f"the ending `{path.suffix}`" if path.suffix else "no ending"
+    ending = Sentence("the ending `{suffix}`", path.suffix) if path.suffix else Sentence("no ending")
     read_bytes(path)
-    return FileReport(path, (UNKNOWN_KIND(f"`{path}` has {ending}, so its kind is not known", Place(str(path))),))
+    return FileReport(
+        path,
+        (UNKNOWN_KIND(Sentence("`{path}` has {ending}, so its kind is not known", path, ending), Place(str(path))),),
+    )
 
 
 def _mission(path: Path) -> FileReport:
@@ -97,7 +101,7 @@ def _text(path: Path, robot: Robot | None) -> FileReport:
     source = Source(str(path), decode(read_bytes(path), path))
     if robot is not None:
         return FileReport(path, tuple(compile_text(source.text, robot, source.name).diagnostics), (source,))
-    note = f"{path}: only the syntax was checked; what its names mean depends on the robot (--robot)"
+    note = Sentence("{path}: only the syntax was checked; what its names mean depends on the robot (--robot)", path)
     return FileReport(path, tuple(parse(source.text, source.name).diagnostics), (source,), (note,))
 
 
@@ -126,7 +130,7 @@ def _not_an_image(error: FileError, path: Path) -> FileError | ProblemsError:
     prefix = f"`{path}`: "
     if not error.message.startswith(prefix):
         return error
-    found = UNUSABLE(error.message.removeprefix(prefix), Place(str(path)), help=error.help)
+    found = UNUSABLE(Sentence(error.message.removeprefix(prefix)), Place(str(path)), help=error.help)
     return ProblemsError(error.message, error.help, (found,))
 
 
@@ -134,7 +138,7 @@ def _in_listing(error: KitRobotError, name: str) -> Diagnostic:
     """The assembler's sentence as a diagnostic; it begins with FILE:LINE."""
     match = _LINE.match(error.message)
     line, sentence = (int(match[1]), match[2]) if match else (1, error.message)
-    return UNUSABLE(sentence, Place(name, line, 1, line + 1, 1), help=error.help)
+    return UNUSABLE(Sentence(sentence), Place(name, line, 1, line + 1, 1), help=error.help)
 
 
 def _among_others(path: Path, found: list[Diagnostic]) -> list[Diagnostic]:
@@ -164,6 +168,8 @@ def _xml(path: Path) -> FileReport:
         _, found = read_constructors(data, name)
         found += _among_others(path, found)
     else:
-        message = f"expected <robot>, <constructors>, <world>, <tutorial> or <kitrobot>, found <{kind[:40]}>"
+        message = Sentence(
+            "expected <robot>, <constructors>, <world>, <tutorial> or <kitrobot>, found <{kind}>", kind[:40]
+        )
         found = [UNKNOWN_KIND(message, source.place(first.start(1), first.end(1)))]
     return FileReport(path, tuple(found), (source,))

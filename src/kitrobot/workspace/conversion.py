@@ -21,6 +21,7 @@ from kitrobot.image import Image, disassemble
 from kitrobot.lll import is_name, parse, print_program
 from kitrobot.mission import Mission, save
 from kitrobot.primitives import Robot, load_catalogue
+from kitrobot.text import Sentence
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.opening import mission_of, open_mission
 from kitrobot.workspace.robots import find_robot
@@ -88,22 +89,27 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
     """
     if is_picture(target.name):
         raise ConversionError(
-            f"`{target}` would be a picture, and pictures are drawn by the studio",
-            "open the mission in the studio and choose Export in the menu File",
+            Sentence("`{target}` would be a picture, and pictures are drawn by the studio", target),
+            Sentence("open the mission in the studio and choose Export in the menu File"),
         )
     carried = is_picture(source.name)
     form, wanted = Form.MISSION if carried else form_of(source), form_of(target)
     if form is wanted and not carried:
         raise ConversionError(
-            f"`{source}` and `{target}` are both {form.words}", f"give B another ending: {_ways(form)}"
+            Sentence("`{source}` and `{target}` are both {form}", source, target, form.words),
+            Sentence("give B another ending: {ways}", _ways(form)),
         )
     if form is not wanted and wanted not in _WAYS[form]:
         raise ConversionError(
-            f"{_NO_NAMES[form]} {_article(wanted)}",
-            f"convert the `.krt` or `.lll` that it was made from; `{form.value}` goes to {_ways(form)}",
+            Sentence(f"{_NO_NAMES[form]} {_article(wanted)}"),
+            Sentence(
+                "convert the `.krt` or `.lll` that it was made from; `{form}` goes to {ways}", form.value, _ways(form)
+            ),
         )
     if same_file(source, target):
-        raise ConversionError(f"`{target}` is the file that would be read", "choose another name for B")
+        raise ConversionError(
+            Sentence("`{target}` is the file that would be read", target), Sentence("choose another name for B")
+        )
     if form is wanted:
         made = _out_of_picture(source)
     elif form is Form.MISSION:
@@ -149,7 +155,8 @@ def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | Non
 def _from_text(source: Path, target: Path, wanted: Form, name: str | None, word: str | None) -> _Made:
     if word is None:
         raise ConversionError(
-            "an LLL text does not say which robot it is for", "name the robot with --robot, a name or a `.robot.xml`"
+            Sentence("an LLL text does not say which robot it is for"),
+            Sentence("name the robot with --robot, a name or a `.robot.xml`"),
         )
     robot = find_robot(word, source.parent)
     text = Source(str(source), read_text(source))
@@ -184,7 +191,12 @@ def _robot_elsewhere(robot: Robot, target: Path) -> list[Diagnostic]:
     known = load_catalogue([target.parent]).robots.get(robot.name)
     if known is not None and known.fingerprint == robot.fingerprint:
         return []
-    return [ROBOT_ELSEWHERE(f"`{target}` needs the robot `{robot.name}`, which is not beside it", Place(str(target)))]
+    return [
+        ROBOT_ELSEWHERE(
+            Sentence("`{target}` needs the robot `{robot}`, which is not beside it", target, robot.name),
+            Place(str(target)),
+        )
+    ]
 
 
 def _program_name(target: Path) -> str:
@@ -204,4 +216,4 @@ def _ways(form: Form) -> str:
 
 
 def _article(form: Form) -> str:
-    return f"an {form.words} (`.lll`)" if form is Form.TEXT else f"a {form.words} (`{form.value}`)"
+    return Sentence("an {form} (`.lll`)", form.words) if form is Form.TEXT else f"a {form.words} (`{form.value}`)"

@@ -10,6 +10,7 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError, Source
 from kitrobot.files import Form, form_of, is_picture, read_text
 from kitrobot.image import Image, Machine
 from kitrobot.primitives import Robot
+from kitrobot.text import Sentence
 from kitrobot.workspace.images import read_image
 from kitrobot.workspace.inputs import Inputs, read_inputs
 from kitrobot.workspace.opening import open_mission
@@ -61,7 +62,8 @@ def load_executable(
         loaded = _mission(path, robot, program)
     elif robot is None:
         raise NoRobotError(
-            f"`{path}` does not say which robot it is for", "name the robot with --robot, a name or a `.robot.xml`"
+            Sentence("`{path}` does not say which robot it is for", path),
+            Sentence("name the robot with --robot, a name or a `.robot.xml`"),
         )
     elif form is Form.TEXT:
         loaded = _text(path, find_robot(robot, path.parent))

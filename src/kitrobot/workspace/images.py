@@ -6,6 +6,7 @@ from pathlib import Path
 
 from kitrobot.files import FileError, read_bytes, read_text
 from kitrobot.image import Image, ImageError, assemble, verify
+from kitrobot.text import Sentence
 
 
 def read_image(path: Path) -> Image:
@@ -18,7 +19,7 @@ def read_image(path: Path) -> Image:
     try:
         return Image.from_bytes(data)
     except ImageError as error:
-        raise FileError(f"`{path}`: {error.message}", error.help, path=path) from None
+        raise FileError(Sentence("`{path}`: {reason}", path, error.message), error.help, path=path) from None
 
 
 def read_listing(path: Path) -> Image:

@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 
 from kitrobot.diagnostics import Diagnostic, Severity, Source, rule
 from kitrobot.primitives import Robot
-from kitrobot.text import Suggestions, listed
+from kitrobot.text import Sentence, Suggestions, listed
 
 HEADER = rule(
     "inputs-header",
@@ -111,25 +111,29 @@ def read_inputs(text: str, name: str, robot: Robot) -> tuple[Inputs, list[Diagno
     for cell in header[1:]:
         if cell.text and cell.text in seen:
             place = source.place(cell.start, cell.end)
-            problems.append(TWICE(f"The column `{cell.text}` stands here a second time", place))
+            problems.append(TWICE(Sentence("The column `{cell}` stands here a second time", cell.text), place))
         seen.add(cell.text)
     changes: dict[int, list[Change]] = {}
     last = -1
     for row in rows:
         if len(row) != len(header):
             place = source.place(row[0].start, row[-1].end)
-            count = f"{len(row)} cell{'s' if len(row) != 1 else ''}"
-            problems.append(CELLS(f"this row has {count}, the header has {len(header)}", place))
+            count = Sentence("{count} cell{what}", len(row), "s" if len(row) != 1 else "")
+            problems.append(
+                CELLS(Sentence("this row has {count}, the header has {count_2}", count, len(header)), place)
+            )
             continue
-        tick = _number(source, row[0], "a tick", 0, None, problems)
+        tick = _number(source, row[0], Sentence("a tick"), 0, None, problems)
         if tick is None:
             continue
         if tick < last:
-            message = f"tick {tick} comes after tick {last}"
-            problems.append(ORDER(message, source.place(row[0].start, row[0].end), help="sort the rows by their tick"))
+            message = Sentence("tick {tick} comes after tick {last}", tick, last)
+            problems.append(
+                ORDER(message, source.place(row[0].start, row[0].end), help=Sentence("sort the rows by their tick"))
+            )
             continue
         if tick == last:
-            message = f"tick {tick} stands in two rows; where both fill a cell, this one wins"
+            message = Sentence("tick {tick} stands in two rows; where both fill a cell, this one wins", tick)
             problems.append(REPEATED(message, source.place(row[0].start, row[0].end)))
         last = tick
         made = changes.setdefault(tick, [])
@@ -137,7 +141,9 @@ def read_inputs(text: str, name: str, robot: Robot) -> tuple[Inputs, list[Diagno
             if not cell.text or column is None:
                 continue
             input_name, done = column
-            value = _number(source, cell, "0 or 1" if done else "a whole number", *_bounds(done), problems)
+            value = _number(
+                source, cell, Sentence("0 or 1") if done else Sentence("a whole number"), *_bounds(done), problems
+            )
             if value is not None:
                 made.append(Change(input_name, done, value))
     return Inputs({tick: tuple(made) for tick, made in changes.items()}), problems
@@ -166,15 +172,15 @@ def _rows(text: str) -> Iterator[list[_Cell]]:
 
 
 def _header_problem(source: Source, header: list[_Cell] | None) -> Diagnostic:
-    help = "begin the file with a line such as `tick,Captor,done:Motor`"
+    help = Sentence("begin the file with a line such as `tick,Captor,done:Motor`")
     if header is None:
-        return HEADER("the table of inputs is empty", source.place(0, 0), help=help)
+        return HEADER(Sentence("the table of inputs is empty"), source.place(0, 0), help=help)
     first = header[0]
     if ";" in first.text:
-        help = "separate the cells with commas, not with semicolons"
+        help = Sentence("separate the cells with commas, not with semicolons")
     elif "\t" in first.text:
-        help = "separate the cells with commas, not with tabs"
-    message = f"the first column should be `tick`, found `{first.text[:40]}`"
+        help = Sentence("separate the cells with commas, not with tabs")
+    message = Sentence("the first column should be `tick`, found `{first}`", first.text[:40])
     return HEADER(message, source.place(first.start, first.end), help=help)
 
 
@@ -197,13 +203,13 @@ def _column(source: Source, cell: _Cell, names: _Names, problems: list[Diagnosti
         return wanted, done
     near = names.suggestions.nearest(cell.text, names.columns)
     if near:
-        help = f"did you mean `{near}`?"
+        help = Sentence("did you mean `{near}`?", near)
     elif names.columns:
-        help = f"known: {listed(f'`{name}`' for name in names.columns)}"
+        help = Sentence("known: {columns}", listed(f"`{name}`" for name in names.columns))
     else:
-        help = "this robot has no inputs"
+        help = Sentence("this robot has no inputs")
     what = "actuator" if done else "sensor"
-    message = f"the robot `{names.robot}` has no {what} `{wanted}`"
+    message = Sentence("the robot `{robot}` has no {what} `{wanted}`", names.robot, what, wanted)
     problems.append(UNKNOWN(message, source.place(cell.start, cell.end), help=help))
     return None
 
@@ -219,6 +225,6 @@ def _number(
         value = int(cell.text)
         if (least is None or value >= least) and (most is None or value <= most):
             return value
-    found = f"`{cell.text[:40]}`" if cell.text else "an empty cell"
-    problems.append(NUMBER(f"expected {what}, found {found}", source.place(cell.start, cell.end)))
+    found = f"`{cell.text[:40]}`" if cell.text else Sentence("an empty cell")
+    problems.append(NUMBER(Sentence("expected {what}, found {found}", what, found), source.place(cell.start, cell.end)))
     return None

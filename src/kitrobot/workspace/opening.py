@@ -21,6 +21,7 @@ from kitrobot.files import Places, read_bytes, read_carried
 from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Agent, Mission, Team, read_mission
 from kitrobot.primitives import Catalogue
+from kitrobot.text import COMMA, Sentence, Series
 from kitrobot.workspace.program_report import ProgramReport, program_report
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
@@ -93,16 +94,30 @@ class OpenMission:
             NoProgramError: there is none of that name, or there are several to choose from.
         """
         programs = self.mission.programs
-        names = ", ".join(f"`{program.name}`" for program in programs)
+        names = Series(COMMA, (f"`{program.name}`" for program in programs))
         if name is None:
             if len(programs) == 1:
                 return programs[0]
             if not programs:
-                raise NoProgramError(f"`{self.name}` holds no program", "draw one in the studio")
-            raise NoProgramError(f"`{self.name}` holds {len(programs)} programs: {names}", "choose one with --program")
+                raise NoProgramError(
+                    Sentence("`{mission}` holds no program", self.name), Sentence("draw one in the studio")
+                )
+            raise NoProgramError(
+                Sentence.counted(
+                    "`{mission}` holds {count} program: {names}",
+                    "`{mission}` holds {count} programs: {names}",
+                    self.name,
+                    len(programs),
+                    names,
+                ),
+                Sentence("choose one with --program"),
+            )
         found = self.mission.program(name)
         if found is None:
-            raise NoProgramError(f"`{self.name}` holds no program `{name}`", f"its programs: {names or 'none'}")
+            raise NoProgramError(
+                Sentence("`{mission}` holds no program `{program}`", self.name, name),
+                Sentence("its programs: {names}", names or "none"),
+            )
         return found
 
     @cached_property
@@ -235,7 +250,7 @@ def read_mission_data(data: bytes, name: str, search: SearchPath) -> OpenMission
     mission, diagnostics = read_mission(data, name)
     text = Source(name, data.decode("utf-8-sig", errors="replace"))
     if mission is None:
-        raise ProblemsError(f"`{name}` cannot be opened", "", tuple(diagnostics), (text,))
+        raise ProblemsError(Sentence("`{name}` cannot be opened", name), "", tuple(diagnostics), (text,))
     opened = _open(mission, name, search, Places(text))
     return replace(opened, diagnostics=(*diagnostics, *opened.diagnostics), sources=(text, *opened.sources), text=text)
 
@@ -272,8 +287,8 @@ def _open(
     path = search.world_file(mission.world_href)
     if path is None:
         place = (places.world or Place(name)) if places is not None else None
-        help = f"put its file into `{search.folder.name}`"
-        found = NO_WORLD(f"there is no world `{mission.world_href}`", place, help=help)
+        help = Sentence("put its file into `{folder}`", search.folder.name)
+        found = NO_WORLD(Sentence("there is no world `{world}`", mission.world_href), place, help=help)
         return OpenMission(name, mission, known, None, (*own, found), kept=kept)
     data = read_bytes(path)
     world, diagnostics = read_world(data, path.name)

@@ -12,7 +12,7 @@ from kitrobot.deploy import Package
 from kitrobot.diagnostics import Diagnostic, Severity, in_reading_order, rule
 from kitrobot.primitives import Robot, RobotObject, config_folder
 from kitrobot.sim import device_problems, simulated_devices
-from kitrobot.text import did_you_mean, shown
+from kitrobot.text import Sentence, did_you_mean, shown
 
 NOT_SIMULATED = rule(
     "robot-not-simulated",
@@ -48,17 +48,27 @@ def robot_problems(robot: Robot, folder: Path) -> list[Diagnostic]:
     return in_reading_order(found + device_problems(robot, on_board))
 
 
-_SIMULATE = 'run it on a board, or say what stands for it in the simulator, as in <simulate as="slider"/>'
+_SIMULATE = Sentence('run it on a board, or say what stands for it in the simulator, as in <simulate as="slider"/>')
 
 
 def _not_simulated(robot: Robot, part: RobotObject) -> Diagnostic:
-    message = f"`{robot.name}.{part.name}`: the simulator has no device {shown(part.device)}, only a board has"
+    message = Sentence(
+        "`{robot}.{part}`: the simulator has no device {device}, only a board has",
+        robot.name,
+        part.name,
+        shown(part.device),
+    )
     near = did_you_mean(part.device, simulated_devices(part.category))
     return NOT_SIMULATED(message, part.place, help=near or _SIMULATE)
 
 
 def _no_driver(robot: Robot, part: RobotObject) -> Diagnostic:
-    message = f"`{robot.name}.{part.name}`: no board has a driver {shown(part.board.driver)}, only the simulator has it"
+    message = Sentence(
+        "`{robot}.{part}`: no board has a driver {driver}, only the simulator has it",
+        robot.name,
+        part.name,
+        shown(part.board.driver),
+    )
     file = f"{part.board.driver}.driver.py"
-    help = f'to run it on a board, name a driver in it, as in <board driver="…"/>, or write `{file}`'
+    help = Sentence('to run it on a board, name a driver in it, as in <board driver="…"/>, or write `{file}`', file)
     return NO_DRIVER(message, part.place, help=help)

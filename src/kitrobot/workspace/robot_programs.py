@@ -21,6 +21,7 @@ from kitrobot.robots import (
     program_of,
     warn_of_sharing,
 )
+from kitrobot.text import Sentence
 from kitrobot.workspace.executables import NoRobotError
 from kitrobot.workspace.kept_programs import keep_program, kept_names
 from kitrobot.workspace.opening import OpenMission, open_mission
@@ -47,7 +48,8 @@ def load_board_program(path: Path, *, robot: str | None = None, program: str | N
         return board_program(open_mission(path, robot=robot), program, path.parent)
     if robot is None:
         raise NoRobotError(
-            f"`{path}` does not say which robot it is for", "name the robot with --robot, a name or a `.robot.xml`"
+            Sentence("`{path}` does not say which robot it is for", path),
+            Sentence("name the robot with --robot, a name or a `.robot.xml`"),
         )
     meant = find_robot(robot, path.parent)
     source = Source(str(path), read_text(path))
@@ -84,7 +86,9 @@ def _ready(
     folder: Path | None,
 ) -> BoardProgram:
     if compiled.image is None or any(item.is_error for item in found):
-        raise ProblemsError(f"the program `{name}` has errors", "mend them, then send it", found, sources)
+        raise ProblemsError(
+            Sentence("the program `{program}` has errors", name), Sentence("mend them, then send it"), found, sources
+        )
     return program_of(name, robot, compiled, found, sources, folder)
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from kitrobot.diagnostics import ProblemsError, Source
 from kitrobot.files import read_bytes
 from kitrobot.primitives import Robot, load_catalogue, read_robot
+from kitrobot.text import Sentence
 
 
 def find_robot(word: str, folder: Path | None = None) -> Robot:
@@ -33,5 +34,10 @@ def read_robot_file(path: Path) -> Robot:
     robot, diagnostics = read_robot(data, str(path))
     if robot is None:
         source = Source(str(path), data.decode("utf-8-sig", errors="replace"))
-        raise ProblemsError(f"the robot of `{path}` cannot be used", "mend its file", tuple(diagnostics), (source,))
+        raise ProblemsError(
+            Sentence("the robot of `{path}` cannot be used", path),
+            Sentence("mend its file"),
+            tuple(diagnostics),
+            (source,),
+        )
     return robot

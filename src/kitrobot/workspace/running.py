@@ -11,6 +11,7 @@ from typing import Any, Literal
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Source
 from kitrobot.files import same_file
 from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, simulate
+from kitrobot.text import Sentence
 from kitrobot.workspace.advising import advice
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.traces import parts_of
@@ -145,7 +146,9 @@ def prepare(opened: OpenMission, options: RunOptions) -> PreparedRun:
     """Sets a mission up in its world; see `OpenMission.prepare`."""
     trace = options.trace
     if trace is not None and opened.path is not None and same_file(trace, opened.path):
-        raise TracePlaceError(f"the trace would be written over `{trace}`", "give it a name of its own")
+        raise TracePlaceError(
+            Sentence("the trace would be written over `{trace}`", trace), Sentence("give it a name of its own")
+        )
     # The report would set the mission up once more.
     if not any(item.is_error for item in opened.before_setup):
         try:
@@ -154,7 +157,9 @@ def prepare(opened: OpenMission, options: RunOptions) -> PreparedRun:
             if opened.report.ok:
                 raise
     report = opened.report
-    raise ProblemsError(f"`{opened.name}` has errors, so it was not run", "", report.problems, report.sources)
+    raise ProblemsError(
+        Sentence("`{mission}` has errors, so it was not run", opened.name), "", report.problems, report.sources
+    )
 
 
 def _set_up(opened: OpenMission, options: RunOptions) -> Simulation:
@@ -189,7 +194,7 @@ def look_whether_it_runs(opened: OpenMission) -> None:
 
 def _refused(opened: OpenMission, error: SimulationError) -> ProblemsError:
     found = tuple(_placed(opened, item) for item in error.diagnostics)
-    return ProblemsError(f"`{opened.name}` cannot be run", "", found, opened.sources)
+    return ProblemsError(Sentence("`{mission}` cannot be run", opened.name), "", found, opened.sources)
 
 
 def _placed(opened: OpenMission, item: Diagnostic) -> Diagnostic:

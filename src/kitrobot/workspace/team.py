@@ -10,7 +10,7 @@ from kitrobot.files import Places
 from kitrobot.mission import NO_PROGRAM, Mission
 from kitrobot.primitives import Catalogue
 from kitrobot.sim import free_start
-from kitrobot.text import Suggestions, listed
+from kitrobot.text import Help, Sentence, Suggestions, listed
 from kitrobot.world import World
 
 SAME_NAME = rule(
@@ -58,34 +58,56 @@ class _Look:
     def programs(self) -> Iterable[Diagnostic]:
         names = Counter(program.name for program in self.mission.programs)
         for name in (name for name, count in names.items() if count > 1):
-            yield SAME_NAME(f"{names[name]} programs are called `{name}`", self._program(name), program=name)
+            yield SAME_NAME(
+                Sentence.counted(
+                    "{count} program is called `{name}`", "{count} programs are called `{name}`", names[name], name
+                ),
+                self._program(name),
+                program=name,
+            )
         robots = self.catalogue.robots
         for program in self.mission.programs:
             if program.target not in robots:
-                message = f"the program `{program.name}` is for the robot `{program.target}`, which is not at hand"
-                help = self._help(program.target, robots) or f"robots at hand: {listed(robots)}"
+                message = Sentence(
+                    "the program `{program}` is for the robot `{robot}`, which is not at hand",
+                    program.name,
+                    program.target,
+                )
+                help = self._help(program.target, robots) or Sentence("robots at hand: {robots}", listed(robots))
                 yield NO_ROBOT(message, self._program(program.name), help=help, program=program.name)
 
     def agents(self) -> Iterable[Diagnostic]:
         team = self.mission.team
         names = Counter(agent.name for agent in team.agents)
         for name in (name for name, count in names.items() if count > 1):
-            yield SAME_NAME(f"{names[name]} agents are called `{name}`", self._agent(name))
+            yield SAME_NAME(
+                Sentence.counted(
+                    "{count} agent is called `{name}`", "{count} agents are called `{name}`", names[name], name
+                ),
+                self._agent(name),
+            )
         programs = dict.fromkeys(program.name for program in self.mission.programs)
         known = dict.fromkeys(start.name for start in (self.world.starts if self.world is not None else ()))
         free = team.free(known)
         for agent in team.agents:
             # Of a file, its reader has told this.
             if self.places is None and agent.program not in programs:
-                message = f"`{agent.name}` runs the program `{agent.program}`, which is not in this mission"
-                help = self._help(agent.program, programs) or f"its programs: {listed(programs) or 'none'}"
+                message = Sentence(
+                    "`{agent}` runs the program `{program}`, which is not in this mission", agent.name, agent.program
+                )
+                help = self._help(agent.program, programs) or Sentence(
+                    "its programs: {names}", listed(programs) or "none"
+                )
                 yield NO_PROGRAM(message, help=help)
             if self.world is not None and agent.start_name not in known:
-                message = (
-                    f"`{agent.name}` would start at `{agent.start_name}`, which the world `{self.world.name}` has not"
+                message = Sentence(
+                    "`{agent}` would start at `{start}`, which the world `{world}` has not",
+                    agent.name,
+                    agent.start_name,
+                    self.world.name,
                 )
-                help = free_start(agent.start_name, free, self.suggestions)
-                yield NO_START(message, self._agent(agent.name), help=help)
+                start = free_start(agent.start_name, free, self.suggestions)
+                yield NO_START(message, self._agent(agent.name), help=start)
 
     def goals(self) -> Iterable[Diagnostic]:
         if self.world is None:
@@ -93,11 +115,15 @@ class _Look:
         houses = [house.name for house in self.world.storehouses]
         for index, goal in enumerate(self.mission.team.goals):
             if self.world.storehouse(goal.storehouse) is None:
-                message = f"the world `{self.world.name}` has no storehouse `{goal.storehouse}`"
-                help = self._help(goal.storehouse, houses) or f"storehouses there: {listed(houses) or 'none'}"
+                message = Sentence(
+                    "the world `{world}` has no storehouse `{storehouse}`", self.world.name, goal.storehouse
+                )
+                help = self._help(goal.storehouse, houses) or Sentence(
+                    "storehouses there: {houses}", listed(houses) or "none"
+                )
                 yield NO_STOREHOUSE(message, self.places.goal(index) if self.places else None, help=help)
 
-    def _help(self, name: str, names: Iterable[str]) -> str:
+    def _help(self, name: str, names: Iterable[str]) -> Help:
         return self.suggestions.did_you_mean(name, names)
 
     def _program(self, name: str) -> Place | None:

@@ -15,6 +15,7 @@ from pathlib import Path, PurePosixPath
 from kitrobot.files import FileError, read_bytes, write_atomic
 from kitrobot.mission import Mission, read_mission
 from kitrobot.primitives import SHIPPED
+from kitrobot.text import Sentence
 from kitrobot.trace import ENDING, TraceError, TracePart, TraceReader
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.world import EMPTY, World, read_world
@@ -56,14 +57,17 @@ def open_trace(path: Path) -> OpenTrace:
     try:
         mission, problems = read_mission(reader.header.mission.encode(), path.name)
         if mission is None:
-            raise TraceError(f"the mission in the trace {path.name} cannot be used", "", tuple(problems))
+            raise TraceError(Sentence("the mission in the trace {path} cannot be used", path.name), "", tuple(problems))
         world, found = read_world(reader.header.world.encode(), path.name)
         if world is None:
-            raise TraceError(f"the world in the trace {path.name} cannot be used", "", tuple(found))
+            raise TraceError(Sentence("the world in the trace {path} cannot be used", path.name), "", tuple(found))
         # What is damaged is told now, not in the middle of playing.
         assert reader.events is not None
         if reader.last_tick < 0:
-            raise TraceError(f"the trace {path.name} holds no ticks", "it was cut before the first of them was written")
+            raise TraceError(
+                Sentence("the trace {path} holds no ticks", path.name),
+                Sentence("it was cut before the first of them was written"),
+            )
     except BaseException:
         reader.close()
         raise

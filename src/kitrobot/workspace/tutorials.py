@@ -24,6 +24,7 @@ from kitrobot.files import (
 )
 from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue
+from kitrobot.text import Sentence
 from kitrobot.tutorial import Tutorial, read_tutorial, steps_fit
 from kitrobot.tutorial.rules import START
 
@@ -85,7 +86,7 @@ class Tutorials:
                 return self._with_start(kept[1])
             tutorial, problems = read_tutorial(read_bytes(path), name)
         except (FileError, OSError) as error:
-            why = error.message if isinstance(error, FileError) else f"the file `{name}` cannot be read"
+            why = error.message if isinstance(error, FileError) else Sentence("the file `{name}` cannot be read", name)
             return FoundTutorial(name, None, "", (UNREADABLE(why, Place(name)),))
         start = str(PurePosixPath(name).parent / tutorial.start) if tutorial is not None else ""
         found = FoundTutorial(name, tutorial, start, tuple(problems))
@@ -104,8 +105,8 @@ class Tutorials:
             there = False
         if there:
             return found
-        message = f"there is no mission `{found.tutorial.start}` beside this tutorial"
-        problem = START(message, Place(found.name), help="put the mission that it begins with there")
+        message = Sentence("there is no mission `{mission}` beside this tutorial", found.tutorial.start)
+        problem = START(message, Place(found.name), help=Sentence("put the mission that it begins with there"))
         return FoundTutorial(found.name, None, "", (*found.problems, problem))
 
 

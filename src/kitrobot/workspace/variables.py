@@ -20,14 +20,15 @@ from kitrobot.primitives import (
     read_own,
     write_variable,
 )
+from kitrobot.text import Sentence
 
 LONGEST_NAME = 100
 
 _KINDS = {
-    Category.ACTUATOR: "an actuator",
-    Category.SENSOR: "a sensor",
-    Category.VARIABLE: "a variable",
-    Category.SYSTEM: "a part",
+    Category.ACTUATOR: Sentence("an actuator"),
+    Category.SENSOR: Sentence("a sensor"),
+    Category.VARIABLE: Sentence("a variable"),
+    Category.SYSTEM: Sentence("a part"),
 }
 
 
@@ -70,7 +71,10 @@ def make_variable(
     if was and before is None:
         raise _not_ours(catalogue, kind, was)
     if not was and len(own) >= MOST_OWN:
-        raise VariableError(f"a mission has at most {MOST_OWN} variables of its own", "remove one that nobody uses")
+        raise VariableError(
+            Sentence("a mission has at most {most} variables of its own", MOST_OWN),
+            Sentence("remove one that nobody uses"),
+        )
     name = unicodedata.normalize("NFC", wanted.name).strip()
     others = [one.variable.name for one in own if one.robot == robot and one.variable.name != was]
     _check_name(kind, others, name)
@@ -100,28 +104,36 @@ def make_variable(
 def _not_ours(catalogue: Catalogue, robot: Robot, name: str) -> VariableError:
     file = catalogue.robot_files.get(robot.name)
     if file is None or not any(part.name == name for part in robot.objects):
-        return VariableError(f"`{name}` is no variable of this mission", "it may have been removed meanwhile")
+        return VariableError(
+            Sentence("`{name}` is no variable of this mission", name), Sentence("it may have been removed meanwhile")
+        )
     return VariableError(
-        f"`{name}` belongs to the robot {robot.name} itself",
-        f"it is in the file `{file.name}` and can be changed there",
+        Sentence("`{name}` belongs to the robot {robot} itself", name, robot.name),
+        Sentence("it is in the file `{file}` and can be changed there", file.name),
     )
 
 
 def _check_name(robot: Robot, others: Sequence[str], name: str) -> None:
     if not name:
-        raise VariableError("the variable has no name yet", "type one, such as Trips")
+        raise VariableError(Sentence("the variable has no name yet"), Sentence("type one, such as Trips"))
     if not is_name(name) or len(name) > LONGEST_NAME:
         raise VariableError(
-            f"a variable cannot be called `{name[:40]}`",
-            f"a name is one word of letters, digits and _ that begins with a letter, with at most {LONGEST_NAME} signs;"
-            " WAIT and BREAK are taken",
+            Sentence("a variable cannot be called `{name}`", name[:40]),
+            Sentence(
+                "a name is one word of letters, digits and _ that begins with a letter, with at most {longest} "
+                "signs; WAIT and BREAK are taken",
+                LONGEST_NAME,
+            ),
         )
     part = next((part for part in robot.objects if part.name == name), None)
     if part is not None:
         what = _KINDS[part.category]
-        raise VariableError(f"`{name}` is {what} of the robot {robot.name} already", "choose another name")
+        raise VariableError(
+            Sentence("`{name}` is {what} of the robot {robot} already", name, what, robot.name),
+            Sentence("choose another name"),
+        )
     if name in others:
-        raise VariableError(f"there is a variable `{name}` already", "choose another name")
+        raise VariableError(Sentence("there is a variable `{name}` already", name), Sentence("choose another name"))
 
 
 def _check_numbers(wanted: WantedVariable) -> None:
@@ -129,11 +141,16 @@ def _check_numbers(wanted: WantedVariable) -> None:
     for number in (low, high, initial):
         if abs(number) > LARGEST_VALUE:
             raise VariableError(
-                f"{number} is too large for a robot", f"numbers go from {-LARGEST_VALUE} to {LARGEST_VALUE}"
+                Sentence("{number} is too large for a robot", number),
+                Sentence("numbers go from {smallest} to {largest}", -LARGEST_VALUE, LARGEST_VALUE),
             )
     if low > high:
-        raise VariableError(f"a range from {low} to {high} holds no number", "put the smaller number first")
+        raise VariableError(
+            Sentence("a range from {low} to {high} holds no number", low, high),
+            Sentence("put the smaller number first"),
+        )
     if not low <= initial <= high:
         raise VariableError(
-            f"the variable cannot begin at {initial}", f"its numbers go from {low} to {high}; choose one of them"
+            Sentence("the variable cannot begin at {initial}", initial),
+            Sentence("its numbers go from {low} to {high}; choose one of them", low, high),
         )

@@ -10,6 +10,7 @@ from pathlib import Path
 from kitrobot.deploy import Hello, connect
 from kitrobot.files import same_file
 from kitrobot.robots import Known, NoBoardError, NoRecordingError, RecordedBoard, RobotRecorder, WatchedRobot
+from kitrobot.text import Sentence
 from kitrobot.workspace.kept_programs import kept_program
 from kitrobot.workspace.robot_programs import load_board_program
 from kitrobot.workspace.running import TracePlaceError
@@ -31,8 +32,12 @@ def known_program(
     ready = load_board_program(mission, robot=robot, program=program)
     if not ready.is_called(hello.program):
         raise NoBoardError(
-            f"the robot runs another program than `{ready.names.program}` of `{mission}` as it is now",
-            "send it with `kitrobot deploy`, or name the mission as it was sent",
+            Sentence(
+                "the robot runs another program than `{program}` of `{mission}` as it is now",
+                ready.names.program,
+                mission,
+            ),
+            Sentence("send it with `kitrobot deploy`, or name the mission as it was sent"),
         )
     return ready.known
 
@@ -63,13 +68,19 @@ def record_robots(path: Path, watched: Sequence[WatchedRobot], mission: Path | N
         TraceError: the file cannot be made.
     """
     if mission is not None and same_file(path, mission):
-        raise TracePlaceError(f"the trace would be written over `{path}`", "give it a name of its own")
+        raise TracePlaceError(
+            Sentence("the trace would be written over `{path}`", path), Sentence("give it a name of its own")
+        )
     boards = []
     for one in watched:
         if one.known is None or one.known.carried is None:
             raise NoRecordingError(
-                f"a recording brings its mission along, and of what `{one.address}` runs none is known here",
-                "name the mission with --mission; a program that is no mission yet, `kitrobot convert` makes one",
+                Sentence(
+                    "a recording brings its mission along, and of what `{address}` runs none is known here", one.address
+                ),
+                Sentence(
+                    "name the mission with --mission; a program that is no mission yet, `kitrobot convert` makes one"
+                ),
             )
         boards.append(RecordedBoard(one.address.rpartition("://")[2], one.known.names, one.known.carried))
     recorder = RobotRecorder(path, boards)

@@ -15,6 +15,8 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from kitrobot.text import Sentence
+
 SAGITTA_MM = 0.05
 """How far a sampled chord may leave its arc."""
 
@@ -139,7 +141,7 @@ def polyline(corners: Sequence[Corner], closed: bool) -> Polyline:
         ValueError: fewer than two different neighbouring points, or a radius for which there is no room.
     """
     if len(corners) < (3 if closed else 2):
-        raise ValueError("a line needs two points, a closed one three")
+        raise ValueError(Sentence("a line needs two points, a closed one three"))
     count = len(corners)
     cuts: list[float] = []
     for index, corner in enumerate(corners):
@@ -150,10 +152,10 @@ def polyline(corners: Sequence[Corner], closed: bool) -> Polyline:
         here, there = corners[index], corners[(index + 1) % count]
         length = math.hypot(there.x_mm - here.x_mm, there.y_mm - here.y_mm)
         if length < 1e-6:
-            raise ValueError("two neighbouring points are the same")
+            raise ValueError(Sentence("two neighbouring points are the same"))
         first, last = cuts[index], length - cuts[(index + 1) % count]
         if last - first < -1e-6:
-            raise ValueError("there is no room for this radius")
+            raise ValueError(Sentence("there is no room for this radius"))
         ux, uy = (there.x_mm - here.x_mm) / length, (there.y_mm - here.y_mm) / length
         heading = math.atan2(uy, ux)
         if not path.xs:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from kitrobot.text import Sentence, Series
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, Pose, normalised
 from kitrobot.world.model import (
@@ -71,7 +72,9 @@ def _floor(element: Element) -> Floor:
     corners = tuple(element.found(Corner))
     sides = [side for side in ("x", "y", "width", "height") if side in element.attributes]
     if sides and corners:
-        element.report(rules.LINE, "expected points or x, y, width and height on <floor>, found both", sides[0])
+        element.report(
+            rules.LINE, Sentence("expected points or x, y, width and height on <floor>, found both"), sides[0]
+        )
     elif sides:
         x_mm, y_mm = in_mm(element, "x"), in_mm(element, "y")
         corners = rectangle_corners(x_mm, y_mm, in_mm(element, "width"), in_mm(element, "height"))
@@ -102,7 +105,7 @@ def _is_drawn(element: Element, line: Road | ColouredLine | Floor) -> bool:
     try:
         return line.line.length_mm > 0
     except ValueError as error:
-        element.report(rules.LINE, f"this <{element.name}> cannot be drawn: {error}")
+        element.report(rules.LINE, Sentence("this <{element}> cannot be drawn: {error}", element.name, error.args[0]))
         return False
 
 
@@ -116,18 +119,30 @@ def _sections(element: Element, road_mm: float) -> tuple[Section, ...]:
         final = number == len(found)
         start, end = section.from_mm, road_mm if final and math.isinf(section.to_mm) else section.to_mm
         if abs(start - at) > SECTION_SLACK_MM:
-            what = "a gap" if start > at else "an overlap"
-            message = f"expected section {section.sign} to begin at {mm(at)} mm, found {mm(start)}"
-            where.report(rules.SECTIONS, f"{message}: {what} of {mm(abs(start - at))} mm", "from")
+            what = Sentence("a gap") if start > at else Sentence("an overlap")
+            message = Sentence(
+                "expected section {section} to begin at {wanted} mm, found {found}", section.sign, mm(at), mm(start)
+            )
+            where.report(
+                rules.SECTIONS, Sentence("{message}: {what} of {length} mm", message, what, mm(abs(start - at))), "from"
+            )
         elif math.isinf(end):
-            where.report(xml_rules.MISSING, 'expected to="…" on every <section> but the last, found none')
+            where.report(xml_rules.MISSING, Sentence('expected to="…" on every <section> but the last, found none'))
         elif end <= start:
-            where.report(rules.SECTIONS, f"section {section.sign} ends at {mm(end)} mm, before it begins", "to")
+            where.report(
+                rules.SECTIONS,
+                Sentence("section {section} ends at {end} mm, before it begins", section.sign, mm(end)),
+                "to",
+            )
         elif final and abs(end - road_mm) > SECTION_SLACK_MM:
-            message = f"expected the last section to end with its road at {mm(road_mm)} mm, found {mm(end)}"
-            where.report(rules.SECTIONS, message, "to", "without `to` the last section ends with its road")
+            message = Sentence(
+                "expected the last section to end with its road at {end} mm, found {found}", mm(road_mm), mm(end)
+            )
+            where.report(rules.SECTIONS, message, "to", Sentence("without `to` the last section ends with its road"))
         if section.sign in signs:
-            where.report(xml_rules.DUPLICATE, f"the sign {section.sign} stands on this road already", "sign")
+            where.report(
+                xml_rules.DUPLICATE, Sentence("the sign {sign} stands on this road already", section.sign), "sign"
+            )
         at = start if math.isinf(end) else end
         signs.add(section.sign)
         sections.append(Section(section.sign, start, end))
@@ -150,7 +165,7 @@ def _storehouse(element: Element) -> Storehouse:
     capacity = element.integer("capacity")
     stock = element.integer("stock")
     if stock > capacity and not element.faulty:
-        message = f"expected at most {capacity} boxes, the capacity, found a stock of {stock}"
+        message = Sentence("expected at most {capacity} boxes, the capacity, found a stock of {stock}", capacity, stock)
         element.report(rules.STOREHOUSE, message, "stock")
     x_mm, y_mm = in_mm(element, "x"), in_mm(element, "y")
     width, height = in_mm(element, "width"), in_mm(element, "height")
@@ -161,8 +176,10 @@ def _start(element: Element) -> Start:
     name = element.required("name")
     ways = [way for way in ("road", "dock", "storehouse", "x") if way in element.attributes]
     if len(ways) != 1:
-        found = " and ".join(ways) if ways else "none of them"
-        element.report(rules.START, f"expected one of road, dock, storehouse, or x and y on <start>, found {found}")
+        found = Series(Sentence(" and "), ways) if ways else Sentence("none of them")
+        element.report(
+            rules.START, Sentence("expected one of road, dock, storehouse, or x and y on <start>, found {found}", found)
+        )
         return Start(name)
     if ways == ["road"]:
         return Start(name, road=element.required("road"), at_mm=in_mm(element, "at"))

@@ -14,7 +14,7 @@ from functools import cached_property, lru_cache
 from typing import TypeVar
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.text import shown
+from kitrobot.text import Sentence, shown
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, distance_to_stretch
 from kitrobot.world.model import ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World
@@ -113,8 +113,10 @@ def read_plan(root: Element) -> World | None:
     is none, an attribute that is missing): whoever writes the file keeps the element then.
     """
     if "version" in root.attributes and root.between("version", 1, 10**9, 1) > VERSION:
-        message = f"expected version {VERSION} or older, found version {root.attributes['version']}"
-        root.report(xml_rules.NEWER_VERSION, message, "version", "open it with a newer KitRobot")
+        message = Sentence(
+            "expected version {newest} or older, found version {found}", VERSION, root.attributes["version"]
+        )
+        root.report(xml_rules.NEWER_VERSION, message, "version", Sentence("open it with a newer KitRobot"))
         return None
     frame = _frame(root)
     if frame is None:
@@ -241,7 +243,11 @@ class _Whole:
         road = self.so_far.road(dock.road)
         self._exists(where, "road", dock.road, road)
         if road is not None and dock.at_mm > road.line.length_mm:
-            message = f"expected the dock on its road, from 0 to {mm(road.line.length_mm)} mm, found {mm(dock.at_mm)}"
+            message = Sentence(
+                "expected the dock on its road, from 0 to {length} mm, found {found}",
+                mm(road.line.length_mm),
+                mm(dock.at_mm),
+            )
             where.report(rules.DOCK, message, "at")
 
     def _start(self, start: Start, where: Element) -> None:
@@ -256,7 +262,11 @@ class _Whole:
         if where.faulty:
             return
         if road is not None and start.at_mm > road.line.length_mm:
-            message = f"expected a start on the road, from 0 to {mm(road.line.length_mm)} mm, found {mm(start.at_mm)}"
+            message = Sentence(
+                "expected a start on the road, from 0 to {length} mm, found {found}",
+                mm(road.line.length_mm),
+                mm(start.at_mm),
+            )
             where.report(rules.START, message, "at")
             return
         pose = world.start_pose(start)
@@ -264,7 +274,11 @@ class _Whole:
         for wall in self.walls.around(pose.x_mm, pose.y_mm):
             away, _ = distance_to_stretch(pose.x_mm, pose.y_mm, wall.x1_mm, wall.y1_mm, wall.x2_mm, wall.y2_mm)
             if away < WALL_CLEARANCE_MM:
-                where.report(rules.START, f"{start.name} starts in a wall", help="move the start away from the wall")
+                where.report(
+                    rules.START,
+                    Sentence("{agent} starts in a wall", start.name),
+                    help=Sentence("move the start away from the wall"),
+                )
                 return
 
     # -- what they have in common
@@ -277,14 +291,22 @@ class _Whole:
         if name in declared:
             where.faulty = True
         else:
-            message = f"expected the name of a <{attribute}> of this world, found {shown(name)}"
+            message = Sentence(
+                "expected the name of a <{element}> of this world, found {found}", attribute, shown(name)
+            )
             where.report(rules.UNKNOWN, message, attribute, where.did_you_mean(name, declared))
 
     def _inside(self, where: Element, points: Iterable[tuple[float, float]]) -> None:
         width, height = self.so_far.width_mm, self.so_far.height_mm
         for x_mm, y_mm in points:
             if not (0 <= x_mm <= width and 0 <= y_mm <= height):
-                message = f"({mm(x_mm)}, {mm(y_mm)}) is outside the world, which is {mm(width)} × {mm(height)} mm"
+                message = Sentence(
+                    "({x}, {y}) is outside the world, which is {width} × {height} mm",
+                    mm(x_mm),
+                    mm(y_mm),
+                    mm(width),
+                    mm(height),
+                )
                 where.report(rules.OUTSIDE, message)
                 return
 

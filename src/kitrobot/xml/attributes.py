@@ -7,6 +7,8 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from kitrobot.text import Sentence
+
 
 @dataclass(frozen=True, slots=True)
 class Kind:
@@ -84,7 +86,7 @@ _ICON = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 ICON = Kind(
     pattern=_ICON.pattern,
     fits=_ICON.fullmatch,
-    words="the name of a Lucide icon, such as arrow-up,",
+    words=Sentence("the name of a Lucide icon, such as arrow-up,"),
     name="icon",
     about="The name of a picture of the Lucide set, such as arrow-up.",
 )

@@ -9,6 +9,7 @@ import codecs
 import re
 
 from kitrobot.diagnostics import Diagnostic, Place
+from kitrobot.text import Sentence
 from kitrobot.xml import rules
 
 MAX_BYTES = 64 * 1024 * 1024
@@ -21,17 +22,21 @@ _UTF_8 = ("utf-8", "utf8", "us-ascii", "ascii")
 def decode(data: bytes, name: str) -> str | Diagnostic:
     """The text of a file, or what is wrong with its bytes."""
     if len(data) > MAX_BYTES:
-        return rules.TOO_LARGE(f"expected at most {MAX_BYTES} bytes, found {len(data)}", Place(name))
+        return rules.TOO_LARGE(
+            Sentence("expected at most {most} bytes, found {found}", MAX_BYTES, len(data)), Place(name)
+        )
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return _decoded(data, "utf-16", name)
     if b"\0" in data[:2]:
-        return _refusal("expected UTF-8, found what looks like UTF-16 without its byte order mark", Place(name))
+        return _refusal(
+            Sentence("expected UTF-8, found what looks like UTF-16 without its byte order mark"), Place(name)
+        )
     declared = _DECLARED.match(data[:200].removeprefix(codecs.BOM_UTF8))
     encoding = declared.group(1).decode("ascii", "replace") if declared else "utf-8"
     if declared and encoding.casefold() not in _UTF_8:
         column = declared.start(1) + 1
         place = Place(name, 1, column, 1, column + max(1, len(encoding)))
-        return _refusal(f"expected UTF-8, found a file that says “{encoding}”", place)
+        return _refusal(Sentence("expected UTF-8, found a file that says “{encoding}”", encoding), place)
     return _decoded(data, "utf-8-sig", name)
 
 
@@ -42,12 +47,14 @@ def _decoded(data: bytes, encoding: str, name: str) -> str | Diagnostic:
         before = _line_feeds(data[: error.start].decode(encoding, "replace"))
         line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
         wanted = encoding.removesuffix("-sig").upper()
-        return _refusal(f"expected {wanted}, found bytes that are not", Place(name, line, column, line, column + 1))
+        return _refusal(
+            Sentence("expected {wanted}, found bytes that are not", wanted), Place(name, line, column, line, column + 1)
+        )
 
 
 def _line_feeds(text: str) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _refusal(message: str, place: Place) -> Diagnostic:
-    return rules.ENCODING(message, place, help="save the file as UTF-8")
+def _refusal(message: Sentence, place: Place) -> Diagnostic:
+    return rules.ENCODING(message, place, help=Sentence("save the file as UTF-8"))

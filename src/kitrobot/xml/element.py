@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
 
 from kitrobot.diagnostics import Diagnostic, Place, Rule
-from kitrobot.text import one_of, shown
+from kitrobot.text import Help, Sentence, Word, one_of, shown
 from kitrobot.xml import rules
 from kitrobot.xml.attributes import Attribute
 
@@ -125,7 +125,11 @@ class Element:
         first: dict[str, T] = {}
         for value, element in self.found_at(kind):
             if key(value) in first:
-                element.report(rules.DUPLICATE, f"the {what} {shown(key(value))} is there already", "name")
+                element.report(
+                    rules.DUPLICATE,
+                    Sentence("the {category} {part} is there already", Word(what), shown(key(value))),
+                    "name",
+                )
             else:
                 first[key(value)] = value
         return list(first.values())
@@ -142,7 +146,7 @@ class Element:
         if not value:
             self.report(
                 rules.MISSING,
-                f'expected {name}="…" on <{self.name}>, found none',
+                Sentence('expected {attribute}="…" on <{element}>, found none', name, self.name),
                 name if name in self.attributes else None,
             )
         return value
@@ -153,7 +157,7 @@ class Element:
             return default
         value, kind = self.required(name), self._attribute(name).kind
         if len(value) > LONGEST_NAME:
-            self.bad_value(name, f"at most {LONGEST_NAME} characters")
+            self.bad_value(name, Sentence("at most {longest} characters", LONGEST_NAME))
             return default or ""
         if value and kind.fits is not None and not kind.fits(value):
             self.bad_value(name, kind.words)
@@ -194,7 +198,7 @@ class Element:
         if _INTEGER.fullmatch(text) and least <= int(text) <= most:
             return int(text)
         if text:
-            self.bad_value(name, f"a whole number from {least} to {most}")
+            self.bad_value(name, Sentence("a whole number from {least} to {most}", least, most))
         return default if default is not None else max(least, min(0, most))
 
     def decimal(self, name: str) -> float:
@@ -208,20 +212,22 @@ class Element:
         if _DECIMAL.fullmatch(text) and math.isfinite(value := float(text)) and least <= value <= most:
             return value
         if text:
-            self.bad_value(name, f"a number from {least:g} to {most:g}")
+            self.bad_value(name, Sentence("a number from {least} to {most}", f"{least:g}", f"{most:g}"))
         return default if default is not None else max(least, min(0.0, most))
 
     def version(self, newest: int) -> int:
         """The format's version; reading ends here when the file is newer than this program."""
         found = self.between("version", 1, 10**9, 1) if "version" in self.attributes else 1
         if "version" not in self.attributes:
-            self.report(rules.MISSING, f'expected version="{newest}" on <{self.name}>, found none')
+            self.report(
+                rules.MISSING, Sentence('expected version="{newest}" on <{element}>, found none', newest, self.name)
+            )
         if found > newest:
             self.reader.stop(
                 rules.NEWER_VERSION(
-                    f"expected version {newest} or older, found version {found}",
+                    Sentence("expected version {newest} or older, found version {found}", newest, found),
                     self.place("version"),
-                    help="open it with a newer KitRobot",
+                    help=Sentence("open it with a newer KitRobot"),
                 )
             )
         return found
@@ -235,7 +241,7 @@ class Element:
         """Where the element's start tag stands, or the value of one of its attributes."""
         return self.reader.place_of(self, attribute)
 
-    def report(self, rule: Rule, message: str, attribute: str | None = None, help: str = "") -> None:
+    def report(self, rule: Rule, message: Sentence, attribute: str | None = None, help: Help = "") -> None:
         """Adds a diagnostic about this element, at the attribute when it is given and there."""
         self.add(rule(message, self.place(attribute), help=help))
 
@@ -248,10 +254,15 @@ class Element:
                 element.faulty = True
                 element = element.parent
 
-    def did_you_mean(self, word: str, words: Iterable[str]) -> str:
+    def did_you_mean(self, word: str, words: Iterable[str]) -> Help:
         """`did you mean X?` for a help line, or ""; of very many misspelt words in a file only for the first ones."""
         return self.reader.suggestions.did_you_mean(word, words)
 
-    def bad_value(self, name: str, expected: str, help: str = "") -> None:
+    def bad_value(self, name: str, expected: str, help: Help = "") -> None:
         """Reports an attribute's value: what was expected, and what was found."""
-        self.report(rules.BAD_VALUE, f"expected {expected} in {name}, found {shown(self.attributes[name])}", name, help)
+        self.report(
+            rules.BAD_VALUE,
+            Sentence("expected {expected} in {attribute}, found {found}", expected, name, shown(self.attributes[name])),
+            name,
+            help,
+        )

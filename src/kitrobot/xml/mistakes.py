@@ -6,19 +6,21 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from kitrobot.text import Help, Sentence
+
 _CLOSING = re.compile(r"</\s*([^\s>]{1,40})")
 _ENTITY = re.compile(r"&([^;\s]{1,40});?")
 _CUT_OFF = ("no element found", "unclosed token", "unclosed CDATA section", "partial character")
 _SENTENCES = {
     "junk after document element": (
-        "expected the end of the file after the first element, found more",
-        "a file holds one element; everything else goes inside it",
+        Sentence("expected the end of the file after the first element, found more"),
+        Sentence("a file holds one element; everything else goes inside it"),
     ),
-    "syntax error": ("expected an XML element, found text", "a file of ours begins with `<`"),
-    "duplicate attribute": ("an attribute is given twice in this tag", "keep one of the two"),
+    "syntax error": (Sentence("expected an XML element, found text"), Sentence("a file of ours begins with `<`")),
+    "duplicate attribute": (Sentence("an attribute is given twice in this tag"), Sentence("keep one of the two")),
     "XML or text declaration not at start of entity": (
-        "expected `<?xml …?>` only at the very start of the file, found it here",
-        "take away what stands before it",
+        Sentence("expected `<?xml …?>` only at the very start of the file, found it here"),
+        Sentence("take away what stands before it"),
     ),
 }
 
@@ -26,8 +28,8 @@ _SENTENCES = {
 class Mistake(NamedTuple):
     """What to say about an error of the parser, and the offset where it really is."""
 
-    message: str
-    help: str
+    message: Sentence
+    help: Help
     start: int
 
 
@@ -46,7 +48,7 @@ def explain(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]
     return Mistake(*_words(said, text, start, opened), start)
 
 
-def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> tuple[str, str]:
+def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]]) -> tuple[Sentence, Help]:
     if said in _CUT_OFF:
         return _cut_off(text, opened)
     if said in _SENTENCES:
@@ -54,37 +56,43 @@ def _words(said: str, text: str, offset: int, opened: Sequence[tuple[str, int]])
     if said == "mismatched tag" and opened:
         name, line = opened[-1]
         found = _CLOSING.match(text, offset)
-        other = f"</{found.group(1)}>" if found else "another closing tag"
+        other = f"</{found.group(1)}>" if found else Sentence("another closing tag")
         return (
-            f"expected </{name}> for the <{name}> of line {line}, found {other}",
-            "close elements in the order inside out",
+            Sentence("expected </{element}> for the <{element}> of line {line}, found {found}", name, line, other),
+            Sentence("close elements in the order inside out"),
         )
     if said == "undefined entity":
         entity = _ENTITY.search(text, offset)
-        name = f"&{entity.group(1)};" if entity else "an entity"
+        name = f"&{entity.group(1)};" if entity else Sentence("an entity")
         return (
-            f"expected one of &lt; &gt; &amp; &quot; &apos; or &#number;, found {name}",
-            "write the character itself",
+            Sentence("expected one of &lt; &gt; &amp; &quot; &apos; or &#number;, found {found}", name),
+            Sentence("write the character itself"),
         )
     character = text[offset : offset + 1]
     if said.startswith("not well-formed") and character:
         if not character.isprintable() and character not in "\n\t":
-            return f"found the character U+{ord(character):04X}, which XML cannot hold", "take it away"
-        shown = "the end of the line" if character == "\n" else f"`{character}`"
+            return Sentence("found the character U+{number}, which XML cannot hold", f"{ord(character):04X}"), Sentence(
+                "take it away"
+            )
+        shown = Sentence("the end of the line") if character == "\n" else f"`{character}`"
         return (
-            f"expected XML, found {shown} where it cannot stand",
-            "in text, write &lt; for `<` and &amp; for `&`; put attribute values in quotes",
+            Sentence("expected XML, found {found} where it cannot stand", shown),
+            Sentence("in text, write &lt; for `<` and &amp; for `&`; put attribute values in quotes"),
         )
-    return f"this is not well-formed XML: {said}", "every element is closed, every attribute value stands in quotes"
+    return Sentence("this is not well-formed XML: {reason}", said), Sentence(
+        "every element is closed, every attribute value stands in quotes"
+    )
 
 
-def _cut_off(text: str, opened: Sequence[tuple[str, int]]) -> tuple[str, str]:
+def _cut_off(text: str, opened: Sequence[tuple[str, int]]) -> tuple[Sentence, Help]:
     if not text.strip():
-        return "expected an XML element, found an empty file", ""
+        return Sentence("expected an XML element, found an empty file"), ""
     if not opened:
-        return "expected an XML element, found the end of the file", "the file may have been cut off"
+        return Sentence("expected an XML element, found the end of the file"), Sentence(
+            "the file may have been cut off"
+        )
     name, line = opened[-1]
     return (
-        f"expected </{name}> for the <{name}> of line {line}, found the end of the file",
-        "the file may have been cut off; take an older copy, or close what is open",
+        Sentence("expected </{element}> for the <{element}> of line {line}, found the end of the file", name, line),
+        Sentence("the file may have been cut off; take an older copy, or close what is open"),
     )

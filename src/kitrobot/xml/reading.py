@@ -20,7 +20,7 @@ from dataclasses import replace
 from typing import NoReturn
 
 from kitrobot.diagnostics import Diagnostic, Place, Source
-from kitrobot.text import BytePositions, Suggestions, collection_paused, one_of, shown
+from kitrobot.text import BytePositions, Sentence, Suggestions, collection_paused, one_of, shown
 from kitrobot.xml import rules
 from kitrobot.xml.attributes import optional
 from kitrobot.xml.decoding import decode
@@ -64,7 +64,15 @@ class Reader:
         if not self._left_out:
             return list(self._problems)
         last = self._problems[-1].place
-        return [*self._problems, rules.TOO_MANY(f"{self._left_out} more problems are not shown", last)]
+        return [
+            *self._problems,
+            rules.TOO_MANY(
+                Sentence.counted(
+                    "{count} more problems are not shown", "{count} more problems are not shown", self._left_out
+                ),
+                last,
+            ),
+        ]
 
     def add(self, diagnostic: Diagnostic) -> None:
         """Keeps a diagnostic."""
@@ -162,9 +170,9 @@ class _Events:
             at = max(0, data.rfind(_DOCTYPE, 0, self.parser.CurrentByteIndex + 1))
             self.reader.stop(
                 rules.FORBIDDEN(
-                    "expected no document type and no entities, found a <!DOCTYPE …>",
+                    Sentence("expected no document type and no entities, found a <!DOCTYPE …>"),
                     self.reader.span(at, at + len(_DOCTYPE)),
-                    help="take the whole <!DOCTYPE …> away; write the characters themselves, or &#number;",
+                    help=Sentence("take the whole <!DOCTYPE …> away; write the characters themselves, or &#number;"),
                 )
             )
 
@@ -181,7 +189,7 @@ class _Events:
         if len(self.names) > MAX_DEPTH:
             self.reader.stop(
                 rules.TOO_DEEP(
-                    f"expected at most {MAX_DEPTH} elements inside one another, found one more",
+                    Sentence("expected at most {most} elements inside one another, found one more", MAX_DEPTH),
                     self.reader.place(start, len(name) + 1),
                 )
             )
@@ -198,7 +206,9 @@ class _Events:
             for attribute in attributes:
                 if attribute not in tag.attributes and not attribute.startswith(("xmlns", "xsi:")):
                     help = element.did_you_mean(attribute, tag.attributes)
-                    message = f"<{name}> has no attribute {shown(attribute)}; it is left out"
+                    message = Sentence(
+                        "<{element}> has no attribute {attribute}; it is left out", name, shown(attribute)
+                    )
                     element.report(rules.UNKNOWN_ATTRIBUTE, message, attribute, help)
         self.open.append(element)
         if tag.open is not None:
@@ -209,10 +219,13 @@ class _Events:
         if parent is None:
             expected = one_of(f"<{root}>" for root in self.roots)
             self.reader.stop(
-                rules.WRONG_ROOT(f"expected {expected} as the first element, found <{shown(name)[1:-1]}>", place)
+                rules.WRONG_ROOT(
+                    Sentence("expected {expected} as the first element, found <{found}>", expected, shown(name)[1:-1]),
+                    place,
+                )
             )
-        fate = "left out" if parent.tag.keep is None else "kept as it is"
-        message = f"<{parent.name}> has no element <{shown(name)[1:-1]}>; it is {fate}"
+        fate = Sentence("left out") if parent.tag.keep is None else Sentence("kept as it is")
+        message = Sentence("<{parent}> has no element <{element}>; it is {fate}", parent.name, shown(name)[1:-1], fate)
         self.reader.add(rules.UNKNOWN_ELEMENT(message, place, help=parent.did_you_mean(name, parent.tag.children)))
         self.skipping = len(self.names)
 
@@ -249,7 +262,9 @@ class _Events:
             element.starts.append(self.parser.CurrentByteIndex)
         elif not content.isspace() and not element.pieces:
             element.pieces.append(content)
-            message = f"<{element.name}> holds no text of its own, found {shown(content)}; it is left out"
+            message = Sentence(
+                "<{element}> holds no text of its own, found {found}; it is left out", element.name, shown(content)
+            )
             before = content[: len(content) - len(content.lstrip())]
             start = self.parser.CurrentByteIndex + len(before.encode())
             element.add(rules.STRAY_TEXT(message, self.reader.place(start, len(content.strip()))))
@@ -261,7 +276,7 @@ def _keep_text(element: Element) -> None:
     texts = element.parent.texts.setdefault(element.name, {})
     key = "" if language == "en" else language
     if key in texts:
-        element.report(rules.DUPLICATE, f"there is a <{element.name}> in this language already")
+        element.report(rules.DUPLICATE, Sentence("there is a <{element}> in this language already", element.name))
     texts.setdefault(key, element.words)
 
 

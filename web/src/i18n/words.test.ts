@@ -1,8 +1,8 @@
 import { afterEach, describe, expect, it } from "vitest";
 
 import { EN } from "./en";
-import { FR } from "./fr";
-import { UR } from "./ur";
+import FR from "./fr.po";
+import UR from "./ur.po";
 import { bestLanguage, type Key, languageInUse, sentence, type Sentence, speak, t, type Table } from "./words";
 
 afterEach(async () => {

@@ -24,8 +24,8 @@ export type Language = keyof typeof LANGUAGES;
 
 const FETCH: Readonly<Record<Language, () => Promise<Table>>> = {
   en: () => import("./en").then((chunk) => chunk.EN),
-  fr: () => import("./fr").then((chunk) => chunk.FR),
-  ur: () => import("./ur").then((chunk) => chunk.UR),
+  fr: () => import("./fr.po").then((chunk) => chunk.default),
+  ur: () => import("./ur.po").then((chunk) => chunk.default),
 };
 
 let language: Language = "en";

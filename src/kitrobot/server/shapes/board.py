@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
-from kitrobot.server.sentences import Sentence
+from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
 
@@ -168,7 +168,7 @@ class BoardFaultShape(BaseModel):
     """Why the robot stopped by itself; `vertex` and `line` (of the LLL, from 1) are "" and 0 where nobody knows."""
 
     number: int
-    sentence: Sentence
+    sentence: Spoken
     text: str
     program: str
     vertex: str
@@ -221,9 +221,9 @@ class BoardMessage(_Message):
     forced: list[str]
     progress: BoardProgressShape | None
     fault: BoardFaultShape | None
-    message: Sentence
+    message: Spoken
     """What went wrong last, "" when nothing did."""
-    help: Sentence
+    help: Spoken
     way: BoardWay
     recorded: bool
     """Whether there is a recording of its last run, or of the one that is on."""
@@ -241,8 +241,8 @@ class BoardRefusedMessage(_Message):
 
     type: Literal["refused"] = "refused"
     address: str
-    message: Sentence
-    help: Sentence
+    message: Spoken
+    help: Spoken
     problems: list[ProblemShape]
 
 

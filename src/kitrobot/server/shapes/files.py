@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.server.sentences import Sentence
+from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.catalogue import CatalogueShape
 from kitrobot.server.shapes.mission import MissionShape, ProgramShape
 from kitrobot.server.shapes.problem import ProblemShape
@@ -49,7 +49,7 @@ class MissionEntryShape(BaseModel):
     label: dict[str, str]
     help: dict[str, str]
     picture: PictureShape | None
-    problem: Sentence
+    problem: Spoken
 
 
 class MissionFileShape(BaseModel):
@@ -87,8 +87,8 @@ class SavedShape(BaseModel):
 class ConflictShape(BaseModel):
     """The file is not what the page last saw; `revision` is what it is now."""
 
-    message: Sentence
-    help: Sentence
+    message: Spoken
+    help: Spoken
     revision: str
 
 

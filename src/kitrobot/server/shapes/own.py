@@ -26,6 +26,7 @@ from kitrobot.primitives import (
 )
 from kitrobot.server.shapes.catalogue import ConstructorShape, RobotObjectShape
 from kitrobot.server.shapes.values import View
+from kitrobot.text import Sentence
 
 Own = TypeVar("Own", Constructor, OwnVariable)
 
@@ -65,7 +66,7 @@ def own_variable(shape: OwnVariableShape) -> OwnVariable:
 @lru_cache(KEPT)
 def _constructor(text: str) -> Constructor:
     wanted = raw_constructor(ConstructorShape.model_validate_json(text))
-    return _read(write_constructor(wanted), Constructor, f"the part `{wanted.name}`")
+    return _read(write_constructor(wanted), Constructor, Sentence("the part `{part}`", wanted.name))
 
 
 def raw_constructor(shape: ConstructorShape) -> Constructor:
@@ -118,7 +119,11 @@ def _variable(text: str) -> OwnVariable:
         label=variable.label,
         help=variable.help,
     )
-    return _read(write_variable(OwnVariable(shape.robot, wanted)), OwnVariable, f"the variable `{variable.name}`")
+    return _read(
+        write_variable(OwnVariable(shape.robot, wanted)),
+        OwnVariable,
+        Sentence("the variable `{variable}`", variable.name),
+    )
 
 
 def _read(lines: list[str], kind: type[Own], what: str) -> Own:
@@ -126,7 +131,7 @@ def _read(lines: list[str], kind: type[Own], what: str) -> Own:
     if not isinstance(found, kind):
         first = problems[0]
         raise OwnPartError(
-            f"{what} makes no sense: {first.message}",
+            Sentence("{what} makes no sense: {reason}", what, first.message),
             first.help,
             tuple(replace(problem, place=None) for problem in problems),
         )

@@ -8,7 +8,7 @@ from typing import Literal
 from pydantic import BaseModel
 
 from kitrobot.diagnostics import Diagnostic, to_page_json
-from kitrobot.server.sentences import FileName, Sentence
+from kitrobot.server.sentences import Clause, FileName, Spoken
 
 
 class FixShape(BaseModel):
@@ -29,8 +29,8 @@ class ProblemShape(BaseModel):
     end_column: int
     severity: Literal["error", "warning", "hint"]
     code: str
-    message: Sentence
-    help: Sentence
+    message: Clause
+    help: Clause
     program: str
     vertices: list[str]
     arcs: list[tuple[str, str, str, str]]
@@ -41,8 +41,8 @@ class ProblemShape(BaseModel):
 class FailureShape(BaseModel):
     """Why a request could not be done: a sentence and a way out; `problems` where a file was the reason."""
 
-    message: Sentence
-    help: Sentence
+    message: Spoken
+    help: Spoken
     problems: list[ProblemShape] = []
 
 

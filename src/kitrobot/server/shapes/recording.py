@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from kitrobot.server.sentences import Sentence
+from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.files import MissionFileShape
 
 
@@ -14,7 +14,7 @@ class RecordingEntryShape(BaseModel):
     path: str
     name: str
     modified: str
-    problem: Sentence
+    problem: Spoken
 
 
 class RecordingShape(BaseModel):

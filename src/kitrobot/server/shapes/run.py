@@ -10,7 +10,7 @@ from typing import Annotated, Literal, get_args
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from kitrobot.server.realtime_clock import FASTEST
-from kitrobot.server.sentences import Sentence
+from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.mission import MOST_AGENTS, BreakpointShape, MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.values import HitValue
@@ -197,7 +197,7 @@ class StateMessage(_Message):
     status: Literal["running", "paused", "done", "failed", "stuck", "time", "stopped", "end"]
     tick: int
     seconds: float
-    sentence: Sentence
+    sentence: Spoken
     hits: list[HitValue] = []
     problems: list[ProblemShape] = []
 
@@ -264,8 +264,8 @@ class ErrorMessage(_Message):
     """A request that could not be followed; `ended` when there is no run any more because of it."""
 
     type: Literal["error"] = "error"
-    message: Sentence
-    help: Sentence
+    message: Spoken
+    help: Spoken
     ended: bool
 
 

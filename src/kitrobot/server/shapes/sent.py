@@ -24,6 +24,7 @@ from kitrobot.server.shapes.mission import (
     mission_from_shape,
 )
 from kitrobot.server.shapes.values import ArcValue, VertexValue
+from kitrobot.text import Sentence
 
 Place = Annotated[int, Field(ge=0)]
 VertexRow = Annotated[VertexValue | tuple[Place, Place], Field(union_mode="left_to_right")]
@@ -77,7 +78,8 @@ def _program(shape: SentProgramShape, known: Callable[[str], Program | None]) ->
         found = known(shape.of)
         if found is None:
             raise ForgottenError(
-                f"the studio does not know the program `{shape.name}` as it was before", "load the page again"
+                Sentence("the studio does not know the program `{program}` as it was before", shape.name),
+                Sentence("load the page again"),
             )
         before = found
     vertices = taken(shape.vertices, before.vertices, MOST_VERTICES)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Hand, Sensor, Setting, Values
+from kitrobot.text import Sentence
 
 _LEVEL_MG = -1024
 
@@ -18,8 +19,8 @@ class Accelerometer(Sensor):
         LATENCY,
         LOST_READINGS,
         SPREAD,
-        Setting("what", "axis", "what it feels", words=("axis", "shake")),
-        Setting("axis", "x", "along which axis", words=("x", "y", "z")),
+        Setting("what", "axis", Sentence("what it feels"), words=("axis", "shake")),
+        Setting("axis", "x", Sentence("along which axis"), words=("x", "y", "z")),
     )
 
     @classmethod

@@ -36,6 +36,7 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, MOVES_BOXES, Actuator, Command, Setting, Values
 from kitrobot.sim.docks import carrier_in
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 _LOAD, _UNLOAD = range(2)
 
@@ -49,8 +50,8 @@ class Arm(Actuator):
     settings = (
         LATENCY,
         LOST_COMMANDS,
-        Setting("time", 2000.0, "how long one box takes", "ms", 1.0, 3_600_000.0),
-        Setting("noise", 0.0, "how far that time may be off (one standard deviation)", "%", 0.0, 50.0),
+        Setting("time", 2000.0, Sentence("how long one box takes"), "ms", 1.0, 3_600_000.0),
+        Setting("noise", 0.0, Sentence("how far that time may be off (one standard deviation)"), "%", 0.0, 50.0),
     )
     needs = "dock"
 

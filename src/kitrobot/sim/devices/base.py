@@ -26,6 +26,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, ClassVar, Literal, NamedTuple
 
 from kitrobot.primitives import Method, RobotObject
+from kitrobot.text import Sentence
 from kitrobot.world import World
 
 if TYPE_CHECKING:
@@ -52,9 +53,11 @@ class Setting:
     """Whether it is the name of a place of the world (see `World.places`)."""
 
 
-LATENCY = Setting("latency", 0.0, "how much later it works, or how old what it reads is", "ms", most=60_000.0)
-LOST_READINGS = Setting("dropout", 0.0, "how often a reading is lost and the one before stays", "%", 0.0, 100.0)
-LOST_COMMANDS = Setting("dropout", 0.0, "how often a command does not reach it", "%", 0.0, 100.0)
+LATENCY = Setting("latency", 0.0, Sentence("how much later it works, or how old what it reads is"), "ms", most=60_000.0)
+LOST_READINGS = Setting(
+    "dropout", 0.0, Sentence("how often a reading is lost and the one before stays"), "%", 0.0, 100.0
+)
+LOST_COMMANDS = Setting("dropout", 0.0, Sentence("how often a command does not reach it"), "%", 0.0, 100.0)
 MOVES_BOXES, COUNTS_BOXES = "moves", "counts"
 
 Look = Literal["", "wheels", "lights", "melody", "pin", "lamp", "bar", "sound", "number"]
@@ -64,8 +67,8 @@ value as lamp, bar, sound or number."""
 Hand = Literal["", "button", "gesture", "slider"]
 """How a person works a sensor in the arena: not, by a button of the board, by moving the whole board, by a slider."""
 
-SPREAD = Setting("noise", 0.0, "how far a reading may be off (one standard deviation)", "", 0.0, 1000.0)
-WRONG = Setting("noise", 0.0, "how often it reads something else than what is there", "%", 0.0, 100.0)
+SPREAD = Setting("noise", 0.0, Sentence("how far a reading may be off (one standard deviation)"), "", 0.0, 1000.0)
+WRONG = Setting("noise", 0.0, Sentence("how often it reads something else than what is there"), "%", 0.0, 100.0)
 
 
 class Values:

@@ -7,6 +7,7 @@ from kitrobot.sim.chance import happens
 from kitrobot.sim.columns import DT, ENDED, PERIOD, S_KEY_A, S_KEY_B, S_LEAST, S_MOST, S_P, S_Q, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 
 class Chance(Sensor):
@@ -17,8 +18,8 @@ class Chance(Sensor):
     settings = (
         LATENCY,
         LOST_READINGS,
-        Setting("probability", 50.0, "how often it reads its largest number", "%", 0.0, 100.0),
-        Setting("period", 1000.0, "how long a number stays", "ms", 1.0, 3_600_000.0),
+        Setting("probability", 50.0, Sentence("how often it reads its largest number"), "%", 0.0, 100.0),
+        Setting("period", 1000.0, Sentence("how long a number stays"), "ms", 1.0, 3_600_000.0),
     )
 
     @classmethod

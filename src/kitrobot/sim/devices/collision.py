@@ -24,6 +24,7 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
 from kitrobot.sim.sight import ray_to_discs
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 
 class Collision(Sensor):
@@ -35,7 +36,7 @@ class Collision(Sensor):
         LATENCY,
         LOST_READINGS,
         WRONG,
-        Setting("reach", 120.0, "how far it looks in front of the bumper", "mm", 0.0, 100_000.0),
+        Setting("reach", 120.0, Sentence("how far it looks in front of the bumper"), "mm", 0.0, 100_000.0),
     )
 
     @classmethod

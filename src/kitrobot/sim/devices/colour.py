@@ -7,6 +7,7 @@ from kitrobot.sim.columns import DIRECTED, ENDED, S_P, S_Q, S_ROBOT, S_VALUE, UX
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting, Values
 from kitrobot.sim.sight import colour_at, floor_at
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 
 class Colour(Sensor):
@@ -17,8 +18,8 @@ class Colour(Sensor):
         LATENCY,
         LOST_READINGS,
         WRONG,
-        Setting("ahead", 0.0, "how far in front of the robot's middle it looks", "mm", -10_000.0, 10_000.0),
-        Setting("side", 0.0, "how far to the left of the robot's middle it looks", "mm", -10_000.0, 10_000.0),
+        Setting("ahead", 0.0, Sentence("how far in front of the robot's middle it looks"), "mm", -10_000.0, 10_000.0),
+        Setting("side", 0.0, Sentence("how far to the left of the robot's middle it looks"), "mm", -10_000.0, 10_000.0),
     )
 
     @classmethod

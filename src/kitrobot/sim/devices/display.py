@@ -10,6 +10,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import A_DONE, A_P, A_Q, A_ROBOT, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 SIDE = 5
 _CLEAR, _IMAGE, _NUMBER, _SCROLL, _PIXEL = range(5)
@@ -77,7 +78,9 @@ class Display(Actuator):
     settings = (
         LATENCY,
         LOST_COMMANDS,
-        Setting("delay", 150.0, "how long a number that runs through takes for each column", "ms", 1.0, 60_000.0),
+        Setting(
+            "delay", 150.0, Sentence("how long a number that runs through takes for each column"), "ms", 1.0, 60_000.0
+        ),
     )
 
     @classmethod

@@ -6,6 +6,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, A_S, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 
 class Door(Actuator):
@@ -16,8 +17,8 @@ class Door(Actuator):
     settings = (
         LATENCY,
         LOST_COMMANDS,
-        Setting("time", 1000.0, "how long it takes from closed to open", "ms", 1.0, 3_600_000.0),
-        Setting("noise", 0.0, "how far that time may be off (one standard deviation)", "%", 0.0, 50.0),
+        Setting("time", 1000.0, Sentence("how long it takes from closed to open"), "ms", 1.0, 3_600_000.0),
+        Setting("noise", 0.0, Sentence("how far that time may be off (one standard deviation)"), "%", 0.0, 50.0),
     )
 
     @classmethod

@@ -19,6 +19,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 _STOP, _ADVANCE, _REVERSE = range(3)
 
@@ -33,13 +34,13 @@ class Drive(Actuator):
     settings = (
         LATENCY,
         LOST_COMMANDS,
-        Setting("speed", 400.0, "full speed", "mm/s", 1.0, 100_000.0),
-        Setting("acceleration", 800.0, "how fast it gains speed", "mm/s²", 1.0),
-        Setting("braking", 800.0, "how fast it loses speed", "mm/s²", 1.0),
-        Setting("length", 135.0, "the robot's length", "mm", 1.0, 10_000.0),
-        Setting("width", 95.0, "the robot's width", "mm", 1.0, 10_000.0),
-        Setting("guide", "free", "what leads it", words=("free", "road")),
-        Setting("noise", 0.0, "how far a speed may be off (one standard deviation)", "%", 0.0, 50.0),
+        Setting("speed", 400.0, Sentence("full speed"), "mm/s", 1.0, 100_000.0),
+        Setting("acceleration", 800.0, Sentence("how fast it gains speed"), "mm/s²", 1.0),
+        Setting("braking", 800.0, Sentence("how fast it loses speed"), "mm/s²", 1.0),
+        Setting("length", 135.0, Sentence("the robot's length"), "mm", 1.0, 10_000.0),
+        Setting("width", 95.0, Sentence("the robot's width"), "mm", 1.0, 10_000.0),
+        Setting("guide", "free", Sentence("what leads it"), words=("free", "road")),
+        Setting("noise", 0.0, Sentence("how far a speed may be off (one standard deviation)"), "%", 0.0, 50.0),
     )
 
     @classmethod

@@ -8,6 +8,7 @@ from kitrobot.primitives import Method, RobotObject
 from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, A_S, A_WAY, DOWN, FAILED
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Look, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 _LAMP, _BAR, _SOUND, _NUMBER = range(4)
 _SHOWS: tuple[Look, ...] = ("lamp", "bar", "sound", "number")
@@ -27,9 +28,9 @@ class Indicator(Actuator):
     settings = (
         LATENCY,
         LOST_COMMANDS,
-        Setting("shows", "lamp", "how its value is shown", words=_SHOWS),
-        Setting("time", 0.0, "how long it takes", "ms", 0.0, 3_600_000.0),
-        Setting("noise", 0.0, "how far that time may be off (one standard deviation)", "%", 0.0, 50.0),
+        Setting("shows", "lamp", Sentence("how its value is shown"), words=_SHOWS),
+        Setting("time", 0.0, Sentence("how long it takes"), "ms", 0.0, 3_600_000.0),
+        Setting("noise", 0.0, Sentence("how far that time may be off (one standard deviation)"), "%", 0.0, 50.0),
     )
 
     @classmethod

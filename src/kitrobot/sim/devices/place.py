@@ -9,6 +9,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import ENDED, PERIOD, S_FIRST, S_LEAST, S_MOST, S_P, S_Q, S_ROBOT, S_VALUE, X, Y
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 from kitrobot.world import World
 
 
@@ -23,13 +24,13 @@ class PlaceSensor(Sensor):
         Setting(
             "of",
             "",
-            "the name of a storehouse, dock or start of the world",
-            "the name of a storehouse, dock or start",
+            Sentence("the name of a storehouse, dock or start of the world"),
+            Sentence("the name of a storehouse, dock or start"),
             reads=bool,
             required=True,
             names_place=True,
         ),
-        Setting("reach", 300.0, "how far away it is noticed", "mm", 1.0, 100_000.0),
+        Setting("reach", 300.0, Sentence("how far away it is noticed"), "mm", 1.0, 100_000.0),
     )
 
     @classmethod

@@ -7,6 +7,7 @@ from kitrobot.sim.columns import LOAD, S_DOCK, S_P, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
 from kitrobot.sim.docks import carrier_in
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 ANY, EMPTY, LOADED = "any", "empty", "loaded"
 
@@ -20,7 +21,7 @@ class Presence(Sensor):
         LATENCY,
         LOST_READINGS,
         WRONG,
-        Setting("carrier", ANY, "which carriers it notices", words=(ANY, EMPTY, LOADED)),
+        Setting("carrier", ANY, Sentence("which carriers it notices"), words=(ANY, EMPTY, LOADED)),
     )
     needs = "dock"
 

@@ -26,6 +26,7 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.sight import ray_to_discs, ray_to_walls
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 
 class Range(Sensor):
@@ -36,8 +37,8 @@ class Range(Sensor):
         LATENCY,
         LOST_READINGS,
         SPREAD,
-        Setting("reach", 1000.0, "how far it sees", "mm", 1.0, 100_000.0),
-        Setting("angle", 0.0, "where it looks, counter-clockwise from the front", "°", -360.0, 360.0),
+        Setting("reach", 1000.0, Sentence("how far it sees"), "mm", 1.0, 100_000.0),
+        Setting("angle", 0.0, Sentence("where it looks, counter-clockwise from the front"), "°", -360.0, 360.0),
     )
 
     @classmethod

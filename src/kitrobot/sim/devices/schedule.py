@@ -10,6 +10,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import DT, ENDED, PERIOD, S_END, S_FIRST, S_P, S_Q, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 from kitrobot.world import World
 
 _MOST_MOMENTS = 1000
@@ -44,13 +45,13 @@ class Schedule(Sensor):
         Setting(
             "values",
             "",
-            "numbers at seconds, as in 0:20 5:30 9.5:25",
-            "1 to 1000 seconds:number pairs in the order of time, such as 0:20 5:30",
+            Sentence("numbers at seconds, as in 0:20 5:30 9.5:25"),
+            Sentence("1 to 1000 seconds:number pairs in the order of time, such as 0:20 5:30"),
             reads=lambda text: _read(text) is not None,
             required=True,
         ),
-        Setting("between", "steps", "how it goes from one number to the next", words=("steps", "line")),
-        Setting("repeat", 0.0, "after how long it begins anew; 0 for never", "s", 0.0, 1_000_000.0),
+        Setting("between", "steps", Sentence("how it goes from one number to the next"), words=("steps", "line")),
+        Setting("repeat", 0.0, Sentence("after how long it begins anew; 0 for never"), "s", 0.0, 1_000_000.0),
     )
 
     @classmethod

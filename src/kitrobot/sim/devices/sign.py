@@ -6,6 +6,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import AT, CLOSED, CUT_FIRST, CUT_LAST, ROAD, S_CUT, S_P, S_ROBOT, S_VALUE
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Discrete, Sensor, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 
 class Sign(Sensor):
@@ -17,7 +18,7 @@ class Sign(Sensor):
         LATENCY,
         LOST_READINGS,
         SPREAD,
-        Setting("ahead", 0.0, "how far in front of the robot's middle it looks", "mm", -10_000.0, 10_000.0),
+        Setting("ahead", 0.0, Sentence("how far in front of the robot's middle it looks"), "mm", -10_000.0, 10_000.0),
     )
     needs = "road"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Hand, Sensor, Setting, Values
+from kitrobot.text import Sentence
 
 
 class Slider(Sensor):
@@ -14,7 +15,7 @@ class Slider(Sensor):
         LATENCY,
         LOST_READINGS,
         SPREAD,
-        Setting("initial", 0.0, "the number before anybody sets it", "", -1_000_000_000.0, 1_000_000_000.0),
+        Setting("initial", 0.0, Sentence("the number before anybody sets it"), "", -1_000_000_000.0, 1_000_000_000.0),
     )
 
     @classmethod

@@ -8,6 +8,7 @@ from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import A_DONE, A_NOISE, A_P, A_Q, A_R, A_ROBOT, DOWN, FAILED, TURN
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 _STOP, _TURN, _ABSOLUTE = range(3)
 
@@ -23,8 +24,10 @@ class Turn(Actuator):
     settings = (
         LATENCY,
         LOST_COMMANDS,
-        Setting("rate", 180.0, "full turning speed", "°/s", 1.0, 36_000.0),
-        Setting("noise", 0.0, "how far an angle or a speed may be off (one standard deviation)", "%", 0.0, 50.0),
+        Setting("rate", 180.0, Sentence("full turning speed"), "°/s", 1.0, 36_000.0),
+        Setting(
+            "noise", 0.0, Sentence("how far an angle or a speed may be off (one standard deviation)"), "%", 0.0, 50.0
+        ),
     )
 
     @classmethod

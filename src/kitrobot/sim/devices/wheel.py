@@ -30,6 +30,7 @@ from kitrobot.sim.columns import (
 )
 from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Look, Setting, Values
 from kitrobot.sim.state import State
+from kitrobot.text import Sentence
 
 _STOP, _FORWARD, _BACKWARD = range(3)
 
@@ -46,13 +47,13 @@ class Wheel(Actuator):
     settings = (
         LATENCY,
         LOST_COMMANDS,
-        Setting("side", "left", "where it is", words=("left", "right")),
-        Setting("speed", 400.0, "full speed", "mm/s", 1.0, 100_000.0),
-        Setting("acceleration", 800.0, "how fast it gains speed", "mm/s²", 1.0),
-        Setting("braking", 800.0, "how fast it loses speed", "mm/s²", 1.0),
-        Setting("track", 90.0, "how far the two wheels are apart", "mm", 1.0, 10_000.0),
-        Setting("length", 135.0, "the robot's length", "mm", 1.0, 10_000.0),
-        Setting("noise", 0.0, "how far a speed may be off (one standard deviation)", "%", 0.0, 50.0),
+        Setting("side", "left", Sentence("where it is"), words=("left", "right")),
+        Setting("speed", 400.0, Sentence("full speed"), "mm/s", 1.0, 100_000.0),
+        Setting("acceleration", 800.0, Sentence("how fast it gains speed"), "mm/s²", 1.0),
+        Setting("braking", 800.0, Sentence("how fast it loses speed"), "mm/s²", 1.0),
+        Setting("track", 90.0, Sentence("how far the two wheels are apart"), "mm", 1.0, 10_000.0),
+        Setting("length", 135.0, Sentence("the robot's length"), "mm", 1.0, 10_000.0),
+        Setting("noise", 0.0, Sentence("how far a speed may be off (one standard deviation)"), "%", 0.0, 50.0),
     )
 
     @classmethod

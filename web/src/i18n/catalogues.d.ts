@@ -1,0 +1,5 @@
+/** A catalogue as `build/catalogues.ts` gives it: each sentence, or its form for each plural rule, by key. */
+declare module "*.po" {
+  const table: Readonly<Record<string, string | ({ other: string } & Partial<Record<Intl.LDMLPluralRule, string>>)>>;
+  export default table;
+}
