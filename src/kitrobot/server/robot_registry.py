@@ -15,6 +15,7 @@ import contextlib
 import itertools
 import logging
 from collections import deque
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Protocol
 
 from fastapi import WebSocketDisconnect
@@ -200,7 +201,7 @@ class RobotRegistry:
 
     # -- robots
 
-    async def session(self, subscriber: Subscriber, address: str) -> RobotWorker:
+    async def session(self, holder: str, address: str) -> RobotWorker:
         """The session of that page on the robot at an address, taken now if nobody has it.
 
         Raises:
@@ -212,7 +213,7 @@ class RobotRegistry:
             await asyncio.to_thread(found.wait, CLOSE_WITHIN_S)
             self._let_go(found)
         if found is not None:
-            return self._mine(subscriber, found)
+            return _mine(holder, found)
         if len(self._sessions) >= MOST_BOARDS:
             raise BoardsError(f"this studio talks with {MOST_BOARDS} robots already", "disconnect one of them first")
         from kitrobot.server.robot_worker import RobotWorker
@@ -223,7 +224,7 @@ class RobotRegistry:
             with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
                 loop.call_soon_threadsafe(self._changed, address)
 
-        session = self._sessions[address] = RobotWorker(address, name, subscriber.name, self._links, changed)
+        session = self._sessions[address] = RobotWorker(address, name, holder, self._links, changed)
         self._changed(address)
         return session
 
@@ -240,14 +241,7 @@ class RobotRegistry:
             )
         return _shown(address, known[address])
 
-    def _mine(self, subscriber: Subscriber, session: RobotWorker) -> RobotWorker:
-        if session.holder != subscriber.name:
-            raise HeldError(
-                f"another page of this studio has `{session.name}`", "disconnect it there; to stop it, press STOP here"
-            )
-        return session
-
-    def taken(self, subscriber: Subscriber, address: str) -> RobotWorker:
+    def taken(self, holder: str, address: str) -> RobotWorker:
         """The session that this page has on a robot already.
 
         Raises:
@@ -256,7 +250,18 @@ class RobotRegistry:
         found = self._sessions.get(address)
         if found is None:
             raise AddressError("nobody talks with this robot", "connect it first")
-        return self._mine(subscriber, found)
+        return _mine(holder, found)
+
+    def together(self, holder: str, addresses: Iterable[str]) -> dict[str, RobotWorker]:
+        """Sessions that this page has, by names that tell robots apart that are called alike.
+
+        Raises:
+            KitRobotError: it has none on one of them.
+        """
+        sessions = [self.taken(holder, address) for address in dict.fromkeys(addresses)]
+        names = [one.name for one in sessions]
+        shown = (f" {names[: at + 1].count(name)}" if names.count(name) > 1 else "" for at, name in enumerate(names))
+        return {one.name + number: one for one, number in zip(sessions, shown, strict=True)}
 
     def recorder(self, address: str) -> LastRun:
         """The recording of a robot that some page talks with.
@@ -302,6 +307,14 @@ class RobotRegistry:
             kept = session.message().model_dump_json()
             self._texts[address, language] = (version, kept)
         return kept
+
+
+def _mine(holder: str, session: RobotWorker) -> RobotWorker:
+    if session.holder != holder:
+        raise HeldError(
+            f"another page of this studio has `{session.name}`", "disconnect it there; to stop it, press STOP here"
+        )
+    return session
 
 
 def _shown(address: str, name: str) -> str:

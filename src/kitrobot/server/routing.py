@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ipaddress
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends
 from starlette.requests import HTTPConnection
 
 from kitrobot.server.json_bodies import JsonRoute
+from kitrobot.server.robot_registry import AddressError
 from kitrobot.server.shapes import FailureShape
 from kitrobot.server.studio import Studio
 
@@ -26,6 +28,21 @@ def studio_of(connection: HTTPConnection) -> Studio:
     studio = connection.app.state.studio
     assert isinstance(studio, Studio)
     return studio
+
+
+def refuse_visitors(connection: HTTPConnection) -> None:
+    """Ports belong to who sits at this machine, unless the studio was started for others too.
+
+    Raises:
+        AddressError: the page is on another machine.
+    """
+    host = connection.client.host if connection.client is not None else ""
+    try:
+        here = ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        here = False
+    if not (here or studio_of(connection).boards_for_visitors):
+        raise AddressError("the robots are plugged into another machine", "use them there")
 
 
 ThisStudio = Annotated[Studio, Depends(studio_of)]
