@@ -289,6 +289,7 @@ class RobotRegistry:
     def _let_go(self, session: RobotWorker) -> None:
         if self._sessions.get(session.address) is session:
             del self._sessions[session.address]
+            self._texts = {key: kept for key, kept in self._texts.items() if key[0] != session.address}
         self._changed(session.address)
 
     def _changed(self, address: str) -> None:
@@ -299,7 +300,6 @@ class RobotRegistry:
         """A robot as it stands, or that nobody talks with it, encoded in the language of who asks."""
         session, language = self._sessions.get(address), said_in()
         if session is None:
-            self._texts = {key: kept for key, kept in self._texts.items() if key[0] != address}
             return BoardGoneMessage(address=address).model_dump_json()
         version, kept = self._texts.get((address, language), (-1, ""))
         if version != session.standing.version:
