@@ -114,6 +114,7 @@ def test_it_is_paused_and_gone_back_in_while_the_robot_goes_on(visit, robot) -> 
             assert run.until("state", tick=at + 1)["status"] == "paused"
             run.send(type="seek", tick=0)
             assert run.report(lambda said: said["values"]["Count"] <= 2)["values"]["Run"] == 1
+            assert run.until("state", tick=0)["status"] == "paused"
             run.send(type="step", by="vertex")
             assert run.until("state", status="paused")["tick"] > 0
             run.send(type="resume", latest=True)

@@ -134,7 +134,8 @@ class RobotsRun:
                 change = Change(change.happening, replace(was, doing="ready", threads={}, fault=None, lost=""))
             elif change.happening is Happening.STARTED and not self._is_running():
                 self._begin()
-            self._listen()
+            if self._is_running() or any(one.lost for one in self._states):
+                self._go_to_now()
             self._take(number, change)
 
     def robot_changed(self, number: int, change: Change) -> None:
@@ -171,7 +172,7 @@ class RobotsRun:
 
     @property
     def latest(self) -> int:
-        """The tick of the clock."""
+        """The tick of the clock, while a robot runs."""
         with self.lock:
             self._listen()
             return self._tick
@@ -252,8 +253,8 @@ class RobotsRun:
             self._go_to(self._tick + 1)
 
     def _listen(self) -> None:
-        """Goes to the tick of the clock, while there is a robot to wait for."""
-        if self._is_running() or any(state.lost for state in self._states):
+        """Goes to the tick of the clock, while a robot runs. Silence is over when something is heard."""
+        if self._is_running():
             self._go_to_now()
 
     def _go_to_now(self) -> None:

@@ -318,8 +318,8 @@ class Session:
                 if watch.hits:
                     pace.set_paused(True, watch.tick)
                 await self._news(watch)
-                if pace.paused and not watch.outcome:
-                    await self._state(watch, "paused")
+                if pace.paused or watch.outcome:
+                    await self._state(watch, watch.outcome or "paused")
             elif watch.real:
                 await self._news(watch)
             await self._rest(pace, watch, began)
