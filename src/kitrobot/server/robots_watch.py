@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from kitrobot.diagnostics import KitRobotError
 from kitrobot.mission import Mission
 from kitrobot.robots import Change, Happening, NotConnectedError, RecordedBoard, RobotsRun
 from kitrobot.server.replay import RunOfRecords
@@ -29,22 +28,21 @@ class RobotsWatch(RunOfRecords):
     real = True
 
     def __init__(self, robots: Mapping[str, RobotWorker], opened: OpenMission, changed: Callable[[], None]) -> None:
-        boards = []
+        boards, world = [], opened.world
         for name, worker in robots.items():
             known = worker.session.known
-            if known is None or known.carried is None:
+            if known is None or known.carried is None or world is None:
                 raise NotConnectedError(
                     "the robot has another program than the one that is open here", "send this one first"
                 )
             boards.append(RecordedBoard(name, known.names, known.carried))
-        if opened.world is None:
-            raise KitRobotError("the world of this mission is not there", "")
+        assert world is not None, "there is a robot"
         self._opened = opened
         self._changed = changed
         self._sessions = [worker.session for worker in robots.values()]
         self._robots_run = RobotsRun(boards, self._sessions, steered=list(robots.values()))
         try:
-            super().__init__(self._robots_run, opened.world, opened)
+            super().__init__(self._robots_run, world, opened)
         except BaseException:
             self._robots_run.close()
             raise
