@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from kitrobot.deploy import Fault, News
+from kitrobot.diagnostics import KitRobotError
 from kitrobot.robots import Known, RecordedBoard, RobotSession, RobotsRun
 from kitrobot.server.run_messages import RunEncoder
 from kitrobot.trace import AbilityError, RunSource, TickRecord
@@ -46,22 +47,28 @@ def made(tmp_path: Path) -> Run:
     return Run(tmp_path)
 
 
-def test_robots_are_a_source_that_can_be_forced_and_set_and_no_more(made: Run) -> None:
+def test_robots_are_a_source_that_can_be_forced_and_set_but_not_made_to_fail(made: Run) -> None:
     source: RunSource = made.run
-    assert source.abilities == {"force", "set"}
+    assert source.abilities == {"force", "set", "seek", "step"}
     source.force("b", "ButtonA", 1)
     source.set_variable("b", "Count", 7)
     assert made.twins[0].asked == []
     assert made.twins[1].asked == [("force", 1, 1), ("set", COUNT, 7)]
     assert [event.agent for event in source.events(10)] == [1, 1]
     for refused in (
-        lambda: source.seek(0, bool),
-        lambda: source.seek_back(bool, bool),
         lambda: source.fail("a", "fail"),
         lambda: source.force("c", "ButtonA", 1),
     ):
         with pytest.raises(AbilityError):
             refused()
+    for unknown in (
+        lambda: source.force("b", "Ear", 1),
+        lambda: source.set_variable("b", "Sum", 1),
+        lambda: source.set_variable("b", "Count", 2**29),
+        lambda: source.force("b", "ButtonA", -(2**40)),
+    ):
+        with pytest.raises(KitRobotError):
+            unknown()
     source.stop()
     assert made.twins[0].asked == ["stop"]
     assert (source.outcome, source.sentence) == ("stopped", "")
@@ -69,13 +76,15 @@ def test_robots_are_a_source_that_can_be_forced_and_set_and_no_more(made: Run) -
 
 def test_it_goes_on_with_the_clock_and_what_happens_is_of_the_tick_of_now(made: Run) -> None:
     made.clock.now += 0.5
-    assert made.run.advance(1) == 25
+    assert made.run.advance(1) == 1
+    assert (made.run.tick, made.run.latest) == (1, 25)
+    assert made.run.advance(1000) == 24
     made.hears(0, Fault(1, None, 3, ""))
     assert [event.tick for event in made.run.record().events] == [25]
     assert made.run.new_events(10) == (False, made.run.events(10))
     assert made.run.new_events(10) == (False, [])
     made.clock.now += 1
-    assert made.run.advance(1) == 50
+    assert made.run.advance(50) == 50
     assert made.run.record().events == []
     assert made.left == [(0, 25), (25, 75)]
     assert made.run.sentence == ""
@@ -96,3 +105,82 @@ def test_the_page_is_told_of_them_as_of_every_run(made: Run) -> None:
     assert told["agents"]["a"]["state"] == "running"
     again = encoder.news(made.run.record(), made.run.latest, *made.run.new_events(10))
     assert (again["agents"], again["events"]) == ({}, [])
+
+
+def counts(made: Run) -> int:
+    """What the variable `Count` of `a` is where the run stands."""
+    return int(made.run.record().values(made.run.header)["a"]["variable Count"])
+
+
+def test_what_was_heard_is_kept_and_the_robots_go_on_meanwhile(made: Run) -> None:
+    for number in range(1, 6):
+        made.clock.now += 1
+        made.hears(0, News(number, {COUNT: number}, {0: number % 2}))
+    assert made.run.advance(1000) == 250
+    assert counts(made) == 5
+    made.run.seek(120, bool)
+    assert (made.run.tick, made.run.latest, made.run.outcome, counts(made)) == (120, 250, None, 2)
+    assert made.run.active() == (((0, 0),), ())
+    made.clock.now += 1
+    made.hears(0, News(6, {COUNT: 6}, {}))
+    assert (made.run.tick, made.run.latest, counts(made)) == (120, 300, 2)
+    assert made.run.advance(30) == 30
+    assert counts(made) == 3
+    before = made.run.active()
+    made.run.seek_back(lambda: made.run.active() != before, bool)
+    assert (made.run.tick, counts(made)) == (149, 2)
+    made.run.seek_back(bool, bool)
+    assert (made.run.tick, counts(made)) == (0, 0)
+    made.run.seek(10**9, bool)
+    assert (made.run.tick, counts(made)) == (300, 6)
+
+
+def test_only_the_last_moments_are_kept(made: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("kitrobot.robots.run.MOST_KEPT", 10)
+    for number in range(1, 31):
+        made.clock.now += 1
+        made.hears(0, News(number, {COUNT: number}, {}))
+    made.run.seek(0, bool)
+    assert 1 <= 30 - counts(made) <= 11
+    assert made.run.tick == 50 * counts(made)
+    assert len(made.run.records()) <= 11
+
+
+def test_it_begins_anew_when_a_robot_is_started_while_none_runs(made: Run) -> None:
+    made.hears(0, News(1, {COUNT: 4}, {0: 0}))
+    made.clock.now += 1
+    made.sessions[0].start()
+    assert made.run.latest == 50, "the other one still runs"
+    for session in made.sessions:
+        session.stop()
+    made.clock.now += 60
+    made.sessions[0].poll(0)
+    assert (made.run.advance(10**6), made.run.latest, made.run.outcome) == (50, 50, "stopped")
+    made.run.new_events(10)
+    made.sessions[0].start()
+    assert (made.run.tick, made.run.latest, made.run.outcome) == (0, 0, None)
+    told = made.run.new_events(10)
+    assert (told.again, [event.text for event in told.events]) == (True, ["its program was started from here"])
+
+
+def test_a_lost_link_takes_its_time_and_another_program_is_none_of_the_run(made: Run) -> None:
+    made.clock.now += 1
+    made.sessions[1].stop()
+    made.sessions[0].lose("the link is lost")
+    assert made.run.advance(10**6) == 50
+    assert (made.run.outcome, made.run.sentence) == ("failed", "a: the link is lost")
+    made.clock.now += 1
+    twin = Twin()
+    made.sessions[0].open(twin, twin.hello, made.sessions[0].known)
+    assert (made.run.latest, made.run.outcome) == (100, None)
+    assert [event.text for event in made.run.events(10)][-2:] == ["the link is lost", "the link is back"]
+    other = Twin(program="87654321")
+    made.sessions[0].open(other, other.hello, None)
+    made.run.advance(10**6)
+    assert (made.run.outcome, made.run.record().active) == ("stopped", [(), ()])
+
+
+def test_who_closes_it_hears_nothing_any_more(made: Run) -> None:
+    made.run.close()
+    made.sessions[0].lose("the link is lost")
+    assert made.run.events(10) == []

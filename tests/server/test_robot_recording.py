@@ -46,11 +46,13 @@ def test_a_run_is_recorded_with_what_was_done_to_it_and_saved_on_the_way_and_aft
         page.board(state="ready")
         page.send("start", robot.address, held=True)
         page.board(state="running", held=True)
-        page.send("force", robot.address, sensor="ButtonA", value=1)
-        page.send("set", robot.address, variable="Count", value=500)
-        page.until("board", lambda said: said["values"].get("Count", 0) >= 510)
-        for vertex in ("v5", "v10"):
-            page.until("board", lambda said, at=vertex: said["active"] == [[0, at]])
+        with page.run(robot.address) as run:
+            name = robot.address.removeprefix("socket://")
+            run.send(type="force", agent=name, sensor="ButtonA", value=1)
+            run.send(type="set", agent=name, variable="Count", value=500)
+            run.report(lambda said: said["values"]["Count"] >= 510)
+            for vertex in ("v5", "v10"):
+                run.report(lambda said, at=vertex: said["active"] == [[0, at]])
         done = [
             ("outside", "its program was started from here", "person"),
             ("outside", "the sensor ButtonA is held at 1", "person"),
@@ -100,7 +102,9 @@ def test_a_lost_link_stands_in_the_recording(visit, robot, saved) -> None:  # no
         page.give("connect", robot.address)
         page.board(phase="open")
         page.send("start", robot.address, held=True)
-        page.until("board", lambda said: said["held"] and said["values"].get("Count", 0) > 0)
+        page.board(state="running", held=True)
+        with page.run(robot.address) as run:
+            run.report(lambda said: said["values"]["Count"] > 0)
         robot.pull()
         page.board(phase="lost", recorded=True)
         with saved(robot.address) as reader:
@@ -142,7 +146,9 @@ def test_a_robot_of_which_nothing_is_known_is_not_recorded(tmp_path) -> None:
 def test_the_socket_of_runs_plays_it(visit, robot, saved, app, tmp_path) -> None:  # noqa: F811
     with visit() as page:
         page.give("connect", robot.address)
-        page.until("board", lambda said: said["values"].get("Count", 0) > 0)
+        page.board(phase="open")
+        with page.run(robot.address) as run:
+            run.report(lambda said: said["values"]["Count"] > 0)
         saved(robot.address).close()
     client = TestClient(app, base_url=HOST, headers=HEADERS)
     opened = client.post("/api/trace?name=r.krtrace", content=(tmp_path / "saved.krtrace").read_bytes()).json()

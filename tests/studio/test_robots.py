@@ -16,6 +16,7 @@ from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import running
 from tests.studio.conftest import LOOKS, Studio
 from tests.studio.test_reach import AXE, choose, find_nothing
+from tests.studio.test_watching import another_window
 
 pytestmark = pytest.mark.browser
 
@@ -92,7 +93,6 @@ def test_a_robot_runs_glows_is_watched_and_stopped(pulse: OpenStudio, robots: Ca
     expect(studio.at("status")).to_contain_text("Running on a robot")
     expect(studio.page.locator(ACTIVE).first).to_be_visible()
     expect(studio.at("run-button")).to_be_disabled()
-    expect(studio.at("pause-button")).to_be_disabled()
     robot.get_by_test_id("robot-watch").click()
     value = studio.at("watch-Count").locator("input")
     expect(value).to_have_value(re.compile("^[1-9]"))
@@ -107,6 +107,76 @@ def test_a_robot_runs_glows_is_watched_and_stopped(pulse: OpenStudio, robots: Ca
     expect_robot(robot, state="ready")
     expect(studio.page.locator(ACTIVE)).to_have_count(0)
     expect(studio.at("status")).to_have_attribute("data-status", "stopped")
+
+
+def test_what_is_shown_is_paused_and_gone_back_in_and_follows_the_robot_again(
+    pulse: OpenStudio, robots: Callable[..., HostBoard]
+) -> None:
+    studio = pulse()
+    robot = connect(studio, robots())
+    run_anew(robot)
+    robot.get_by_test_id("robot-watch").click()
+    value = studio.at("watch-Count").locator("input")
+    expect(value).to_have_value(re.compile("^[4-9]"))
+    strip = studio.at("event-strip")
+    expect(strip).to_have_attribute("aria-disabled", "false")
+    expect(studio.at("behind-bar")).to_have_count(0)
+    studio.at("pause-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+    expect(studio.at("behind-bar")).to_contain_text("does not pause them")
+    expect_robot(robot, state="running")
+    before = int(strip.get_attribute("aria-valuemax") or 0)
+    strip.focus()
+    studio.page.keyboard.press("Home")
+    expect(value).to_have_value(re.compile("^[01]$"))
+    studio.at("step-vertex-button").click()
+    expect(strip).not_to_have_attribute("aria-valuenow", "0")
+    # It went on meanwhile, and the timeline with it.
+    expect(strip).not_to_have_attribute("aria-valuemax", str(before))
+    expect_robot(robot, state="running")
+    studio.at("follow").click()
+    expect(studio.at("behind-bar")).to_have_count(0)
+    expect(studio.at("status")).to_contain_text("Running on a robot")
+    expect(value).to_have_value(re.compile("^([4-9]|[1-9][0-9])"))
+
+
+def test_it_is_shown_as_it_was_at_a_breakpoint(pulse: OpenStudio, robots: Callable[..., HostBoard]) -> None:
+    studio = pulse()
+    robot = connect(studio, robots())
+    studio.page.locator(".vertex", has_text="Wait").last.click()
+    studio.page.keyboard.press("b")
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+    expect(studio.at("status")).to_contain_text("visit 1")
+    expect(studio.page.locator(ACTIVE).filter(has_text="Wait").last).to_be_visible()
+    expect(studio.at("behind-bar")).to_be_visible()
+    expect_robot(robot, state="running")
+    studio.at("team-stop").click()
+    expect_robot(robot, state="ready")
+
+
+def test_another_window_watches_what_the_robot_does(pulse: OpenStudio, robots: Callable[..., HostBoard]) -> None:
+    studio = pulse()
+    robot = connect(studio, robots())
+    run_anew(robot)
+    other = another_window(studio)
+    other.get_by_test_id("watch-run").click()
+    expect(other.get_by_test_id("watching-bar")).to_have_attribute("data-watching", "true")
+    expect(other.get_by_test_id("status")).to_contain_text("Running on a robot")
+    expect(other.locator(ACTIVE).first).to_be_visible()
+    expect(other.get_by_test_id("arena-real")).to_be_visible()
+    for control in ("pause-button", "step-back-button"):
+        expect(other.get_by_test_id(control)).to_be_disabled()
+    other.get_by_test_id("watch-button").click()
+    expect(other.get_by_test_id("watch-Count").locator("input")).to_be_disabled()
+    robot.get_by_test_id("robot-stop").click()
+    for page in (studio.page, other):
+        expect(page.get_by_test_id("status")).to_have_attribute("data-status", "stopped")
+    robot.get_by_test_id("robot-run").click()
+    for page in (studio.page, other):
+        expect(page.get_by_test_id("status")).to_have_attribute("data-status", "running")
+    robot.get_by_test_id("robot-disconnect").click()
+    expect(other.get_by_test_id("status")).to_have_attribute("data-status", "stopped")
+    expect(studio.at("status")).to_have_attribute("data-status", "idle")
 
 
 def test_keys_alone_run_and_stop_every_robot(pulse: OpenStudio, robots: Callable[..., HostBoard]) -> None:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from kitrobot.robots.records import RecordedBoard, header_of
+from kitrobot.robots.records import RecordedBoard, header_of, refuse_several_missions
 from kitrobot.robots.run import RobotsRun
 from kitrobot.robots.state import Change
 from kitrobot.text import Sentence, Word
@@ -34,6 +34,7 @@ class RobotRecorder:
     def __init__(
         self, path: Path, robots: Sequence[RecordedBoard], clock: Callable[[], float] = time.monotonic
     ) -> None:
+        refuse_several_missions(robots)
         self.path = path
         self.error: TraceError | None = None
         self._clock = clock

@@ -37,8 +37,8 @@ class RecordedBoard:
     carried: Carried
 
 
-def header_of(boards: Sequence[RecordedBoard]) -> TraceHeader:
-    """The header of a recording of these robots.
+def refuse_several_missions(boards: Sequence[RecordedBoard]) -> None:
+    """Whether these robots fit into one recording.
 
     Raises:
         NoRecordingError: they run programs of several missions.
@@ -49,6 +49,11 @@ def header_of(boards: Sequence[RecordedBoard]) -> TraceHeader:
             Sentence("the robots run programs of different missions, and a recording holds one mission"),
             Sentence("record them one by one, each into a file of its own"),
         )
+
+
+def header_of(boards: Sequence[RecordedBoard]) -> TraceHeader:
+    """The header of a run of these robots, with the mission of the first one."""
+    first = boards[0]
     columns = [Column(one.name, name) for one in boards for name in (*BEFORE, *one.carried.cells)] + [
         Column(TEAM, "collisions")
     ]

@@ -2,27 +2,34 @@
 
 The clock begins with the run, so several robots share one timeline, and silence takes its time. The robot's own count
 of ticks stands beside its numbers. Robots send only what changed, a few times a second, so a record holds what was
-heard last. Robots go on at their own pace: there is no way back, and no tick by tick.
+heard last. Robots go on at their own pace, whatever the run stands at: with sessions, what was heard is kept, and the
+run can stand at a moment of it. When a robot is started while none runs, the run begins anew.
 """
 
 from __future__ import annotations
 
 import threading
 import time
+from bisect import bisect_left, bisect_right
 from collections import deque
 from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
 from functools import partial
-from typing import NoReturn
+from typing import NamedTuple, Protocol
 
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.image import LARGEST_VALUE
 from kitrobot.robots.records import RecordedBoard, active_of, first_row, header_of, row_of, sentence_of
 from kitrobot.robots.session import RobotSession
-from kitrobot.robots.state import Change, RobotState
+from kitrobot.robots.state import Change, Happening, RobotState
 from kitrobot.text import Recorded, Sentence
 from kitrobot.trace import Ability, AbilityError, NewEvents, Threads, TickRecord, TraceCommand, TraceEvent, TraceHeader
 
 LONGEST_TEXT = 500
 MOST_EVENTS = 5000
 """Events that are kept; the oldest go first."""
+MOST_KEPT = 50_000
+"""Moments that are kept, about half a kilobyte each; the oldest go first. One robot has ten of them a second."""
 
 Left = Callable[[TickRecord, int], None]
 """Is given the record of a tick that is over, and the tick that follows it: the numbers hold up to that."""
@@ -32,12 +39,44 @@ def _ignored(record: TickRecord, following: int) -> None:
     """Nobody wants to know."""
 
 
-class RobotsRun:
-    """A run of real robots. `sessions` are theirs, in the same order; without them nothing can be done to the run. Safe
-    to use from many threads.
+class Steered(Protocol):
+    """What robots are asked through: a `RobotSession` in its own thread, or what passes requests on to that thread."""
 
-    Raises:
-        NoRecordingError: they run programs of several missions.
+    def force(self, sensor: str, value: int | None) -> None: ...
+
+    def set_variable(self, variable: str, value: int) -> None: ...
+
+    def stop(self) -> None: ...
+
+
+class _Moment(NamedTuple):
+    """All robots as they stand at a tick and until the next moment."""
+
+    tick: int
+    rows: tuple[list[int], ...]
+    active: tuple[Threads, ...]
+    commands: list[TraceCommand]
+    events: list[TraceEvent]
+
+    def record(self, tick: int) -> TickRecord:
+        """As the record of a tick."""
+        happened = tick == self.tick
+        return TickRecord(
+            tick,
+            [*(number for row in self.rows for number in row), 0],
+            list(self.active),
+            [*self.commands] if happened else [],
+            [*self.events] if happened else [],
+        )
+
+
+def _tick_of(moment: _Moment) -> int:
+    return moment.tick
+
+
+class RobotsRun:
+    """A run of real robots. `sessions` are theirs, in the same order, and `steered` what they are asked through (the
+    sessions, where nothing is given); without them nothing can be done to the run. Safe to use from many threads.
     """
 
     def __init__(
@@ -46,69 +85,106 @@ class RobotsRun:
         sessions: Sequence[RobotSession] = (),
         clock: Callable[[], float] = time.monotonic,
         left: Left = _ignored,
+        steered: Sequence[Steered] = (),
     ) -> None:
         self.lock = threading.RLock()
         """Guards the run; whoever reads more than one thing of it takes it."""
         self.header: TraceHeader = header_of(robots)
         self._robots = tuple(robots)
-        self.abilities: frozenset[Ability] = frozenset({"force", "set"} if sessions else ())
-        self._sessions = {robot.name: session for robot, session in zip(robots, sessions, strict=False)}
+        self.abilities: frozenset[Ability] = frozenset({"force", "set", "seek", "step"} if sessions else ())
+        self._steered = {
+            robot.name: (robot, session, through)
+            for robot, session, through in zip(robots, sessions, steered or sessions, strict=False)
+        }
         self._clock = clock
         self._left = left
         self._states = [RobotState()] * len(robots)
         self._rows = [first_row(one) for one in robots]
         self._active: list[Threads] = [()] * len(robots)
-        self._commands: list[TraceCommand] = []
-        self._events: list[TraceEvent] = []
-        """Of the tick that it stands at."""
         self._past: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
         self._untold: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
         self._wrong: dict[int, str] = {}
         """Why robots go on no more, the first one first."""
-        self._tick = 0
-        self._began = clock()
-        for number, session in enumerate(sessions):
-            session.subscribe(partial(self.robot_changed, number))
+        self._begin()
+        self._again = False
+        self._subscribed = [(one, partial(self._heard, number)) for number, one in enumerate(sessions)]
+        with self.lock:
+            for session, heard in self._subscribed:
+                session.subscribe(heard)
+                heard(Change(Happening.LOOKED, session.state))
+
+    def _begin(self) -> None:
+        self._began = self._clock()
+        self._tick = self._at = 0
+        """The newest tick, and that which it stands at."""
+        self._commands: list[TraceCommand] = []
+        self._events: list[TraceEvent] = []
+        """Of the newest tick."""
+        self._kept: list[_Moment] = []
+        self._past.clear()
+        self._untold.clear()
+        self._again = True
+
+    def _heard(self, number: int, change: Change) -> None:
+        """Takes a change as a session says it. A robot that has another program meanwhile stands still in this run."""
+        with self.lock:
+            was, state = self._states[number], change.state
+            if change.happening is Happening.QUIET:
+                return
+            if was.installed not in ("", state.installed):
+                change = Change(change.happening, replace(was, doing="ready", threads={}, fault=None, lost=""))
+            elif change.happening is Happening.STARTED and not self._is_running():
+                self._begin()
+            if self._is_running() or any(one.lost for one in self._states):
+                self._go_to_now()
+            self._take(number, change)
 
     def robot_changed(self, number: int, change: Change) -> None:
         """Takes a change of a robot, known by its place in the run; sessions that were given do this by themselves."""
         with self.lock:
-            self.advance(0)
-            robot, state = self._robots[number], change.state
-            self._states[number] = state
-            self._rows[number] = row_of(robot, state)
-            self._active[number] = active_of(state)
-            sentence = sentence_of(robot, state)
-            if sentence:
-                self._wrong[number] = sentence
-            else:
-                self._wrong.pop(number, None)
-            self._commands += [TraceCommand(number, *command) for command in change.commands]
-            happened = [
-                TraceEvent(self._tick, event.kind, number, event.text[:LONGEST_TEXT], event.cause)
-                for event in change.events
-            ]
-            self._events += happened
-            self._past += happened
-            self._untold += happened
+            self._go_to_now()
+            self._take(number, change)
+
+    def _take(self, number: int, change: Change) -> None:
+        robot, state = self._robots[number], change.state
+        self._states[number] = state
+        self._rows[number] = row_of(robot, state)
+        self._active[number] = active_of(state)
+        sentence = sentence_of(robot, state)
+        if sentence:
+            self._wrong[number] = sentence
+        else:
+            self._wrong.pop(number, None)
+        self._commands += [TraceCommand(number, *command) for command in change.commands]
+        happened = [
+            TraceEvent(self._tick, event.kind, number, event.text[:LONGEST_TEXT], event.cause)
+            for event in change.events
+        ]
+        self._events += happened
+        self._past += happened
+        self._untold += happened
 
     # -- where it stands
 
     @property
     def tick(self) -> int:
-        """The tick of the clock that it was brought to last."""
-        return self._tick
+        """The tick that it stands at."""
+        return self._at
 
     @property
     def latest(self) -> int:
-        """The same."""
-        return self._tick
+        """The tick of the clock, while a robot runs."""
+        with self.lock:
+            self._listen()
+            return self._tick
 
     @property
     def outcome(self) -> str | None:
         """How it ended, while no robot runs."""
-        running = any(state.doing == "running" and not state.lost for state in self._states)
-        return None if running else self.ending[0]
+        return None if self._at < self._tick or self._is_running() else self.ending[0]
+
+    def _is_running(self) -> bool:
+        return any(state.doing == "running" and not state.lost for state in self._states)
 
     @property
     def sentence(self) -> str:
@@ -128,15 +204,28 @@ class RobotsRun:
             return "done", Recorded("the program of each robot has ended")
         return "stopped", ""
 
+    def _now(self) -> _Moment:
+        return _Moment(self._tick, tuple(self._rows), tuple(self._active), self._commands, self._events)
+
+    def _moment(self) -> _Moment:
+        if self._at >= self._tick or not self._kept:
+            return self._now()
+        return self._kept[max(0, bisect_right(self._kept, self._at, key=_tick_of) - 1)]
+
     def record(self, in_full: Collection[int] | None = None) -> TickRecord:
-        """What was heard last, with what happened in this tick."""
+        """What was heard last up to the tick that it stands at, with what happened in that tick."""
         with self.lock:
-            numbers = [number for row in self._rows for number in row]
-            return TickRecord(self._tick, [*numbers, 0], list(self._active), [*self._commands], [*self._events])
+            return self._moment().record(self._at)
+
+    def records(self) -> list[TickRecord]:
+        """All that is kept of its past, and where it is now."""
+        with self.lock:
+            return [one.record(one.tick) for one in (*self._kept, self._now())]
 
     def active(self) -> Sequence[Threads]:
         """Where the threads of each robot stand."""
-        return list(self._active)
+        with self.lock:
+            return self._moment().active
 
     def events(self, most: int) -> Sequence[TraceEvent]:
         """The last events."""
@@ -144,68 +233,109 @@ class RobotsRun:
             return list(self._past)[-most:]
 
     def new_events(self, most: int) -> NewEvents:
-        """The events since this was called last."""
+        """The events since this was called last; all of them when the run began anew."""
         with self.lock:
+            again, self._again = self._again, False
             happened = list(self._untold)[-most:]
             self._untold.clear()
-            return NewEvents(False, happened)
+            return NewEvents(again, happened)
 
-    # -- going on
+    # -- going on and back
 
     def advance(self, ticks: int) -> int:
-        """Goes to the tick of the clock, however many that are."""
+        """Goes on by up to so many ticks, but not beyond the clock's."""
         with self.lock:
-            return self._go_to(int((self._clock() - self._began) * 1000 / self.header.tick_ms))
+            self._listen()
+            before, self._at = self._at, min(self._at + ticks, self._tick)
+            return self._at - before
 
     def end_tick(self) -> None:
         """Goes to the tick of the clock and ends that one too: what comes next belongs to the following one."""
         with self.lock:
-            self.advance(0)
+            self._go_to_now()
             self._go_to(self._tick + 1)
 
-    def _go_to(self, tick: int) -> int:
-        gone = max(0, tick - self._tick)
-        if gone:
-            self._left(self.record(), tick)
-            self._commands, self._events = [], []
-            self._tick = tick
-        return gone
+    def _listen(self) -> None:
+        """Goes to the tick of the clock, while a robot runs. Silence is over when something is heard."""
+        if self._is_running():
+            self._go_to_now()
+
+    def _go_to_now(self) -> None:
+        self._go_to(int((self._clock() - self._began) * 1000 / self.header.tick_ms))
+
+    def _go_to(self, tick: int) -> None:
+        if tick <= self._tick:
+            return
+        now = self._now()
+        self._left(now.record(self._tick), tick)
+        if not self._steered:
+            self._at = tick
+        elif not self._kept or now.commands or now.events or self._kept[-1][1:3] != now[1:3]:
+            self._kept.append(now)
+            if len(self._kept) > MOST_KEPT:
+                del self._kept[: MOST_KEPT // 10]
+        self._commands, self._events = [], []
+        self._tick = tick
 
     def seek(self, tick: int, stop: Callable[[], bool]) -> None:
-        """Cannot be done."""
-        self._refuse()
+        """Goes to a tick up to the latest, or to the first one that is kept."""
+        with self.lock:
+            first = self._kept[0].tick if self._kept else self._tick
+            self._at = min(max(tick, first), self._tick)
 
     def seek_back(self, wanted: Callable[[], bool], stop: Callable[[], bool]) -> None:
-        """Cannot be done."""
-        self._refuse()
+        """As `RunSource.seek_back`."""
+        with self.lock:
+            end = self._at
+            for moment in reversed(self._kept[: bisect_left(self._kept, end, key=_tick_of)]):
+                self._at, end = end - 1, moment.tick
+                if wanted() or stop():
+                    return
+            self.seek(0, stop)
 
     # -- from outside
 
     def force(self, agent: str, sensor: str, value: int | None) -> None:
-        """As `RobotSession.force`; in the thread of the session."""
-        self._session(agent).force(sensor, value)
+        """As `RobotSession.force`; what it is asked through decides in which thread.
+
+        Raises:
+            KitRobotError: there is no such robot or sensor, or the value is none for a robot.
+        """
+        robot, _, through = self._known(agent, value)
+        robot.names.input(sensor)
+        through.force(sensor, value)
 
     def set_variable(self, agent: str, variable: str, value: int) -> None:
-        """As `RobotSession.set_variable`; in the thread of the session."""
-        self._session(agent).set_variable(variable, value)
+        """As `RobotSession.set_variable`; what it is asked through decides in which thread.
 
-    def _session(self, agent: str) -> RobotSession:
-        if agent not in self._sessions:
+        Raises:
+            KitRobotError: there is no such robot or variable, or the value is none for a robot.
+        """
+        robot, _, through = self._known(agent, value)
+        robot.names.variable(variable)
+        through.set_variable(variable, value)
+
+    def _known(self, agent: str, value: int | None) -> tuple[RecordedBoard, RobotSession, Steered]:
+        if agent not in self._steered:
             raise AbilityError(Sentence("nobody talks with this robot"), Sentence("connect it first"))
-        return self._sessions[agent]
+        if value is not None and abs(value) > LARGEST_VALUE:
+            raise KitRobotError(
+                Sentence("a robot has no room for the number {value}", value),
+                Sentence("the largest one is {largest}", LARGEST_VALUE),
+            )
+        return self._steered[agent]
 
     def fail(self, agent: str, kind: str) -> None:
         """Cannot be done."""
-        self._refuse()
-
-    def _refuse(self) -> NoReturn:
         raise AbilityError(Sentence("these are real robots: that can only be done in the simulator"))
 
     def stop(self) -> None:
-        """Stops every robot that there is a link to; in the thread of their sessions."""
-        for session in self._sessions.values():
+        """Stops every robot that there is a link to."""
+        for _, session, through in self._steered.values():
             if session.is_open:
-                session.stop()
+                through.stop()
 
     def close(self) -> None:
-        """Nothing is held: the sessions are their owners'."""
+        """Hears nothing any more; the sessions are their owners'."""
+        for session, heard in self._subscribed:
+            session.unsubscribe(heard)

@@ -64,7 +64,11 @@ class RobotSession:
 
     def subscribe(self, subscriber: Subscriber) -> None:
         """Is told of each change from now on."""
-        self._subscribers.append(subscriber)
+        self._subscribers = [*self._subscribers, subscriber]
+
+    def unsubscribe(self, subscriber: Subscriber) -> None:
+        """Is told no more; this and `subscribe` may come from any thread."""
+        self._subscribers = [one for one in self._subscribers if one != subscriber]
 
     # -- the link
 

@@ -8,7 +8,6 @@ elsewhere is refused, unless the studio was started for that.
 from __future__ import annotations
 
 import asyncio
-import ipaddress
 import logging
 import os
 import shutil
@@ -18,23 +17,20 @@ from fastapi import APIRouter, Query, Request, WebSocket
 from fastapi.responses import FileResponse
 from pydantic import ValidationError
 from starlette.background import BackgroundTask
-from starlette.requests import HTTPConnection
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.robot_registry import AddressError, RobotRegistry, Subscriber
-from kitrobot.server.routing import studio_of
+from kitrobot.server.routing import refuse_visitors, studio_of
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     BOARD_REQUEST,
     BoardCancelRequest,
     BoardConnectRequest,
-    BoardForceRequest,
     BoardForgetRequest,
     BoardIdentifyRequest,
     BoardRefusedMessage,
     BoardRequest,
     BoardSendRequest,
-    BoardSetRequest,
     BoardsLookRequest,
     BoardStartRequest,
     BoardStopRequest,
@@ -57,14 +53,10 @@ async def boards(socket: WebSocket) -> None:
     """Serves one page until it goes away."""
     await socket.accept()
     studio = studio_of(socket)
-    if not (studio.boards_for_visitors or _is_here(socket)):
-        message = BoardRefusedMessage(
-            address="",
-            message=Sentence("the robots are plugged into another machine"),
-            help=Sentence("use them there"),
-            problems=[],
-        )
-        await socket.send_text(message.model_dump_json())
+    try:
+        refuse_visitors(socket)
+    except AddressError as error:
+        await socket.send_text(_refusal("", error).model_dump_json())
         await socket.close(1008)
         return
     await BoardSession(socket, studio, studio.boards).serve()
@@ -74,8 +66,7 @@ async def boards(socket: WebSocket) -> None:
 async def board_trace(request: Request, address: Annotated[str, Query(max_length=200)]) -> FileResponse:
     """What a robot did in its last run, or does in the one that is on, as a recording."""
     studio = studio_of(request)
-    if not (studio.boards_for_visitors or _is_here(request)):
-        raise AddressError(Sentence("the robots are plugged into another machine"), Sentence("use them there"))
+    refuse_visitors(request)
     recorder = studio.boards.recorder(address)
     path = await asyncio.to_thread(studio.recordings.new_file, f"robot{ENDING}")
     try:
@@ -87,13 +78,13 @@ async def board_trace(request: Request, address: Annotated[str, Query(max_length
     return FileResponse(path, media_type="application/octet-stream", background=gone)
 
 
-def _is_here(connection: HTTPConnection) -> bool:
-    """Whether the page is on this machine."""
-    host = connection.client.host if connection.client is not None else ""
-    try:
-        return ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        return False
+def _refusal(address: str, error: KitRobotError) -> BoardRefusedMessage:
+    return BoardRefusedMessage(
+        address=address,
+        message=error.message,
+        help=error.help,
+        problems=problem_shapes(error.diagnostics),
+    )
 
 
 class BoardSession:
@@ -137,14 +128,7 @@ class BoardSession:
             )
 
     def _refuse(self, subscriber: Subscriber, address: str, error: KitRobotError) -> None:
-        subscriber.tell(
-            BoardRefusedMessage(
-                address=address,
-                message=error.message,
-                help=error.help,
-                problems=problem_shapes(error.diagnostics),
-            )
-        )
+        subscriber.tell(_refusal(address, error))
 
     async def _do(self, subscriber: Subscriber, request: BoardRequest) -> None:
         room = self._room
@@ -158,26 +142,22 @@ class BoardSession:
                 except KitRobotError:
                     # A program with a mistake is on no robot; the robot can be greeted all the same.
                     _log.debug("greeted without a program", exc_info=True)
-                (await room.session(subscriber, request.address)).connect(program)
+                (await room.session(subscriber.name, request.address)).connect(program)
             case BoardSendRequest():
                 program = await asyncio.to_thread(self._program, request)
-                (await room.session(subscriber, request.address)).send(
+                (await room.session(subscriber.name, request.address)).send(
                     program, request.then, request.replace, request.fresh
                 )
             case BoardStopRequest():
                 room.stop(request.address)
             case BoardCancelRequest():
-                room.taken(subscriber, request.address).cancel()
+                room.taken(subscriber.name, request.address).cancel()
             case BoardStartRequest():
-                room.taken(subscriber, request.address).start(request.held)
+                room.taken(subscriber.name, request.address).start(request.held)
             case BoardIdentifyRequest():
-                room.taken(subscriber, request.address).identify()
-            case BoardForceRequest():
-                room.taken(subscriber, request.address).force(request.sensor, request.value)
-            case BoardSetRequest():
-                room.taken(subscriber, request.address).set_variable(request.variable, request.value)
+                room.taken(subscriber.name, request.address).identify()
             case BoardForgetRequest():
-                await room.forget(room.taken(subscriber, request.address))
+                await room.forget(room.taken(subscriber.name, request.address))
 
     def _program(self, request: BoardConnectRequest | BoardSendRequest) -> BoardProgram:
         from kitrobot.workspace import board_program

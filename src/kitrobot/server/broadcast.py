@@ -97,7 +97,7 @@ class Watcher:
 
     def begin(self, started: StartedMessage) -> None:
         """The first thing it is told."""
-        self._started = started.model_copy(update={"watching": True, "another": self._another})
+        self._started = started.model_copy(update={"watching": True, "abilities": [], "another": self._another})
         self._due.set()
 
     def tell(self, telling: Telling) -> None:

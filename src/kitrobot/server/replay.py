@@ -1,6 +1,6 @@
-"""A recording for the page: steered and told like a run that is on, from the records of its file.
+"""Runs that are told from records: a recording for the page, steered and told like a run that is on.
 
-It pauses at breakpoints as far as the records show who came where (recorded_agents).
+They pause at breakpoints as far as the records show who came where (recorded_agents).
 """
 
 from __future__ import annotations
@@ -14,30 +14,23 @@ from kitrobot.mission import Breakpoint
 from kitrobot.server.recorded_agents import recorded_agents, testable
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.text import Sentence
-from kitrobot.trace import RecordingSource
+from kitrobot.trace import RecordingSource, RunSource
 from kitrobot.workspace import OpenMission, OpenTrace
+from kitrobot.world import World
 
 
 class ReplayError(KitRobotError):
     """Something that cannot be done to a recording."""
 
 
-class Replay(WatchedRun):
-    """Plays one recording. It closes the file when it is closed. `opened` is its mission with its robots, which
-    breakpoints need; what is open where it is played came with it.
+class RunOfRecords(WatchedRun):
+    """A run of which nothing but its records is known; breakpoints need `opened`, its mission with its robots."""
 
-    Raises:
-        TraceError: the recording is damaged.
-    """
-
-    recording = True
-
-    def __init__(self, trace: OpenTrace, opened: OpenMission | None = None) -> None:
-        self._reader = trace.reader
+    def __init__(self, source: RunSource, world: World, opened: OpenMission | None) -> None:
         self._robots = {} if opened is None else opened.catalogue.robots
         programs = {} if opened is None else opened.compiled
-        self._recorded = recorded_agents(trace.reader.header, self._robots, programs)
-        super().__init__(RecordingSource(self._reader), trace.world, self._recorded)
+        self._recorded = recorded_agents(source.header, self._robots, programs)
+        super().__init__(source, world, self._recorded)
 
     def _observe(self) -> None:
         record = self._source.record()
@@ -60,6 +53,20 @@ class Replay(WatchedRun):
                 ),
                 Sentence("the recording pauses there at every visit"),
             )
+
+
+class Replay(RunOfRecords):
+    """Plays one recording. It closes the file when it is closed. What is open where it is played came with it.
+
+    Raises:
+        TraceError: the recording is damaged.
+    """
+
+    recording = True
+
+    def __init__(self, trace: OpenTrace, opened: OpenMission | None = None) -> None:
+        self._reader = trace.reader
+        super().__init__(RecordingSource(self._reader), trace.world, opened)
 
     def record_to(self, path: Path) -> None:
         """Copies the recording."""

@@ -15,6 +15,7 @@ import contextlib
 import itertools
 import logging
 from collections import deque
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Protocol
 
 from fastapi import WebSocketDisconnect
@@ -201,7 +202,7 @@ class RobotRegistry:
 
     # -- robots
 
-    async def session(self, subscriber: Subscriber, address: str) -> RobotWorker:
+    async def session(self, holder: str, address: str) -> RobotWorker:
         """The session of that page on the robot at an address, taken now if nobody has it.
 
         Raises:
@@ -213,7 +214,7 @@ class RobotRegistry:
             await asyncio.to_thread(found.wait, CLOSE_WITHIN_S)
             self._let_go(found)
         if found is not None:
-            return self._mine(subscriber, found)
+            return _mine(holder, found)
         if len(self._sessions) >= MOST_BOARDS:
             raise BoardsError(
                 Sentence("this studio talks with {most} robots already", MOST_BOARDS),
@@ -227,7 +228,7 @@ class RobotRegistry:
             with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
                 loop.call_soon_threadsafe(self._changed, address)
 
-        session = self._sessions[address] = RobotWorker(address, name, subscriber.name, self._links, changed)
+        session = self._sessions[address] = RobotWorker(address, name, holder, self._links, changed)
         self._changed(address)
         return session
 
@@ -245,15 +246,7 @@ class RobotRegistry:
             )
         return _shown(address, known[address])
 
-    def _mine(self, subscriber: Subscriber, session: RobotWorker) -> RobotWorker:
-        if session.holder != subscriber.name:
-            raise HeldError(
-                Sentence("another page of this studio has `{robot}`", session.name),
-                Sentence("disconnect it there; to stop it, press STOP here"),
-            )
-        return session
-
-    def taken(self, subscriber: Subscriber, address: str) -> RobotWorker:
+    def taken(self, holder: str, address: str) -> RobotWorker:
         """The session that this page has on a robot already.
 
         Raises:
@@ -262,7 +255,18 @@ class RobotRegistry:
         found = self._sessions.get(address)
         if found is None:
             raise AddressError(Sentence("nobody talks with this robot"), Sentence("connect it first"))
-        return self._mine(subscriber, found)
+        return _mine(holder, found)
+
+    def together(self, holder: str, addresses: Iterable[str]) -> dict[str, RobotWorker]:
+        """Sessions that this page has, by names that tell robots apart that are called alike.
+
+        Raises:
+            KitRobotError: it has none on one of them.
+        """
+        sessions = [self.taken(holder, address) for address in dict.fromkeys(addresses)]
+        names = [one.name for one in sessions]
+        shown = (f" {names[: at + 1].count(name)}" if names.count(name) > 1 else "" for at, name in enumerate(names))
+        return {one.name + number: one for one, number in zip(sessions, shown, strict=True)}
 
     def recorder(self, address: str) -> LastRun:
         """The recording of a robot that some page talks with.
@@ -290,6 +294,7 @@ class RobotRegistry:
     def _let_go(self, session: RobotWorker) -> None:
         if self._sessions.get(session.address) is session:
             del self._sessions[session.address]
+            self._texts = {key: kept for key, kept in self._texts.items() if key[0] != session.address}
         self._changed(session.address)
 
     def _changed(self, address: str) -> None:
@@ -300,7 +305,6 @@ class RobotRegistry:
         """A robot as it stands, or that nobody talks with it, encoded in the language of who asks."""
         session, language = self._sessions.get(address), said_in()
         if session is None:
-            self._texts = {key: kept for key, kept in self._texts.items() if key[0] != address}
             return BoardGoneMessage(address=address).model_dump_json()
         version, kept = self._texts.get((address, language), (-1, ""))
         if version != session.standing.version:
@@ -308,6 +312,15 @@ class RobotRegistry:
             kept = session.message().model_dump_json()
             self._texts[address, language] = (version, kept)
         return kept
+
+
+def _mine(holder: str, session: RobotWorker) -> RobotWorker:
+    if session.holder != holder:
+        raise HeldError(
+            Sentence("another page of this studio has `{robot}`", session.name),
+            Sentence("disconnect it there; to stop it, press STOP here"),
+        )
+    return session
 
 
 def _shown(address: str, name: str) -> str:

@@ -91,9 +91,9 @@ class RobotWorker:
         self._wake = threading.Condition()
         self._stopping = self._closing = self._cancelled = False
         self.standing = Standing()
-        self._session = RobotSession(clock)
-        self.recorder = LastRun(name, self._session)
-        self._session.subscribe(self._robot_changed)
+        self.session = RobotSession(clock)
+        self.recorder = LastRun(name, self.session)
+        self.session.subscribe(self._robot_changed)
         self._thread = threading.Thread(target=self._serve, name=f"board-{address}", daemon=True)
         self._thread.start()
 
@@ -127,15 +127,15 @@ class RobotWorker:
 
     def identify(self) -> None:
         """Lets it show which one it is."""
-        self._order(lambda: self._session.link.identify())
+        self._order(lambda: self.session.link.identify())
 
     def force(self, sensor: str, value: int | None) -> None:
         """Puts a value in the place of what a sensor measures; None gives the sensor back."""
-        self._order(lambda: self._session.force(sensor, value))
+        self._order(lambda: self.session.force(sensor, value))
 
     def set_variable(self, variable: str, value: int) -> None:
         """Sets a variable."""
-        self._order(lambda: self._session.set_variable(variable, value))
+        self._order(lambda: self.session.set_variable(variable, value))
 
     @property
     def closing(self) -> bool:
@@ -171,21 +171,21 @@ class RobotWorker:
                 self._attempt(self._stop)
             elif order is not None:
                 self._attempt(order)
-            elif self._session.is_open and not self._closing:
+            elif self.session.is_open and not self._closing:
                 self._attempt(self._listen)
-        state = self._session.state
+        state = self.session.state
         if state.held and state.doing == "running":
             self._attempt(self._stop)
         for sensor in state.forced:
-            self._attempt(lambda name=sensor: self._session.force(name, None))  # type: ignore[misc]
-        self._session.close()
+            self._attempt(lambda name=sensor: self.session.force(name, None))  # type: ignore[misc]
+        self.session.close()
         self.recorder.close()
         self._say(phase="closed")
 
     def _next(self) -> Order | None:
         """What is to be done now; waits for it while there is no robot to listen to."""
         with self._wake:
-            while not (self._orders or self._stopping or self._closing or self._session.is_open):
+            while not (self._orders or self._stopping or self._closing or self.session.is_open):
                 self._wake.wait()
             return self._orders.popleft() if self._orders and not self._stopping else None
 
@@ -194,7 +194,7 @@ class RobotWorker:
         try:
             work()
         except KitRobotError as error:
-            if self._session.is_open and self._links.is_lost(error):
+            if self.session.is_open and self._links.is_lost(error):
                 self._lose()
             else:
                 self._say(message=error.message, help=_way_out(error))
@@ -205,14 +205,14 @@ class RobotWorker:
             self._lose()
 
     def _lose(self) -> None:
-        state = self._session.state
+        state = self.session.state
         if state.doing != "running":
             message = Recorded("the link to `{robot}` is lost", self.name)
         elif state.held:
             message = Recorded("the link to `{robot}` is lost: its motors stop within one second", self.name)
         else:
             message = Recorded("the link to `{robot}` is lost; it runs on by itself", self.name)
-        self._session.lose(message)
+        self.session.lose(message)
         self._say(
             phase="lost", progress=None, message=message, help=Sentence("look at its cable, then press Reconnect")
         )
@@ -220,12 +220,12 @@ class RobotWorker:
     # -- the orders
 
     def _connect(self, program: BoardProgram | None) -> None:
-        self._session.close()
+        self.session.close()
         self._say(phase="connecting", message="", help="", way="", progress=None)
         try:
             self._greet(program)
         except (KitRobotError, OSError) as error:
-            self._session.close()
+            self.session.close()
             said = error if isinstance(error, KitRobotError) else _no_answer(self.name)
             self._say(phase="closed", message=said.message, help=_way_out(said))
 
@@ -237,14 +237,14 @@ class RobotWorker:
             link.close()
             raise
         known = program.known if program is not None and program.is_called(hello.program) else None
-        self._session.open(link, hello, known)
+        self.session.open(link, hello, known)
         self._say(phase="open")
         if known is not None:
-            self._session.watch(WATCH_MS)
+            self.session.watch(WATCH_MS)
 
     def _send(self, program: BoardProgram, then: str, replace: bool, fresh: bool) -> None:
-        self._session.close()
-        self._session.replaced()
+        self.session.close()
+        self.session.replaced()
         self._say(phase="sending", message="", help="", way="")
         try:
             self._links.deploy(self.address, program, self._progress, replace, fresh)
@@ -254,7 +254,7 @@ class RobotWorker:
             self._say(phase="closed", progress=None, message=Sentence("the sending was broken off"), help=_KEPT)
             return
         except (KitRobotError, OSError) as error:
-            self._session.close()
+            self.session.close()
             said = error if isinstance(error, KitRobotError) else _no_answer(self.name)
             way = self._links.way(said)
             self._say(phase="closed", progress=None, message=said.message, help=_way_out(said), way=way)
@@ -273,17 +273,17 @@ class RobotWorker:
             self._say(progress=BoardProgressShape(step=step, done=done, total=total))
 
     def _start(self, held: bool) -> None:
-        self._session.start(held)
+        self.session.start(held)
         self._say(message="", help="")
 
     def _stop(self) -> None:
-        if self._session.is_open:
-            self._session.stop()
+        if self.session.is_open:
+            self.session.stop()
 
     # -- what the robot says
 
     def _listen(self) -> None:
-        self._session.poll(LISTEN_S)
+        self.session.poll(LISTEN_S)
         error = self.recorder.error()
         if error is not None:
             self._say(message=error.message, help=Sentence("what was recorded before can be saved"))
@@ -300,9 +300,11 @@ class RobotWorker:
     # -- telling
 
     def _say(self, **changes: Any) -> None:
-        session, recorded = self._session, self.recorder.is_there
+        session, recorded = self.session, self.recorder.is_there
         names = session.known.names if session.known is not None else None
-        now = replace(self.standing, robot=session.state, names=names, recorded=recorded, **changes)
+        # What its program does changes all the time, and is told as a run.
+        state = replace(session.state, tick=0, late=0, threads={}, cells={}, forced={})
+        now = replace(self.standing, robot=state, names=names, recorded=recorded, **changes)
         if now == self.standing:
             return
         self.standing = replace(now, version=self.standing.version + 1)
@@ -311,8 +313,6 @@ class RobotWorker:
     def message(self) -> BoardMessage:
         """What pages are told."""
         now, state, names = self.standing, self.standing.robot, self.standing.names
-        values, inputs = names.named(state.cells) if names is not None else ({}, {})
-        places = ((slot, names.vertex(at)) for slot, at in sorted(state.threads.items())) if names is not None else ()
         return BoardMessage(
             address=self.address,
             name=self.name,
@@ -321,18 +321,10 @@ class RobotWorker:
             state=state.doing,
             held=state.held and now.phase != "closed",
             free=state.free,
-            tick=state.tick,
-            seconds=state.tick * names.tick_ms / 1000 if names is not None else 0.0,
             generation=state.generation,
             package=state.package,
             installed=state.installed,
             program=names.program if names is not None else "",
-            robot=names.robot if names is not None else "",
-            active=[(slot, vertex) for slot, vertex in places if vertex is not None],
-            values=values,
-            # A robot tells nothing of a sensor that its program does not use.
-            inputs={**inputs, **state.forced},
-            forced=sorted(state.forced),
             progress=now.progress,
             fault=_fault_shape(state.fault, names) if state.fault is not None else None,
             message=now.message,

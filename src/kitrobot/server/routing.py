@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import ipaddress
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends
 from starlette.requests import HTTPConnection
 
 from kitrobot.server.json_bodies import JsonRoute
+from kitrobot.server.robot_registry import AddressError
 from kitrobot.server.shapes import FailureShape
 from kitrobot.server.studio import Studio
+from kitrobot.text import Sentence
 
 FAILURES: dict[int | str, dict[str, Any]] = {
     "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
@@ -26,6 +29,21 @@ def studio_of(connection: HTTPConnection) -> Studio:
     studio = connection.app.state.studio
     assert isinstance(studio, Studio)
     return studio
+
+
+def refuse_visitors(connection: HTTPConnection) -> None:
+    """Ports belong to who sits at this machine, unless the studio was started for others too.
+
+    Raises:
+        AddressError: the page is on another machine.
+    """
+    host = connection.client.host if connection.client is not None else ""
+    try:
+        here = ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        here = False
+    if not (here or studio_of(connection).boards_for_visitors):
+        raise AddressError(Sentence("the robots are plugged into another machine"), Sentence("use them there"))
 
 
 ThisStudio = Annotated[Studio, Depends(studio_of)]

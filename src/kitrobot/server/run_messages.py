@@ -17,7 +17,7 @@ from typing import Any
 from kitrobot.server.shapes import EVENT_CAUSES, EVENT_KINDS, StartedAgentShape, StartedMessage, world_shape
 from kitrobot.sim import DOING
 from kitrobot.text import Sentence
-from kitrobot.trace import POSE_WORDS, PROGRAM, TEAM, Threads, TickRecord, TraceError, TraceEvent, TraceHeader
+from kitrobot.trace import POSE_WORDS, PROGRAM, TEAM, Ability, Threads, TickRecord, TraceError, TraceEvent, TraceHeader
 from kitrobot.world import World
 
 MOST_EVENTS_TOLD = 5000
@@ -116,7 +116,9 @@ class RunEncoder:
         """The places in the team of those whose values are told."""
         return self._looked_at if len(self._agents) > MOST_REPORTED else range(len(self._agents))
 
-    def started(self, run: str, world: World, first: TickRecord, recording: bool) -> StartedMessage:
+    def started(
+        self, run: str, world: World, first: TickRecord, abilities: Iterable[Ability], recording: bool
+    ) -> StartedMessage:
         """The first message; `first` is the first record there is."""
         header = self._header
         return StartedMessage(
@@ -137,6 +139,7 @@ class RunEncoder:
             ],
             stock=self.stock(first),
             total=header.total,
+            abilities=sorted(abilities),
             recording=recording,
             fail_rate=header.fail_rate,
         )

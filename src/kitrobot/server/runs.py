@@ -5,6 +5,7 @@ a second: so many ticks as the pace asks for, computed in a thread so that nobod
 one binary frame with the poses and one JSON message with the rest. Requests are read meanwhile; they change the pace
 or set a flag and wake the task, so they take hold at its next round. A request that is not understood is answered
 with a sentence, one that comes too late (a pause after the end) is passed over.
+Real robots go on at their own pace: only what is shown of them is paused, and they are watched until the socket closes.
 
 Other pages may watch a run (broadcast). A socket steers a run of its own or watches another's: who watches steers
 nothing, not even STOP, and when the page that steers is gone its run ends for all of them.
@@ -23,15 +24,15 @@ from typing import Any
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, ValidationError
 
-from kitrobot.diagnostics import KitRobotError, ProblemsError
+from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber, Telling
-from kitrobot.server.live_run import LiveRun
 from kitrobot.server.realtime_clock import Pace, speed_of
-from kitrobot.server.replay import Replay
 from kitrobot.server.routing import studio_of
+from kitrobot.server.run_sources import run_of
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     REQUEST,
+    Beginning,
     ErrorMessage,
     LookRequest,
     PauseRequest,
@@ -39,7 +40,6 @@ from kitrobot.server.shapes import (
     ReplayRequest,
     ResumeRequest,
     SpeedRequest,
-    StartRequest,
     StateMessage,
     Steering,
     StepRequest,
@@ -52,7 +52,6 @@ from kitrobot.server.steering import Job, goes_back, job_of
 from kitrobot.server.studio import Studio
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.text import Sentence
-from kitrobot.workspace import RunOptions
 
 LARGEST_MESSAGE_BYTES = 16 * 1024 * 1024
 MOST_RUNS = 8
@@ -136,7 +135,7 @@ class Session:
             wrong = not_understood(error)
             await self._fail(wrong.message, wrong.help)
             return
-        if isinstance(request, StartRequest | ReplayRequest):
+        if isinstance(request, Beginning):
             await self._start(request)
         elif isinstance(request, WatchRequest):
             await self._sit_down(request)
@@ -149,7 +148,7 @@ class Session:
         elif self._task is not None and not self._task.done():
             self._steer(request)
 
-    async def _start(self, request: StartRequest | ReplayRequest) -> None:
+    async def _start(self, request: Beginning) -> None:
         if self._task is not None and not self._task.done():
             if self._counts:
                 await self._fail(Sentence("a run is on already"), Sentence("stop it first"))
@@ -199,7 +198,7 @@ class Session:
             await subscriber.leave()
 
     def _steer(self, request: Steering) -> None:
-        if isinstance(request, StopRequest):
+        if isinstance(request, StopRequest) and not (self._watch is not None and self._watch.real):
             self._stopping = True
         elif self._pace is None or self._watch is None:
             self._early.append(request)
@@ -230,15 +229,17 @@ class Session:
     def _is_stopping(self) -> bool:
         return self._stopping
 
-    async def _whole_run(self, request: StartRequest | ReplayRequest) -> None:
+    async def _whole_run(self, request: Beginning) -> None:
         try:
-            watch = await asyncio.to_thread(self._prepare, request)
+            watch = await run_of(request, self._socket, self._wake.set)
             if isinstance(watch, ProblemsMessage):
                 await self._tell(watch)
-            elif self._stopping:
+                return
+            self._watch = watch
+            if self._stopping:
                 await self._state(watch, "stopped")
             else:
-                path = request.path if isinstance(request, StartRequest) else ""
+                path = "" if isinstance(request, ReplayRequest) else request.path
                 self._broadcast = Broadcast(path, watch.mission, self._wake.set)
                 await self._drive(watch, Pace(watch.tick_s, self._clock, speed_of(request.speed)), self._broadcast)
         except KitRobotError as error:
@@ -278,19 +279,9 @@ class Session:
         self._studio.runs += counts - self._counts
         self._counts = counts
 
-    def _prepare(self, request: StartRequest | ReplayRequest) -> WatchedRun | ProblemsMessage:
-        if isinstance(request, ReplayRequest):
-            trace = self._studio.recordings.open(request.recording)
-            return Replay(trace, self._studio.recorded(trace, request.recording))
-        opened = self._studio.open(mission_from_shape(request.mission), request.path)
-        try:
-            return LiveRun(opened.prepare(RunOptions(request.seed, fail_rate=request.fail_rate)))
-        except ProblemsError as error:
-            return ProblemsMessage(problems=problem_shapes(error.diagnostics))
-
     async def _drive(self, watch: WatchedRun, pace: Pace, broadcast: Broadcast) -> None:
         """Goes round until the run is stopped. At its end it stands still, and can be taken back from there."""
-        self._watch, self._pace, self._name = watch, pace, f"run-{next(_numbers)}"
+        self._pace, self._name = pace, f"run-{next(_numbers)}"
         self._studio.watches[self._name] = watch
         self._studio.broadcasts[self._name] = broadcast
         for request in self._early:
@@ -311,7 +302,9 @@ class Session:
                 await self._news(watch)
             self._attend(watch, broadcast)
             broadcast.on = not watch.outcome
-            if watch.outcome:
+            if pace.paused:
+                watch.hold()
+            if watch.outcome and not watch.real:
                 await self._state(watch, watch.outcome)
                 pace.set_paused(True, watch.tick)
                 self._count(False)
@@ -320,8 +313,8 @@ class Session:
                     self._jobs = []
                     await self._no_place()
                 continue
-            await self._state(watch, "paused" if pace.paused else "running")
-            due = pace.due(watch.tick)
+            await self._state(watch, watch.outcome or ("paused" if pace.paused else "running"))
+            due = None if watch.follows else pace.due(watch.tick)
             if pace.paused:
                 due, self._steps = self._steps, 0
             if due != 0:
@@ -329,8 +322,10 @@ class Session:
                 if watch.hits:
                     pace.set_paused(True, watch.tick)
                 await self._news(watch)
-                if pace.paused and not watch.outcome:
-                    await self._state(watch, "paused")
+                if pace.paused or watch.outcome:
+                    await self._state(watch, watch.outcome or "paused")
+            elif watch.real:
+                await self._news(watch)
             await self._rest(pace, watch, began)
 
     def _attend(self, watch: WatchedRun, broadcast: Broadcast) -> None:
@@ -357,6 +352,11 @@ class Session:
     async def _rest(self, pace: Pace, watch: WatchedRun, began: float) -> None:
         """Until the next tick is due, but not before the next frame may be sent; a request ends it at once."""
         until_due = pace.wait_s(watch.tick)
+        if watch.real:
+            await asyncio.sleep(max(began + FRAME_S - self._clock(), 0))
+            if pace.paused or watch.outcome:
+                await self._wake.wait()
+            return
         if self._steps or self._jobs or self._stopping or watch.outcome:
             return
         if until_due is None:

@@ -8,10 +8,12 @@ from kitrobot.server.shapes import (
     BreakpointsRequest,
     ForceRequest,
     HarmRequest,
+    ResumeRequest,
     SeekRequest,
     SetRequest,
     Steering,
     StepRequest,
+    StopRequest,
     breakpoint_from_shape,
 )
 from kitrobot.server.watched_run import WatchedRun
@@ -30,6 +32,10 @@ def job_of(request: Steering, watch: WatchedRun, stop: Callable[[], bool]) -> Jo
             return lambda: watch.step_back(request.agent, stop)
         case StepRequest():
             return lambda: watch.step(request.agent, stop)
+        case ResumeRequest(latest=True):
+            return watch.follow
+        case StopRequest():
+            return watch.stop
         case SeekRequest():
             return lambda: watch.seek(request.tick, stop)
         case ForceRequest():

@@ -33,6 +33,10 @@ class WatchedRun(ABC):
     """
 
     recording = False
+    real = False
+    """Whether real robots run: they go on whether this is gone on with or not, and their run never ends for good."""
+    follows = False
+    """Whether it goes on to the latest tick each time, and not by the pace."""
 
     def __init__(
         self, source: RunSource, world: World, agents: Sequence[Observed], breakpoints: Iterable[Breakpoint] = ()
@@ -112,6 +116,14 @@ class WatchedRun(ABC):
         self._source.seek(tick, stop)
         self._went()
 
+    def follow(self) -> None:
+        """Goes to the latest tick."""
+        self.seek(self._source.latest, lambda: False)
+
+    def hold(self) -> None:
+        """It is not gone on with for a while; what real robots do meanwhile is for later."""
+        self.follows = False
+
     def step(self, agent: str, stop: Callable[[], bool]) -> None:
         """Goes on until the agent ("" for anybody) stands at another vertex, or somebody comes to a breakpoint."""
         before = self._standing(agent)
@@ -173,7 +185,7 @@ class WatchedRun(ABC):
 
     def started(self, run: str) -> StartedMessage:
         """The first message."""
-        return self._encoder.started(run, self._world, self._source.record(), self.recording)
+        return self._encoder.started(run, self._world, self._source.record(), self._source.abilities, self.recording)
 
     def tell(self) -> tuple[bytes, dict[str, Any]]:
         """All poses, as `RunEncoder.frame` gives them, and what changed since the last time, in the shape of a

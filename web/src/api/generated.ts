@@ -88,14 +88,6 @@ export interface BoardFault {
   tick: number;
 }
 
-/** Put a value in the place of what a sensor measures; null gives the sensor back. */
-export interface BoardForceRequest {
-  type: "force";
-  address: string;
-  sensor: string;
-  value: number | null;
-}
-
 /** Let go of the robot; one that is held stops. */
 export interface BoardForgetRequest {
   type: "forget";
@@ -116,7 +108,7 @@ export interface BoardIdentifyRequest {
 
 /**
  * A robot as it stands. `package` and `installed` name what is on it; `program` is the name of that in the mission, ""
- * when it is not what the page sent or has open. Values and vertices are told only then.
+ * when it is not what the page sent or has open. What its program does is told as a run (`RobotsRequest`).
  */
 export interface BoardMessage {
   type: "board";
@@ -127,17 +119,10 @@ export interface BoardMessage {
   state: "none" | "ready" | "running" | "ended" | "fault";
   held: boolean;
   free: number;
-  tick: number;
-  seconds: number;
   generation: number;
   package: string;
   installed: string;
   program: string;
-  robot: string;
-  active: [number, string][];
-  values: Record<string, number>;
-  inputs: Record<string, number>;
-  forced: string[];
   progress: BoardProgress | null;
   fault: BoardFault | null;
   message: string;
@@ -185,14 +170,6 @@ export interface BoardSendRequest {
   then: "held" | "free" | "ready";
   replace?: boolean;
   fresh?: boolean;
-}
-
-/** Set a variable. */
-export interface BoardSetRequest {
-  type: "set";
-  address: string;
-  variable: string;
-  value: number;
 }
 
 /** Begin the program that is on the robot: held (it stops when this page goes away), or free. */
@@ -917,9 +894,10 @@ export interface Report {
   problems: Problem[];
 }
 
-/** Go on. */
+/** Go on; with `latest` from the latest tick, which with real robots is now. */
 export interface ResumeRequest {
   type: "resume";
+  latest?: boolean;
 }
 
 /** A road as the line along its middle. */
@@ -957,6 +935,19 @@ export interface RobotObject {
   max: number;
   initial: number;
   shared: boolean;
+}
+
+/**
+ * Watch and steer real robots that this page holds; `holder` is its name among those with robots, and `mission` is what
+ * the programs of the robots are of. They run whatever is asked for; what is shown of them can be paused.
+ */
+export interface RobotsRequest {
+  type: "robots";
+  mission: Mission;
+  path: string;
+  holder: string;
+  addresses: string[];
+  speed: number;
 }
 
 /** Something worth a mark on the timeline. */
@@ -1118,8 +1109,8 @@ export interface StartedAgent {
 }
 
 /**
- * The run is on, or a recording of one. `watching`: another page steers it; `another`: what runs there is not the
- * mission that this page has open.
+ * The run is on, or a recording of one. `abilities`: what can be done to it here. `watching`: another page steers it;
+ * `another`: what runs there is not the mission that this page has open.
  */
 export interface StartedMessage {
   type: "started";
@@ -1130,6 +1121,7 @@ export interface StartedMessage {
   agents: StartedAgent[];
   stock: Record<string, number>;
   total: number;
+  abilities: ("force" | "set" | "seek" | "fail" | "step")[];
   recording: boolean;
   fail_rate: number;
   watching: boolean;
@@ -1317,6 +1309,7 @@ export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsM
 export type RunRequest =
   | StartRequest
   | ReplayRequest
+  | RobotsRequest
   | WatchRequest
   | PauseRequest
   | ResumeRequest

@@ -4,7 +4,7 @@
  * Lengths in mm, angles in radians, x to the right, y up, heading 0 along +x and counter-clockwise. Poses come as binary
  * frames (see `decodeFrame`), everything else as JSON with a `type`.
  */
-import type { AgentReport, HarmRequest, RunEvent, StateMessage } from "./generated";
+import type { AgentReport, HarmRequest, RunEvent, StartedMessage, StateMessage } from "./generated";
 
 export type {
   AgentReport,
@@ -18,6 +18,8 @@ export type {
   Storehouse,
 } from "./generated";
 
+/** What can be done to a run. */
+export type Ability = StartedMessage["abilities"][number];
 export type AgentActivity = AgentReport["state"];
 /** What a run says of itself; `end` is where a recording ends whose run was still on. */
 export type RunStage = StateMessage["status"];

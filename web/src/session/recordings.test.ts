@@ -26,6 +26,7 @@ const STARTED: StartedMessage = {
   agents: [],
   stock: {},
   total: 0,
+  abilities: ["seek", "step"],
   recording: true,
   fail_rate: 0.25,
   watching: false,

@@ -1,6 +1,7 @@
 /** What the page knows of a run, and what can be asked of it. */
+import type { RobotsRequest } from "../api/generated";
 import type { Failure } from "../api/socket";
-import type { AgentReport, Harm, Hit, RunEvent, StartedAgent } from "../api/wire";
+import type { Ability, AgentReport, Harm, Hit, RunEvent, StartedAgent } from "../api/wire";
 import type { Breakpoint, Mission, Problem, World } from "../model/types";
 
 export type RunStatus =
@@ -39,9 +40,11 @@ export interface RunState {
   problems: Problem[];
   /** The server's name for it; empty without a run. */
   name: string;
-  /** Whether it is a recording: then nothing can be done to it. */
+  /** What can be done to it here. */
+  abilities: readonly Ability[];
+  /** Whether it is a recording. */
   recording: boolean;
-  /** Whether real robots run: they go on at their own pace, and never back. */
+  /** Whether real robots run: they go on at their own pace, whatever is shown of them. */
   real: boolean;
   /** Whether another page steers it. */
   watching: boolean;
@@ -50,10 +53,14 @@ export interface RunState {
   start: (what: { mission: Mission; path: string }) => void;
   /** Plays a recording that was opened, of this mission. */
   replay: (what: { mission: Mission; recording: string; breakpoints: Breakpoint[] }) => void;
+  /** Watches and steers real robots that this page, by its name among those with robots, holds. */
+  robots: (what: Pick<RobotsRequest, "path" | "holder" | "addresses"> & { mission: Mission }) => void;
   /** Watches a run of this mission that another page steers. */
   watch: (what: { mission: Mission; run: string }) => void;
   pause: () => void;
   resume: () => void;
+  /** Goes on from the latest tick: with real robots that is now. */
+  follow: () => void;
   stop: () => void;
   /** One tick, or until the agent (anybody where it is empty) stands at another vertex; back pauses the run. */
   step: (by?: "tick" | "vertex", back?: boolean, agent?: string) => void;

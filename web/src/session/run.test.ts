@@ -4,7 +4,7 @@ import type { StartedMessage } from "../api/generated";
 import type { AgentReport, RunMessage } from "../api/wire";
 import { renderHook } from "../testing/hooks";
 import { clearFrames, posesAt, pushFrame } from "./poses";
-import { applyMessage, canGoBack, canInterfere, useActiveVertices, useRun, watchedAgent } from "./run";
+import { applyMessage, can, canGoBack, useActiveVertices, useRun, watchedAgent } from "./run";
 
 const report = (active: [number, string][], inputs: Record<string, number> = {}): AgentReport => ({
   active,
@@ -45,6 +45,7 @@ const STARTED: StartedMessage = {
   agents: [agent("c-1", "carrier", 1), agent("c-2", "carrier", 2), agent("l", "loader", 3)],
   stock: { A: 12 },
   total: 12,
+  abilities: ["fail", "force", "seek", "set", "step"],
   recording: false,
   fail_rate: 0,
   watching: false,
@@ -156,16 +157,16 @@ describe("a run in its past", () => {
 });
 
 describe("a run that another page steers", () => {
-  const WATCHED: StartedMessage = { ...STARTED, watching: true, another: true, fail_rate: 0.1 };
+  const WATCHED: StartedMessage = { ...STARTED, abilities: [], watching: true, another: true, fail_rate: 0.1 };
 
   it("is watched: it shows everything, and nothing can be done to it", () => {
     hear(WATCHED);
     hear({ type: "state", status: "paused", tick: 3, seconds: 0.06, sentence: "", hits: [], problems: [] });
     const run = useRun.getState();
     expect([run.watching, run.another, run.status, run.seed, run.failRate]).toEqual([true, true, "paused", 3, 0.1]);
-    expect(canInterfere(run)).toBe(false);
+    expect(can("force", run)).toBe(false);
     hear(STARTED);
-    expect([useRun.getState().watching, canInterfere(useRun.getState())]).toEqual([false, true]);
+    expect([useRun.getState().watching, can("force", useRun.getState())]).toEqual([false, true]);
   });
 
   it("is left with STOP, which shows the mission's own world again", () => {
@@ -180,6 +181,28 @@ describe("a run that another page steers", () => {
     hear({ type: "error", message: "Gone.", help: "", ended: true });
     const { watching, status, error } = useRun.getState();
     expect([watching, status, error?.message]).toEqual([false, "stopped", "Gone."]);
+  });
+});
+
+describe("a run of real robots", () => {
+  const REAL: StartedMessage = {
+    ...STARTED,
+    agents: STARTED.agents.map((one) => ({ ...one, placed: false })),
+    abilities: ["force", "seek", "set", "step"],
+  };
+
+  it("is steered as far as robots can be, also when they stand still", () => {
+    useRun.setState({ seed: 5 });
+    hear(REAL);
+    expect([useRun.getState().real, useRun.getState().seed]).toEqual([true, 5]);
+    expect((["force", "seek", "fail"] as const).map((one) => can(one, useRun.getState()))).toEqual([true, true, false]);
+    hear({ type: "state", status: "stopped", tick: 3, seconds: 0.06, sentence: "", hits: [], problems: [] });
+    expect(can("seek", useRun.getState())).toBe(true);
+  });
+
+  it("is not meant by a recording of them", () => {
+    hear({ ...REAL, recording: true, abilities: ["seek", "step"] });
+    expect(useRun.getState().real).toBe(false);
   });
 });
 

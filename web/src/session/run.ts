@@ -3,8 +3,8 @@
  *
  * One run at a time. Agents are in the server's order, the order of the binary pose frames too; an agent's `active` keeps
  * its identity while the same vertices are active, so that a canvas redraws only when something changed. Poses are not
- * here but in `poses.ts`. Real robots are shown as a run too (`showReal`). The mission that runs is the one that was given
- * to `start`; later edits do not reach it.
+ * here but in `poses.ts`. Recordings and real robots come as runs too, which differ in what can be done to them. The mission
+ * that runs is the one that was given to `start`; later edits do not reach it.
  *
  * A run that another page steers can be watched: then nothing here steers it, and STOP ends the watching.
  */
@@ -12,7 +12,8 @@ import { useMemo } from "react";
 import { create } from "zustand";
 
 import { openRunSocket, type RunSocket } from "../api/socket";
-import type { AgentReport, Hit, RunEvent, RunMessage, RunRequest, StartedAgent } from "../api/wire";
+import type { Ability, AgentReport, Hit, RunEvent, RunMessage, RunRequest, StartedAgent } from "../api/wire";
+import { useStudio } from "../model/studio";
 import type { Mission, Problem } from "../model/types";
 import { clearFrames, pushFrame } from "./poses";
 import type { RunAgent, RunState, RunStatus } from "./run-state";
@@ -40,6 +41,7 @@ const NOTHING = {
   problems: [] as Problem[],
   mission: null as Mission | null,
   name: "",
+  abilities: [] as readonly Ability[],
   recording: false,
   watching: false,
   another: false,
@@ -85,7 +87,9 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
         ...NOTHING,
         mission: state.mission,
         name: String(message.run),
+        abilities: message.abilities,
         recording: message.recording,
+        real: !message.recording && areReal(message.agents),
         watching: message.watching,
         another: message.another,
         failRate: message.fail_rate,
@@ -146,9 +150,9 @@ export function canGoBack(status: RunStatus): boolean {
   return status === "running" || status === "paused" || isEnded(status);
 }
 
-/** Whether the person here may do something to what runs. */
-export function canInterfere({ status, recording, watching }: RunState): boolean {
-  return canGoBack(status) && !recording && !watching;
+/** Whether that can be done to the run now; to real robots also when they were stopped. */
+export function can(ability: Ability, { status, abilities, real }: RunState): boolean {
+  return abilities.includes(ability) && (canGoBack(status) || (real && status === "stopped"));
 }
 
 /** Whether it stands at its end. */
@@ -195,18 +199,7 @@ function hangUp(): void {
   socket = null;
 }
 
-/** Shows real robots as the run, in the place of what was on; `line` takes what is asked of them. */
-export function showReal(line: RunSocket, run: Partial<RunState>): void {
-  if (!useRun.getState().real) {
-    hangUp();
-    clearFrames();
-    useRun.setState(NOTHING);
-    socket = line;
-  }
-  useRun.setState({ ...run, real: true });
-}
-
-/** Begins a run, or plays a recording, in the place of what was on. */
+/** Begins a run, plays a recording, or watches robots, in the place of what was on. */
 function connect(mission: Mission, ...requests: RunRequest[]): void {
   hangUp();
   clearFrames();
@@ -253,6 +246,10 @@ export const useRun = create<RunState>((set, get) => ({
     const { seed, speed, failRate } = get();
     connect(mission, { type: "start", mission, path, seed, speed, fail_rate: failRate });
   },
+  robots: ({ mission, ...robots }) => {
+    const { breakpoints = [] } = useStudio.getState().mission;
+    connect(mission, { type: "robots", mission, speed: get().speed, ...robots }, { type: "breakpoints", breakpoints });
+  },
   watch: ({ mission, run }) => connect(mission, { type: "watch", run, mission }),
   replay: ({ mission, recording, breakpoints }) =>
     connect(
@@ -266,6 +263,7 @@ export const useRun = create<RunState>((set, get) => ({
   resume: () => {
     if (get().status === "paused") steer({ type: "resume" });
   },
+  follow: () => steer({ type: "resume", latest: true }),
   stop: () => {
     if (get().watching) {
       get().reset();
@@ -281,10 +279,10 @@ export const useRun = create<RunState>((set, get) => ({
   },
   step: (by = "tick", back = false, agent = "") => {
     const { status, tick } = get();
-    if (back ? tick > 0 && canGoBack(status) : status === "paused") steer({ type: "step", by, back, agent });
+    if (back ? tick > 0 && can("seek", get()) : status === "paused") steer({ type: "step", by, back, agent });
   },
   seek: (tick) => {
-    if (!canGoBack(get().status) || get().watching) return;
+    if (!can("seek", get())) return;
     wanted = Math.round(tick);
     if (!seeking) sendSeek();
   },

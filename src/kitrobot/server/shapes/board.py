@@ -17,8 +17,6 @@ from kitrobot.server.shapes.problem import ProblemShape
 Address = Annotated[str, Field(min_length=1, max_length=200)]
 """A serial port, or a URL for the network: `socket://host:port`."""
 Name = Annotated[str, Field(max_length=200)]
-Value = Annotated[int, Field(ge=-(2**29 - 1), le=2**29 - 1)]
-"""What a cell of the smallest board holds."""
 
 
 class BoardsLookRequest(BaseModel):
@@ -85,24 +83,6 @@ class BoardIdentifyRequest(BaseModel):
     address: Address
 
 
-class BoardForceRequest(BaseModel):
-    """Put a value in the place of what a sensor measures; null gives the sensor back."""
-
-    type: Literal["force"]
-    address: Address
-    sensor: Name
-    value: Value | None
-
-
-class BoardSetRequest(BaseModel):
-    """Set a variable."""
-
-    type: Literal["set"]
-    address: Address
-    variable: Name
-    value: Value
-
-
 class BoardForgetRequest(BaseModel):
     """Let go of the robot; one that is held stops."""
 
@@ -118,8 +98,6 @@ BOARD_REQUEST_MODELS: tuple[type[BaseModel], ...] = (
     BoardStartRequest,
     BoardStopRequest,
     BoardIdentifyRequest,
-    BoardForceRequest,
-    BoardSetRequest,
     BoardForgetRequest,
 )
 BoardRequest = Annotated[
@@ -130,8 +108,6 @@ BoardRequest = Annotated[
     | BoardStartRequest
     | BoardStopRequest
     | BoardIdentifyRequest
-    | BoardForceRequest
-    | BoardSetRequest
     | BoardForgetRequest,
     Field(discriminator="type"),
 ]
@@ -196,7 +172,7 @@ BoardState = Literal["none", "ready", "running", "ended", "fault"]
 
 class BoardMessage(_Message):
     """A robot as it stands. `package` and `installed` name what is on it; `program` is the name of that in the
-    mission, "" when it is not what the page sent or has open. Values and vertices are told only then.
+    mission, "" when it is not what the page sent or has open. What its program does is told as a run (`RobotsRequest`).
     """
 
     type: Literal["board"] = "board"
@@ -208,17 +184,10 @@ class BoardMessage(_Message):
     state: BoardState
     held: bool
     free: int
-    tick: int
-    seconds: float
     generation: int
     package: str
     installed: str
     program: str
-    robot: str
-    active: list[tuple[int, str]]
-    values: dict[str, int]
-    inputs: dict[str, int]
-    forced: list[str]
     progress: BoardProgressShape | None
     fault: BoardFaultShape | None
     message: Spoken

@@ -11,16 +11,20 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from kitrobot.server.realtime_clock import FASTEST
 from kitrobot.server.sentences import Spoken
+from kitrobot.server.shapes.board import Address, Name
 from kitrobot.server.shapes.mission import MOST_AGENTS, BreakpointShape, MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.values import HitValue
 from kitrobot.server.shapes.world import WorldShape
+from kitrobot.trace import Ability
 
 Speed = Annotated[float, Field(ge=0, le=FASTEST, allow_inf_nan=False)]
 """Times real time; 0 is as fast as it goes."""
 
 MOST_LOOKED_AT = 200
 """Agents that a page looks at closely at a time."""
+MOST_ADDRESSES = 32
+"""Real robots that are watched as one run."""
 
 
 class StartRequest(BaseModel):
@@ -44,6 +48,19 @@ class ReplayRequest(BaseModel):
     speed: Speed
 
 
+class RobotsRequest(BaseModel):
+    """Watch and steer real robots that this page holds; `holder` is its name among those with robots, and `mission` is
+    what the programs of the robots are of. They run whatever is asked for; what is shown of them can be paused.
+    """
+
+    type: Literal["robots"]
+    mission: MissionShape
+    path: str
+    holder: Name
+    addresses: Annotated[list[Address], Field(min_length=1, max_length=MOST_ADDRESSES)]
+    speed: Speed
+
+
 class WatchRequest(BaseModel):
     """Watch a run that another page steers; `run` is its name, `mission` what this page has open."""
 
@@ -59,9 +76,10 @@ class PauseRequest(BaseModel):
 
 
 class ResumeRequest(BaseModel):
-    """Go on."""
+    """Go on; with `latest` from the latest tick, which with real robots is now."""
 
     type: Literal["resume"]
+    latest: bool = False
 
 
 class StepRequest(BaseModel):
@@ -148,8 +166,11 @@ Steering = (
 )
 """What can be asked of a run that is on."""
 
-RunRequest = Annotated[StartRequest | ReplayRequest | WatchRequest | Steering, Field(discriminator="type")]
-REQUEST: TypeAdapter[StartRequest | ReplayRequest | WatchRequest | Steering] = TypeAdapter(RunRequest)
+Beginning = StartRequest | ReplayRequest | RobotsRequest
+"""What begins a run of this page."""
+
+RunRequest = Annotated[Beginning | WatchRequest | Steering, Field(discriminator="type")]
+REQUEST: TypeAdapter[Beginning | WatchRequest | Steering] = TypeAdapter(RunRequest)
 
 
 class StartedAgentShape(BaseModel):
@@ -170,8 +191,8 @@ class _Message(BaseModel):
 
 
 class StartedMessage(_Message):
-    """The run is on, or a recording of one. `watching`: another page steers it; `another`: what runs there is not the
-    mission that this page has open.
+    """The run is on, or a recording of one. `abilities`: what can be done to it here. `watching`: another page steers
+    it; `another`: what runs there is not the mission that this page has open.
     """
 
     type: Literal["started"] = "started"
@@ -182,6 +203,7 @@ class StartedMessage(_Message):
     agents: list[StartedAgentShape]
     stock: dict[str, int]
     total: int
+    abilities: list[Ability]
     recording: bool = False
     fail_rate: float = 0.0
     watching: bool = False
@@ -275,6 +297,7 @@ RunMessage = Annotated[
 REQUEST_MODELS: tuple[type[BaseModel], ...] = (
     StartRequest,
     ReplayRequest,
+    RobotsRequest,
     WatchRequest,
     PauseRequest,
     ResumeRequest,

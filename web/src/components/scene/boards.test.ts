@@ -156,7 +156,7 @@ describe("a hand on a key", () => {
   beforeEach(() => {
     force.mockClear();
     useHands.setState({ held: [] });
-    useRun.setState({ status: "running", name: "r", tick: 10, recording: false, watching: false, force, ...feels({}) });
+    useRun.setState({ status: "running", name: "r", tick: 10, abilities: ["force"], force, ...feels({}) });
   });
   const held = () => useHands.getState().held;
 
@@ -207,9 +207,9 @@ describe("a hand on a key", () => {
   });
 
   it("can do nothing to a recording, to a run of somebody else, to one that is over, and without one", () => {
-    const states = [{ recording: true }, { watching: true }, { status: "idle" as const }, { status: "done" as const }];
+    const states = [{ abilities: [] }, { status: "idle" as const }, { status: "done" as const }];
     for (const state of states) {
-      useRun.setState({ status: "running", recording: false, watching: false, ...state });
+      useRun.setState({ status: "running", abilities: ["force"], ...state });
       expect(press("b", "A")).toBe(false);
     }
     expect(force).not.toHaveBeenCalled();

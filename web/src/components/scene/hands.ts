@@ -7,7 +7,7 @@
  */
 import { create } from "zustand";
 
-import { canInterfere, isLive, useRun } from "../../session/run";
+import { can, isLive, useRun } from "../../session/run";
 
 interface Hold {
   agent: string;
@@ -40,7 +40,7 @@ export function isHeld(held: readonly Hold[], agent: string, sensor: string): bo
 /** Presses a key; false where nobody may. */
 export function press(agent: string, sensor: string): boolean {
   const run = useRun.getState();
-  if (!canInterfere(run) || !isLive(run.status)) return false;
+  if (!can("force", run) || !isLive(run.status)) return false;
   const { held } = useHands.getState();
   if (isHeld(held, agent, sensor)) {
     useHands.setState({ held: held.map((hold) => (is(hold, agent, sensor) ? { ...hold, let: false } : hold)) });

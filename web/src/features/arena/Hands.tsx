@@ -3,7 +3,7 @@ import "./hands.css";
 
 import { useState } from "react";
 
-import { canInterfere, isLive, useRun } from "../../session/run";
+import { can, isLive, useRun } from "../../session/run";
 import { t } from "../../i18n/words";
 import type { HandKey, Slider } from "../../components/scene/boards";
 import { isHeld, press, release, useHands } from "../../components/scene/hands";
@@ -15,7 +15,7 @@ interface HandsProps {
 }
 
 export function Hands({ agent, keys, sliders }: HandsProps) {
-  const live = useRun((run) => canInterfere(run) && isLive(run.status));
+  const live = useRun((run) => can("force", run) && isLive(run.status));
   return (
     <div className="arena-hands" role="group" aria-label={t("arena.hands", { name: agent })} data-testid="hands">
       {keys.map((key) => (

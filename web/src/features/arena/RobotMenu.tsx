@@ -4,7 +4,7 @@ import { useState } from "react";
 import { FAILED, MUTED, STALLED } from "../../api/wire";
 import { t } from "../../i18n/words";
 import { posesAt } from "../../session/poses";
-import { canInterfere, useRun } from "../../session/run";
+import { can, useRun } from "../../session/run";
 import { FloatingMenu } from "../../ui/FloatingMenu";
 import { type MenuEntry, menuItem } from "../../ui/menu-model";
 import { follow, harm, useRobots } from "./robots";
@@ -18,7 +18,7 @@ export function RobotMenu({ onClosed }: { onClosed: () => void }) {
 /** What can be done to a robot as it is now. */
 export function entriesOf(name: string): MenuEntry[] {
   const run = useRun.getState();
-  const on = canInterfere(run);
+  const on = can("fail", run);
   const index = run.agents.findIndex((agent) => agent.name === name);
   const flags = posesAt(0, false)?.poses[index]?.flags ?? 0;
   const isDown = (flags & (FAILED | STALLED)) !== 0;

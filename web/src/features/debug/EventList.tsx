@@ -10,7 +10,7 @@ import type { RunEvent } from "../../api/wire";
 import { clock } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
-import { canGoBack, useRun } from "../../session/run";
+import { can, useRun } from "../../session/run";
 
 export const SHOWN = 100;
 
@@ -32,7 +32,7 @@ export function EventList() {
   const events = useRun((run) => run.events);
   const tick = useRun((run) => run.tick);
   const tickMs = useRun((run) => run.tickMs);
-  const goes = useRun((run) => canGoBack(run.status) && !run.watching && !run.real);
+  const goes = useRun((run) => can("seek", run));
   const last = events.at(-1)?.tick ?? 0;
   // While the run is at its newest moment only a new event changes the list.
   const until = tick >= last ? Infinity : tick;

@@ -11,7 +11,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
-import { canInterfere, type RunAgent, useRun, watchedAgent } from "../../session/run";
+import { can, type RunAgent, useRun, watchedAgent } from "../../session/run";
 import { useWatch } from "../../session/watching";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
@@ -108,7 +108,7 @@ function Column({
 
 function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; sensor: boolean }) {
   const { name } = object;
-  const live = useRun(canInterfere);
+  const live = useRun((run) => can(sensor ? "force" : "set", run));
   const value = (sensor ? agent.inputs[name] : agent.values[name]) ?? 0;
   const forced = sensor && agent.forced.includes(name);
   const put = (wanted: number) => {

@@ -3,11 +3,10 @@ import { useId } from "react";
 
 import { StateShape } from "../../components/StateShape";
 import { useStudio } from "../../model/studio";
-import { useWatch } from "../../session/watching";
 import { useProblemList } from "../../session/problem-walk";
 import { Icon } from "../../theme";
 import { Said } from "../../i18n/Said";
-import { clock, grouped } from "../../i18n/numbers";
+import { grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import {
   cancelSending,
@@ -21,6 +20,7 @@ import {
   runOn,
   sendTo,
   stopBoard,
+  watchBoard,
 } from "./actions";
 import { isMine, type Place, programFor, useBoards } from "./boards";
 import { playRecording, saveRecording } from "./recording";
@@ -94,7 +94,7 @@ function stateWords(board: Board | null): string {
   return t(`boards.state-${board.phase}`);
 }
 
-/** State, program on it, memory, clock. */
+/** State, program on it, memory. */
 function Stands({ board }: { board: Board }) {
   const open = board.phase === "open";
   const named = board.program !== "" || board.installed === "" || board.installed === "-";
@@ -104,7 +104,6 @@ function Stands({ board }: { board: Board }) {
       {open && board.program !== "" ? <span>{board.program}</span> : null}
       {open && !named ? <span>{t("boards.other-program")}</span> : null}
       {open ? <span>{t("boards.free", { bytes: isolated(grouped(board.free)) })}</span> : null}
-      {open && board.program !== "" && board.tick > 0 ? <span>{clock(board.seconds)}</span> : null}
     </p>
   );
 }
@@ -262,7 +261,7 @@ function Acts({ place: { address, board } }: { place: Place }) {
         />
       ) : null}
       {running && board.program !== "" ? (
-        <Act icon="eye" label={t("debug.watch")} testId="robot-watch" onPress={() => useWatch.getState().show(true)} />
+        <Act icon="eye" label={t("debug.watch")} testId="robot-watch" onPress={() => watchBoard(address)} />
       ) : null}
     </div>
   );

@@ -2,9 +2,10 @@
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
 import { reveal } from "../../session/actions";
+import { useWatch } from "../../session/watching";
 import { type Given, isMine, networkAddress, placesOf, programFor, useBoards, without } from "./boards";
 import { send } from "./socket";
-import { keepShown } from "./shown";
+import { agentAt, keepShown } from "./shown";
 import type { Board } from "./wire";
 
 /** What is open here, for the robot at that address. */
@@ -18,7 +19,8 @@ function give(address: string): Given {
   keepShown();
   const what = given(address);
   useBoards.setState((state) => ({
-    given: { ...state.given, [address]: what },
+    // The newest stands last.
+    given: { ...without(state.given, address), [address]: what },
     refused: without(state.refused, address),
   }));
   return what;
@@ -40,8 +42,8 @@ export function sendTo(address: string, then: "held" | "free" | "ready", way: Bo
 
 /** A robot takes the canvas from a simulated run. */
 function takeCanvas(): void {
-  const { real, stop } = useRun.getState();
-  if (!real) stop();
+  const { real, watching, stop } = useRun.getState();
+  if (!real || watching) stop();
 }
 
 /** Whether the robot has what is drawn here now. */
@@ -78,6 +80,16 @@ export function runOnAll(): void {
 
 export function stopBoard(address: string): void {
   send({ type: "stop", address });
+}
+
+/** Shows its variables and sensors. */
+export function watchBoard(address: string): void {
+  const agent = agentAt(address);
+  if (agent !== undefined) {
+    useStudio.getState().setActiveProgram(agent.program);
+    useRun.getState().selectAgent(agent.name, agent.program);
+  }
+  useWatch.getState().show(true);
 }
 
 export function cancelSending(address: string): void {

@@ -3,7 +3,8 @@ import { describe, expect, it } from "vitest";
 import { applyMessage, type BoardsState, networkAddress, placesOf, programFor, readKept } from "./boards";
 import { systemOf } from "./EmptyRobots";
 import { recordingName } from "./recording";
-import { namesOf, runOf, shownBoards } from "./shown";
+import { runOf, shownBoards } from "./shown";
+import type { Mission } from "../../model/types";
 import type { Board } from "./wire";
 
 const BOARD: Board = {
@@ -15,17 +16,10 @@ const BOARD: Board = {
   state: "running",
   held: true,
   free: 2048,
-  tick: 50,
-  seconds: 1,
   generation: 1,
   package: "c0ffee00",
   installed: "12345678",
   program: "heart",
-  robot: "microbit",
-  active: [[0, "v1"]],
-  values: { Count: 3 },
-  inputs: { ButtonA: 1 },
-  forced: ["ButtonA"],
   progress: null,
   fault: null,
   message: "",
@@ -131,59 +125,24 @@ describe("robots as a run", () => {
     ]);
   });
 
-  it("tells robots of one name apart", () => {
-    const two = [board(), board({ address: "b" }), board({ address: "c", name: "Pico" })];
-    expect(namesOf(two)).toEqual(["micro:bit 1", "micro:bit 2", "Pico"]);
-  });
-
-  it("is a run with an agent for each, and the clock of the one that ran longest", () => {
-    const run = runOf([board(), board({ address: "b", name: "Pico", tick: 100, seconds: 2, active: [] })], []);
-    expect([run.status, run.tick, run.seconds]).toEqual(["running", 100, 2]);
-    expect(
-      run.agents?.map(({ name, program, state, active, values, inputs, forced }) => [
-        name,
-        program,
-        state,
-        active,
-        values,
-        inputs,
-        forced,
-      ]),
-    ).toEqual([
-      ["micro:bit", "heart", "running", [[0, "v1"]], { Count: 3 }, { ButtonA: 1 }, ["ButtonA"]],
-      ["Pico", "heart", "running", [], { Count: 3 }, { ButtonA: 1 }, ["ButtonA"]],
-    ]);
-  });
-
-  it("keeps where a robot stands the same object while it stands there", () => {
-    const before = runOf([board()], []).agents ?? [];
-    const after = runOf([board({ tick: 51, active: [[0, "v1"]] })], before).agents ?? [];
-    expect(after[0]?.active).toBe(before[0]?.active);
-  });
-
-  it("has failed when a robot stopped by itself or its link is lost, and nothing glows there", () => {
-    const fault = {
-      number: 1,
-      sentence: "A driver failed.",
-      text: "",
-      program: "heart",
-      vertex: "v1",
-      line: 2,
-      tick: 3,
+  it("is of those with the same programs as the one that runs and was given them last", () => {
+    const [old, now] = [{ programs: [] }, { programs: [] }];
+    const give = (mission: object) => ({ path: "m.krt", program: "heart", mission: mission as Mission });
+    const boards = {
+      a: board({ address: "a" }),
+      b: board({ address: "b", state: "ready" }),
+      c: board({ address: "c" }),
     };
-    const failed = runOf([board({ state: "fault", fault })], []);
-    expect([failed.status, failed.sentence, failed.agents?.[0]?.state]).toEqual([
-      "failed",
-      "A driver failed.",
-      "failed",
-    ]);
-    const lost = runOf([board({ phase: "lost", message: "The link is lost." })], []);
-    expect([lost.status, lost.sentence, lost.agents?.[0]?.active]).toEqual(["failed", "The link is lost.", []]);
-  });
-
-  it("is done when the programs have ended, and stopped when somebody stopped them", () => {
-    expect(runOf([board({ state: "ended" })], []).status).toBe("done");
-    expect(runOf([board({ state: "ready" })], []).status).toBe("stopped");
+    const run = (given: Record<string, Mission | object>, changed: object = {}) => {
+      const all = Object.fromEntries(Object.entries(given).map(([address, mission]) => [address, give(mission)]));
+      return runOf({ ...STATE, boards: { ...boards, ...changed }, given: all }, "m.krt")?.boards.map(
+        (one) => one.address,
+      );
+    };
+    expect(run({ a: now, b: now, c: now })).toEqual(["a", "b", "c"]);
+    expect(run({ a: old, b: now, c: now })).toEqual(["b", "c"]);
+    expect(run({ c: now, b: now, a: old })).toEqual(["a"]);
+    expect(run({ a: now, b: old }, { a: board({ address: "a", phase: "lost" }) })).toBeUndefined();
   });
 });
 

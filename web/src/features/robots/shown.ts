@@ -1,34 +1,15 @@
 /**
- * Real robots as the run that the page shows: the same seam as a simulated run, so vertices glow, tabs, code, watch and STOP
- * work as they do there.
+ * Real robots as the run that the page shows: which ones are asked for as a run, and when. From there they are a run like any
+ * other (session/run), so vertices glow, tabs, code, watch and STOP work as they do there.
  *
- * A robot is shown while it has a program of the mission that is open, from the moment it runs. Only those that this page
- * holds: it knows what they were given. There is one clock on the page; it is that of the robot that ran longest.
+ * A robot is shown while it has a program of the mission that is open, from the moment it runs; those with the same state of
+ * the programs are one run. Only those that this page holds: it knows what they were given.
  */
-import type { RunRequest } from "../../api/wire";
 import { useStudio } from "../../model/studio";
-import { isLive, type RunAgent, type RunState, showReal, useRun } from "../../session/run";
-import { t } from "../../i18n/words";
-import { type BoardsState, isMine, useBoards } from "./boards";
-import { send } from "./socket";
+import { isLive, type RunAgent, useRun } from "../../session/run";
+import { type BoardsState, type Given, isMine, useBoards } from "./boards";
 import { useRobotsPanel } from "./state";
 import type { Board } from "./wire";
-
-const ACTIVITY: Record<Board["state"], RunAgent["state"]> = {
-  none: "idle",
-  ready: "idle",
-  running: "running",
-  ended: "idle",
-  fault: "failed",
-};
-
-/** Names of robots on the page: those of the list, told apart where two are called alike. */
-export function namesOf(boards: readonly Board[]): string[] {
-  return boards.map((board, at) => {
-    const alike = boards.filter(({ name }) => name === board.name);
-    return alike.length < 2 ? board.name : `${board.name} ${String(alike.indexOf(boards[at] ?? board) + 1)}`;
-  });
-}
 
 /** The robots that the canvas can show. */
 export function shownBoards(state: BoardsState, path: string): Board[] {
@@ -37,73 +18,55 @@ export function shownBoards(state: BoardsState, path: string): Board[] {
   );
 }
 
-function agentOf(board: Board, name: string, number: number): RunAgent {
-  const lost = board.phase === "lost";
-  return {
-    name,
-    program: board.program,
-    robot: board.robot,
-    number,
-    kind: "",
-    placed: false,
-    active: lost ? [] : board.active,
-    state: lost ? "stalled" : ACTIVITY[board.state],
-    values: board.values,
-    inputs: board.inputs,
-    fault: board.fault?.number ?? 0,
-    forced: board.forced,
-    shown: {},
-  };
-}
-
-function isRunning(board: Board): boolean {
+export function isRunning(board: Board): boolean {
   return board.phase === "open" && board.state === "running";
 }
 
-/** What the run is as a whole. */
-function statusOf(boards: readonly Board[]): Pick<RunState, "status" | "sentence"> {
-  if (boards.some(isRunning)) return { status: "running", sentence: "" };
-  const wrong = boards.find(({ phase, state }) => phase === "lost" || state === "fault");
-  if (wrong !== undefined) {
-    return { status: "failed", sentence: wrong.phase === "lost" ? wrong.message : (wrong.fault?.sentence ?? "") };
-  }
-  const ended = boards.find(({ state }) => state === "ended");
-  if (ended === undefined) return { status: "stopped", sentence: "" };
-  return { status: "done", sentence: t("boards.ended-on", { name: ended.name }) };
+/** Whether both were given the same programs. */
+export function isAlike(a: Given, b: Given): boolean {
+  return (["programs", "constructors", "variables"] as const).every((part) => a.mission[part] === b.mission[part]);
 }
 
-/** The run that these robots are. */
-export function runOf(boards: readonly Board[], before: RunAgent[]): Partial<RunState> {
-  const names = namesOf(boards);
-  const agents = boards.map((board, at) => {
-    const agent = agentOf(board, names[at] ?? board.name, at + 1);
-    const was = before.find(({ name }) => name === agent.name)?.active ?? [];
-    const same = JSON.stringify(was) === JSON.stringify(agent.active);
-    return same ? { ...agent, active: was } : agent;
-  });
-  const clock = boards.reduce<Board | null>((most, one) => (most === null || one.tick > most.tick ? one : most), null);
-  return {
-    ...statusOf(boards),
-    agents,
-    tick: clock?.tick ?? 0,
-    latest: clock?.tick ?? 0,
-    seconds: clock?.seconds ?? 0,
+/** The robots that are one run: those alike to the one that was given its program last of all that run. */
+export function runOf(state: BoardsState, path: string): { given: Given; boards: Board[] } | null {
+  const shown = shownBoards(state, path);
+  const running = new Set(shown.filter(isRunning).map(({ address }) => address));
+  const last = Object.keys(state.given).findLast((address) => running.has(address)) ?? "";
+  const given = state.given[last];
+  if (given === undefined) return null;
+  const alike = ({ address }: Board) => {
+    const own = state.given[address];
+    return own !== undefined && isAlike(own, given);
   };
+  return { given, boards: shown.filter(alike) };
 }
 
-/** What is asked of the run is asked of the robot of that name. */
-function obey(request: RunRequest): void {
-  if (request.type === "stop") {
-    send({ type: "stop", address: "" });
+/** Robots of the run that was asked for last: addresses, and what each has. */
+let asked: [address: string, installed: string][] = [];
+
+export function agentAt(address: string): RunAgent | undefined {
+  const { real, watching, agents } = useRun.getState();
+  return real && !watching ? agents[asked.findIndex(([one]) => one === address)] : undefined;
+}
+
+function show(): void {
+  const state = useBoards.getState();
+  const { path } = useStudio.getState().file;
+  const { status, real, watching, error, reset, robots } = useRun.getState();
+  const ours = real && !watching;
+  if (ours && !shownBoards(state, path).some(({ address }) => asked.some(([one]) => one === address))) {
+    reset();
     return;
   }
-  if (request.type !== "force" && request.type !== "set") return;
-  const boards = shownBoards(useBoards.getState(), useStudio.getState().file.path);
-  const at = namesOf(boards).indexOf(request.agent);
-  const address = boards[at]?.address;
-  if (address === undefined) return;
-  if (request.type === "force") send({ type: "force", address, sensor: request.sensor, value: request.value });
-  else send({ type: "set", address, variable: request.variable, value: request.value });
+  const run = runOf(state, path);
+  if (run === null) return;
+  const { given, boards } = run;
+  const isAsked = ({ address, installed }: Board) => asked.some(([one, has]) => one === address && has === installed);
+  const all = boards.filter(isRunning).every(isAsked);
+  // A run that the server refused is not asked for again and again.
+  if (ours || error !== null ? all : isLive(status)) return;
+  asked = boards.map(({ address, installed }) => [address, installed]);
+  robots({ mission: given.mission, path, holder: state.you, addresses: asked.map(([address]) => address) });
 }
 
 let kept = false;
@@ -112,15 +75,15 @@ let kept = false;
 export function keepShown(): void {
   if (kept) return;
   kept = true;
-  useBoards.subscribe((state, before) => {
-    if (state.boards === before.boards) return;
-    useRobotsPanel.setState({ running: Object.values(state.boards).filter(isRunning).length });
-    const { file } = useStudio.getState();
-    const boards = shownBoards(state, file.path);
-    const run = useRun.getState();
-    if (!run.real && (isLive(run.status) || !boards.some(isRunning))) return;
-    if (boards.length === 0 && run.agents.length === 0) return;
-    const mission = state.given[boards[0]?.address ?? ""]?.mission ?? null;
-    showReal({ send: obey, close: () => undefined }, { ...runOf(boards, run.real ? run.agents : []), mission });
+  useBoards.subscribe(({ boards }, before) => {
+    if (boards === before.boards) return;
+    useRobotsPanel.setState({ running: Object.values(boards).filter(isRunning).length });
+    show();
+  });
+  useRun.subscribe(({ name }, before) => {
+    if (name !== before.name) show();
+  });
+  useStudio.subscribe(({ file }, before) => {
+    if (file.path !== before.file.path) show();
   });
 }

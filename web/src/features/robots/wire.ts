@@ -2,7 +2,6 @@
 import type {
   BoardCancelRequest,
   BoardConnectRequest,
-  BoardForceRequest,
   BoardForgetRequest,
   BoardGoneMessage,
   BoardIdentifyRequest,
@@ -11,7 +10,6 @@ import type {
   BoardPortsMessage,
   BoardRefusedMessage,
   BoardSendRequest,
-  BoardSetRequest,
   BoardsLookRequest,
   BoardStartRequest,
   BoardStopRequest,
@@ -30,6 +28,4 @@ export type BoardsRequest =
   | BoardStartRequest
   | BoardStopRequest
   | BoardIdentifyRequest
-  | BoardForceRequest
-  | BoardSetRequest
   | BoardForgetRequest;

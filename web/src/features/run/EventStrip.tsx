@@ -12,7 +12,7 @@ import { axisTime, clock, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { ScheduledFailure } from "../../model/types";
-import { canGoBack, useRun } from "../../session/run";
+import { can, useRun } from "../../session/run";
 
 const FIRST_S = 60;
 const LANE = 11;
@@ -111,7 +111,8 @@ export function keyTarget(key: string, tick: number, latest: number, second: num
 }
 
 export function EventStrip() {
-  const { events, seconds, tick, latest, tickMs, status, seek, watching, real } = useRun();
+  const run = useRun();
+  const { events, seconds, tick, latest, tickMs, status, seek } = run;
   const box = useRef<HTMLDivElement>(null);
   const [width, setWidth] = useState(800);
   useLayoutEffect(() => {
@@ -135,7 +136,7 @@ export function EventStrip() {
   const planned = (schedule ?? NOTHING_PLANNED).filter(({ at_s }) => at_s <= length && (latest === 0 || at_s >= done));
   const now = (seconds * room) / length;
   const known = (((latest * tickMs) / 1000) * room) / length;
-  const past = canGoBack(status) && !watching && !real;
+  const past = can("seek", run);
   const goTo = (event: PointerEvent) => {
     const left = box.current?.querySelector("svg")?.getBoundingClientRect().left ?? 0;
     seek(Math.min(Math.max(((event.clientX - left - EDGE) * length * 1000) / (room * tickMs), 0), latest));

@@ -3,7 +3,7 @@ import { t } from "../../i18n/words";
 import { pause, run, stepVertex } from "../../session/actions";
 import { stopEverything } from "../../session/features";
 import { keyFor } from "../../session/key-table";
-import { canGoBack, isLive, useRun } from "../../session/run";
+import { can, isLive, useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { SpeedControl } from "./SpeedControl";
@@ -11,8 +11,7 @@ import { SpeedControl } from "./SpeedControl";
 export function RunTools() {
   const status = useRun((state) => state.status);
   const watching = useRun((state) => state.watching);
-  const real = useRun((state) => state.real);
-  const goesBack = useRun((state) => canGoBack(state.status) && state.tick > 0 && !state.watching && !state.real);
+  const goesBack = useRun((state) => can("seek", state) && state.tick > 0);
   // What another page steers is not paused here, whatever it does there.
   const paused = status === "paused" && !watching;
   const live = isLive(status);
@@ -33,7 +32,7 @@ export function RunTools() {
         icon="pause"
         label={t("run.pause")}
         keys={keyFor.page("pause")}
-        disabled={(status !== "running" || watching || real) && !paused}
+        disabled={(status !== "running" || watching) && !paused}
         aria-pressed={paused}
         testId="pause-button"
         data-fold={8}

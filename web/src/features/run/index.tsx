@@ -9,7 +9,7 @@ import { type Feature, stopEverything } from "../../session/features";
 import { keyFor } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { saveRun, useOpenRecording } from "../../session/recordings";
-import { canGoBack, isLive, useRun } from "../../session/run";
+import { can, isLive, type RunState, useRun } from "../../session/run";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 import { EventStrip } from "./EventStrip";
@@ -18,13 +18,23 @@ import { RunStatus } from "./RunStatus";
 import { RunTools } from "./RunTools";
 import { Watching } from "./Watching";
 
+/** What is shown of real robots is that old at most while it follows them. */
+const NOW_MS = 1000;
 const RecordingBar = later(() => import("./RecordingBar").then((chunk) => chunk.RecordingBar), complain);
+const BehindBar = later(() => import("./BehindBar").then((chunk) => chunk.BehindBar), complain);
+
+/** Whether real robots are further than what is shown of them. */
+function isBehind({ real, status, tick, latest, tickMs }: RunState): boolean {
+  return real && (status === "paused" || (status === "running" && (latest - tick) * tickMs > NOW_MS));
+}
 
 function Bars() {
   const recording = useOpenRecording();
+  const behind = useRun(isBehind);
   return (
     <>
       {recording === null ? null : <RecordingBar open={recording} />}
+      {behind ? <BehindBar /> : null}
       <Watching />
     </>
   );
@@ -38,15 +48,15 @@ function RunningInView() {
 function useMenu(): MenuEntries {
   const status = useRun((state) => state.status);
   const speed = useRun((state) => state.speed);
-  const { step, setSpeed, tick, name, watching, real } = useRun.getState();
-  const goesBack = tick > 0 && canGoBack(status) && !watching && !real;
+  const { step, setSpeed, tick, name, watching } = useRun.getState();
+  const goesBack = tick > 0 && can("seek", useRun.getState());
   const paused = status === "paused" && !watching;
   const live = isLive(status);
   const key = keyFor.page;
   return {
     run: [
       menuItem("run-run", paused ? t("run.resume") : t("run.run"), key("run"), begin, live && !paused),
-      menuItem("run-pause", t("run.pause"), key("pause"), pause, status !== "running" || watching || real),
+      menuItem("run-pause", t("run.pause"), key("pause"), pause, status !== "running" || watching),
       menuItem("run-step", t("run.step"), key("step"), () => step(), !paused),
       menuItem("run-step-vertex", t("run.step-vertex"), key("stepVertex"), () => stepVertex(false), !paused),
       menuItem("run-step-back", t("run.step-back"), key("stepBack"), () => step("tick", true), !goesBack),

@@ -1,0 +1,22 @@
+/** Across the page: what is shown of real robots is their past. They go on meanwhile, and so can what is shown. */
+import { clock } from "../../i18n/numbers";
+import { t } from "../../i18n/words";
+import { useRun } from "../../session/run";
+import { Icon } from "../../theme";
+
+export function BehindBar() {
+  const time = useRun((run) => clock(run.seconds));
+  const watching = useRun((run) => run.watching);
+  return (
+    <div className="banner banner-note" data-testid="behind-bar">
+      <Icon name="radio" size={18} />
+      <p>{t("robots.behind", { time })}</p>
+      {watching ? null : (
+        <button type="button" className="button" data-testid="follow" onClick={useRun.getState().follow}>
+          <Icon name="play" size={16} />
+          {t("robots.now")}
+        </button>
+      )}
+    </div>
+  );
+}
