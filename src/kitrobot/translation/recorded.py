@@ -19,10 +19,12 @@ from kitrobot.translation.catalogue import Catalogue
 
 LONGEST = 4000
 DEEPEST = 4
+REMEMBERED = 2048
 _MOST_PARTS = 50
 _JOINTS = re.compile(r", | and ")
 
 
+@lru_cache(REMEMBERED)
 def recalled(text: str, known: Catalogue, depth: int = DEEPEST) -> Sentence | None:
     """The sentence that the text is; None when it is made of none of our templates."""
     if depth == 0 or len(text) > LONGEST:
