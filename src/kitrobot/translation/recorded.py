@@ -19,12 +19,18 @@ from kitrobot.translation.catalogue import Catalogue
 
 LONGEST = 4000
 DEEPEST = 4
+REMEMBERED = 2048
 _MOST_PARTS = 50
 _JOINTS = re.compile(r", | and ")
 
 
-def recalled(text: str, known: Catalogue, depth: int = DEEPEST) -> Sentence | None:
+@lru_cache(REMEMBERED)
+def recalled(text: str, known: Catalogue) -> Sentence | None:
     """The sentence that the text is; None when it is made of none of our templates."""
+    return _sentence(text, known, DEEPEST)
+
+
+def _sentence(text: str, known: Catalogue, depth: int) -> Sentence | None:
     if depth == 0 or len(text) > LONGEST:
         return None
     for context in (Recorded, Sentence):
@@ -46,7 +52,7 @@ def recalled(text: str, known: Catalogue, depth: int = DEEPEST) -> Sentence | No
 
 def _value(text: str, known: Catalogue, depth: int) -> str:
     """What stands in a hole: a sentence, or a name."""
-    return _clauses(text, known, depth) or _list(text, known, depth) or recalled(text, known, depth) or text
+    return _clauses(text, known, depth) or _list(text, known, depth) or _sentence(text, known, depth) or text
 
 
 def _clauses(text: str, known: Catalogue, depth: int) -> Sentence | None:
@@ -54,7 +60,7 @@ def _clauses(text: str, known: Catalogue, depth: int) -> Sentence | None:
     clauses = text.split("; ")
     if not 1 < len(clauses) <= _MOST_PARTS:
         return None
-    made = [_list(one, known, depth) or recalled(one, known, depth) for one in clauses]
+    made = [_list(one, known, depth) or _sentence(one, known, depth) for one in clauses]
     found = [one for one in made if one is not None]
     return Series(SEMICOLON, found) if len(found) == len(made) else None
 
@@ -64,7 +70,7 @@ def _list(text: str, known: Catalogue, depth: int) -> Sentence | None:
     parts = _JOINTS.split(text)
     if not 1 < len(parts) <= _MOST_PARTS:
         return None
-    made = [(recalled(part, known, depth) if " " in part else None) or part for part in parts]
+    made = [(_sentence(part, known, depth) if " " in part else None) or part for part in parts]
     if any(" " in part and not isinstance(part, Sentence) for part in made):
         return None
     return Sentence("{front} and {last}", Series(COMMA, made[:-1]), made[-1])
