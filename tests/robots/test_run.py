@@ -107,7 +107,7 @@ def test_the_page_is_told_of_them_as_of_every_run(made: Run) -> None:
     assert (again["agents"], again["events"]) == ({}, [])
 
 
-def counts(made: Run) -> int:
+def counts(made: Run) -> float:
     """What the variable `Count` of `a` is where the run stands."""
     return int(made.run.record().values(made.run.header)["a"]["variable Count"])
 

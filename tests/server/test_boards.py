@@ -31,13 +31,19 @@ class RunPage(Watcher):
         self.begun: dict[str, Any] = {}
         self.agents: dict[str, dict[str, Any]] = {}
 
+    def next(self) -> dict[str, Any]:
+        said = super().next()
+        if said["type"] == "tick":
+            self.agents |= said["agents"]
+        return said
+
     def report(self, wanted: Callable[[dict[str, Any]], bool], name: str = "") -> dict[str, Any]:
         """What a robot does, or the only one, once `wanted` holds."""
         while True:
-            self.agents |= self.until("tick")["agents"]
-            told = self.agents.get(name) or next(iter(self.agents.values()))
-            if wanted(told):
+            told = self.agents.get(name) or next(iter(self.agents.values()), None)
+            if told is not None and wanted(told):
                 return told
+            self.until("tick")
 
 
 class Page:

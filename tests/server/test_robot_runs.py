@@ -202,8 +202,8 @@ def test_who_does_not_have_the_robot_cannot_begin_its_run(visit, robot) -> None:
                 window = RunPage(line)
                 request = {"mission": page.mission, "path": "pulse.krt", "holder": who.you, "speed": 1}
                 window.send(**{"type": "robots", **request, "addresses": [robot.address], **more})
-                said = window.until("error")
-                return str(said["message"])
+                said: str = window.until("error")["message"]
+                return said
 
         assert "Another page" in refused(other)
         assert "another machine" in refused(away, holder=page.you)
