@@ -10,7 +10,6 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, expect
 
-from kitrobot.workspace import open_trace
 from tests.boards.host import HELD_PACE, HostBoard, host_board, write_pulse
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import running
@@ -338,74 +337,3 @@ def test_a_program_runs_on_a_micro_bit_of_2016_and_its_parts_glow(
         expect(studio.page.locator(ACTIVE).first).to_be_visible()
         robot.get_by_test_id("robot-stop").click()
         expect_robot(robot, state="ready")
-
-
-def test_a_run_is_saved_and_opens_on_the_timeline_with_what_was_done_to_it(
-    pulse: OpenStudio, robots: Callable[..., HostBoard]
-) -> None:
-    studio = pulse()
-    board = robots()
-    robot = connect(studio, board)
-    run_anew(robot)
-    robot.get_by_test_id("robot-watch").click()
-    value = studio.at("watch-Count").locator("input")
-    expect(value).to_have_value(re.compile("^[1-9]"))
-    studio.at("watch-ButtonA").get_by_role("combobox").select_option("1")
-    expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "true")
-    expect(value).to_have_value(re.compile("^[1-9][0-9]"))
-    # Real robots have no place in the arena while they run either.
-    studio.at("robots-close").click()
-    expect(studio.at("arena-real")).to_contain_text("do not tell where they are")
-    studio.page.keyboard.press("Alt+r")
-    board.pull()
-    expect_robot(robot, phase="lost")
-    with studio.page.expect_download() as saving:
-        robot.get_by_test_id("robot-save-recording").click()
-    assert (
-        saving.value.suggested_filename == f"pulse-{board.address.removeprefix('socket://').replace(':', '-')}.krtrace"
-    )
-    path = studio.folder / "robot.krtrace"
-    saving.value.save_as(path)
-    with open_trace(path).reader as reader:
-        assert [event.kind for _, event in reader.events] == ["outside", "outside", "failure"]
-    robot.get_by_test_id("robot-play-recording").click()
-    bar = studio.at("recording-bar")
-    expect(bar).to_contain_text("a recording of a real robot")
-    expect(studio.at("robots")).to_have_count(0)
-    expect(studio.at("arena-real")).to_be_visible()
-    expect(studio.page.locator(ACTIVE).first).to_be_visible()
-    strip = studio.at("event-strip")
-    expect(strip.locator('[data-kind="failure"] title')).to_contain_text("is lost")
-    # Marks that crowd on the timeline stand apart in the list.
-    happened = studio.at("event-list").locator("tbody tr")
-    expect(happened).to_have_count(3)
-    expect(happened.nth(1)).to_contain_text("the sensor ButtonA is held at 1")
-    expect(happened.nth(0)).to_have_attribute("data-cause", "link")
-    expect(strip).to_have_attribute("aria-disabled", "false")
-    strip.focus()
-    studio.page.keyboard.press("End")
-    expect(studio.page.locator(ACTIVE)).to_have_count(0)
-    expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "true")
-    expect(value).to_have_value(re.compile("^[1-9][0-9]"))
-    studio.page.keyboard.press("Home")
-    expect(value).to_have_value("0")
-
-
-def test_a_fault_in_a_recording_lights_the_vertex_where_it_happened(
-    pulse: OpenStudio, robots: Callable[..., HostBoard]
-) -> None:
-    studio = pulse(broken=True)
-    robot = connect(studio, robots(broken=True))
-    robot.get_by_test_id("robot-run").click()
-    expect(robot.get_by_test_id("robot-fault")).to_contain_text("Fault 1")
-    robot.get_by_test_id("robot-play-recording").click()
-    expect(studio.at("recording-bar")).to_contain_text("a recording of a real robot")
-    strip = studio.at("event-strip")
-    if not studio.at("event-list").is_visible():
-        studio.at("watch-button").click()
-    failure = studio.at("event-list").locator('[data-kind="failure"]')
-    expect(failure).to_contain_text("fault 1: a driver failed (Display")
-    expect(failure).to_contain_text("vertex v3, line 2")
-    strip.focus()
-    studio.page.keyboard.press("End")
-    expect(studio.page.locator(ACTIVE).filter(has_text="Image")).to_be_visible()
