@@ -16,7 +16,7 @@ import sys
 
 import pytest
 
-from kitrobot.cli import speaking
+from kitrobot.cli import output
 from kitrobot.deploy import Line
 from kitrobot.workspace import load_board_program
 from tests.boards.host import ROOT, host_board, write_pulse
@@ -67,7 +67,7 @@ def watch(kitrobot, monkeypatch):
         given = []
 
         def give(text):
-            speaking.give(text)
+            output.give(text)
             given.append(text)
             if until("".join(given)):
                 raise KeyboardInterrupt

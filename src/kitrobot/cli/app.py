@@ -29,9 +29,9 @@ from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
 from kitrobot.cli.log import show_log
 from kitrobot.cli.merge import merge_missions_of_files
+from kitrobot.cli.output import NobodyReadsError, begin, complain, failure, give, remember, tell, use_utf8
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
-from kitrobot.cli.speaking import NobodyReadsError, begin, complain, failure, give, remember, tell, use_utf8
 from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.watch import watch_board

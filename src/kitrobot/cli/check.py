@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.speaking import give, json_text, tell
+from kitrobot.cli.output import give, json_text, tell
 from kitrobot.diagnostics import Severity
 
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.speaking import show, tell
+from kitrobot.cli.output import show, tell
 
 
 def convert_file(

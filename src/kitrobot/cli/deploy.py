@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from kitrobot.cli.json_results import AsJson, of_board
-from kitrobot.cli.speaking import clean, complain, give, json_text, show, tell
+from kitrobot.cli.output import clean, complain, give, json_text, show, tell
 
 if TYPE_CHECKING:
     from kitrobot.robots import Sent

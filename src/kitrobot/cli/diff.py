@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.speaking import give, json_text
+from kitrobot.cli.output import give, json_text
 
 DIFFERENT = 1
 

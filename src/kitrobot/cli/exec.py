@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.speaking import give, show
+from kitrobot.cli.output import give, show
 from kitrobot.text import Sentence
 
 if TYPE_CHECKING:

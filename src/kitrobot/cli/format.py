@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.speaking import complain, give, show, tell
+from kitrobot.cli.output import complain, give, show, tell
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import error_object
+from kitrobot.cli.output import error_object
 from kitrobot.diagnostics import KitRobotError
 
 AsJson = Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")]

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import clean, give, json_text, tell_of_waiting
+from kitrobot.cli.output import clean, give, json_text, tell_of_waiting
 from kitrobot.cli.watch import Board, Mission, Program, Robot
 
 _LISTEN_S = 0.5

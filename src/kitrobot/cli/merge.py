@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from kitrobot.cli.speaking import tell
+from kitrobot.cli.output import tell
 
 CONFLICT = 1
 

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import clean, give, json_text
+from kitrobot.cli.output import clean, give, json_text
 
 
 def replay_trace(

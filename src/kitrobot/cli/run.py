@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.speaking import give, json_text, show
+from kitrobot.cli.output import give, json_text, show
 
 if TYPE_CHECKING:
     from kitrobot.workspace import Run

@@ -9,7 +9,7 @@ import typer
 
 from kitrobot.cli.deploy import Addresses
 from kitrobot.cli.json_results import AsJson, of_board
-from kitrobot.cli.speaking import complain, give, json_text, tell, tell_of_waiting
+from kitrobot.cli.output import complain, give, json_text, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from kitrobot.deploy import Board

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.speaking import clean, complain, error_object, give, json_text, tell, tell_of_waiting
+from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell, tell_of_waiting
 
 if TYPE_CHECKING:
     from rich.console import Group

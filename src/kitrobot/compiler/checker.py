@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from kitrobot.compiler import rules
-from kitrobot.compiler.always import always_holds
+from kitrobot.compiler.constant_conditions import always_holds
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.compiler.giving_way import given_way
+from kitrobot.compiler.overridden_commands import given_way
 from kitrobot.compiler.target import Target
 from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule, Source, in_reading_order
 from kitrobot.lll import (

@@ -16,7 +16,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from kitrobot.compiler.anew import write_anew
+from kitrobot.compiler.accepted_forms import write_anew
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.preserve_ids import Before, Branch, Old, Origin, Row, lines_of, note, nothing_before
 from kitrobot.diagnostics import KitRobotError

@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from kitrobot.compiler.anew import write_anew
+from kitrobot.compiler.accepted_forms import write_anew
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lll_to_graph import Drawing, redraw
 from kitrobot.compiler.preserve_ids import Before, Old, lines_of

@@ -141,7 +141,7 @@ def make() -> Advance:
         Exception: whatever Numba or the file system says; nothing can be assumed of it.
     """
     global _made
-    from kitrobot.sim.example import small_state
+    from kitrobot.sim.sample_state import small_state
 
     with _making:
         if _made is None:

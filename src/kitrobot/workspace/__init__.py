@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
-    from kitrobot.workspace.advising import advice
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.compile_cache import KeptPrograms
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.replay import state_at, summary_of
     from kitrobot.workspace.robot_programs import board_program, load_board_program, look_at_boards, send_program
     from kitrobot.workspace.robots import find_robot
+    from kitrobot.workspace.run_hints import advice
     from kitrobot.workspace.running import PreparedRun, Run, RunOptions, Timing
     from kitrobot.workspace.search_path import SearchPath
     from kitrobot.workspace.traces import OpenTrace, is_trace, open_trace, parts_of, unpack
@@ -59,7 +59,7 @@ _ROOMS = {
     "replay": ("state_at", "summary_of"),
     "robot_programs": ("board_program", "load_board_program", "look_at_boards", "send_program"),
     "robots": ("find_robot",),
-    "advising": ("advice",),
+    "run_hints": ("advice",),
     "search_path": ("SearchPath",),
     "running": ("PreparedRun", "Run", "RunOptions", "Timing"),
     "variables": ("VariableError", "WantedVariable", "make_variable"),

@@ -12,8 +12,8 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError
 from kitrobot.files import same_file
 from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, simulate
 from kitrobot.text import Sentence
-from kitrobot.workspace.advising import advice
 from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.run_hints import advice
 from kitrobot.workspace.traces import parts_of
 
 Progress = Callable[[float], None]

@@ -1,4 +1,4 @@
-"""How the command line speaks: data on standard output, talk on standard error, UTF-8 on both, whatever the locale.
+"""Output of the command line: data on standard output, messages on standard error, UTF-8 on both, whatever the locale.
 
 What a command says of its failure is remembered, so that whoever asked for JSON gets it as an object when the command
 ends without data (`failure`). A stream may be closed from the start (`>&-`): then it is None.

@@ -1,4 +1,4 @@
-"""What a run that is over lets us advise: a program that ended before time passed, and the part that mends it."""
+"""Hints on a run that is over: a program that ended before time passed, and the part that mends it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What constructors read besides their own LLL (`<reads>`), written as they write it today."""
+"""Forms of a constructor that are read besides its own LLL (`<reads>`) are rewritten in its own form."""
 
 from __future__ import annotations
 
