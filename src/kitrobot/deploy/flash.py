@@ -79,6 +79,13 @@ class Flash:
             raise unknown_firmware()
         self.area = there.area
 
+    def see_removals(self) -> None:
+        """Reads again what each piece is, after files were removed only: the file system begins where it did."""
+        area = self.area
+        count = len(area.firsts)
+        firsts, lasts = (list(_bytes(self.board, area.start + at))[:count] for at in (0, CHUNK - 1))
+        self.area = Area(area.start, firsts, lasts)
+
     def find(self, sign: int) -> int | None:
         """Where the whole block with that sign is."""
         return next((self.area.address(place) for place in self._blocks({sign})), None)
@@ -111,6 +118,15 @@ class Flash:
                 self._write(area.address(place), bytes((0, 255, 255, 255)))
                 area.firsts[place] = _FREED
 
+    def erase(self) -> None:
+        """Erases the pages in which nothing is: the board writes a file into unused pieces only, wherever they are."""
+        area = self.area
+        for page in range(0, len(area.firsts), _CHUNKS_A_PAGE):
+            pieces = area.firsts[page : page + _CHUNKS_A_PAGE]
+            if _FREED in pieces and all(first in (_FREED, _UNUSED) for first in pieces):
+                self.board.value(f"k({area.address(page)})")
+                area.firsts[page : page + _CHUNKS_A_PAGE] = [_UNUSED] * _CHUNKS_A_PAGE
+
     def write(self, sign: int, content: bytes) -> int:
         """Writes a block, reads it back and makes it count; where it is.
 
@@ -137,16 +153,12 @@ class Flash:
 
     def _free(self, count: int) -> int:
         """The place where a run of unused pieces begins; pages without anything in them are erased for it."""
-        area = self.area
+        firsts = self.area.firsts
         for erase in (False, True):
             if erase:
-                for page in range(0, len(area.firsts), _CHUNKS_A_PAGE):
-                    pieces = area.firsts[page : page + _CHUNKS_A_PAGE]
-                    if _FREED in pieces and all(first in (_FREED, _UNUSED) for first in pieces):
-                        self.board.value(f"k({area.address(page)})")
-                        area.firsts[page : page + _CHUNKS_A_PAGE] = [_UNUSED] * _CHUNKS_A_PAGE
-            for place in range(len(area.firsts) - count + 1):
-                if all(first == _UNUSED for first in area.firsts[place : place + count]):
+                self.erase()
+            for place in range(len(firsts) - count + 1):
+                if all(first == _UNUSED for first in firsts[place : place + count]):
                     return place
         raise no_room()
 

@@ -43,6 +43,10 @@ def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
         return 0
     flash.refuse_less_than(max(len(text) + _size(functions) for text, functions in one.groups) + _NAMES)
     _refuse_new_names(board, one.names)
+    # A text that lies in pieces between others would leave no run that is long enough.
+    board.remove(_TEXT)
+    flash.see_removals()
+    flash.erase()
     dumps = [_compiled(board, text, functions) for text, functions in one.groups]
     flash.see()
     flash.clear(kept)
