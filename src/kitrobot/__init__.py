@@ -29,7 +29,8 @@ if TYPE_CHECKING:
     from kitrobot.primitives import Robot
     from kitrobot.workspace import Executed, OpenMission, Report, Run, Timing, execute
 
-    __version__: str
+
+__version__ = "0.1.0"
 
 __all__ = [
     "Compiled",
@@ -132,10 +133,6 @@ def _robot(given: str | PathLike[str] | Robot) -> Robot:
 
 
 def __getattr__(name: str) -> Any:
-    if name == "__version__":
-        from importlib.metadata import version
-
-        return version("kitrobot")
     home = _HOME.get(name)
     if home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

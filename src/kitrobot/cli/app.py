@@ -20,6 +20,7 @@ from typing import Annotated, Any, Final
 
 import typer
 
+import kitrobot
 from kitrobot.cli.boards import list_boards
 from kitrobot.cli.check import check_files
 from kitrobot.cli.convert import convert_file
@@ -76,9 +77,7 @@ app.command("merge")(merge_missions_of_files)
 
 def _say_version(wanted: bool) -> None:
     if wanted:
-        from importlib.metadata import version
-
-        print(f"kitrobot {version('kitrobot')}")
+        print(f"kitrobot {kitrobot.__version__}")
         raise typer.Exit
 
 

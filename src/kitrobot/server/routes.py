@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from importlib.metadata import version
 from typing import Annotated
 
 from fastapi import Depends, Query, Request, Response
 
+import kitrobot
 from kitrobot.diagnostics import KitRobotError, ProblemsError
 from kitrobot.files import carried_mission, is_picture, revision_of
 from kitrobot.mission import read_mission, save, write_mission
@@ -64,7 +64,7 @@ Name = Annotated[str, Query(max_length=LONGEST_NAME)]
 def session(request: Request, studio: ThisStudio) -> SessionShape:
     """What the page starts with."""
     return SessionShape(
-        version=version("kitrobot"),
+        version=kitrobot.__version__,
         path=studio.first,
         workspace=studio.folder.root.name,
         secret=request.app.state.handshake.secret,
