@@ -68,7 +68,8 @@ def test_the_studio_asks_nothing_of_a_robot_that_runs(robot: HostBoard, tmp_path
     program = load_board_program(tmp_path / "pulse.krt")
     changed = threading.Event()
     with Proxy(int(robot.address.rpartition(":")[2]), disturb=ear) as wire:
-        worker = RobotWorker(wire.address, "robot", "page", SerialGateway(), changed.set)
+        worker = RobotWorker(wire.address, "robot", "page", SerialGateway(), lambda: None)
+        worker.session.subscribe(lambda change: changed.set())
         try:
             worker.connect(program)
             while ear.heard.count("T") < 10:

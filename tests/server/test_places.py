@@ -81,10 +81,10 @@ def test_who_leaves_while_the_run_is_made_ready_gives_the_place_back(app, start)
 
 
 def test_what_breaks_while_the_run_is_made_ready_gives_the_place_back(app, start, monkeypatch):
-    def broken(*_: Any) -> None:
+    async def broken(*_: Any) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(runs.Session, "_prepare", broken)
+    monkeypatch.setattr(runs, "run_of", broken)
 
     async def break_often() -> int:
         one = Socket(app)
