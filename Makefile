@@ -32,7 +32,7 @@ test: install page ## run every test: the page's, Python's and those in a browse
 	@$(PY) -m tools.pico
 	@browser="$$($(PY) -m tools.chromium > /dev/null || echo 'not browser')"; \
 	boards="$$($(PY) -m tools.qemu > /dev/null || echo 'not boards')"; \
-	$(BIN)/pytest -n auto --dist worksteal -m "$$browser$${browser:+$${boards:+ and }}$$boards"
+	$(BIN)/pytest -n auto --dist worksteal --durations=50 --durations-min=2 -m "$$browser$${browser:+$${boards:+ and }}$$boards"
 
 check: install ## format, lint, types, the stairs; changes nothing
 	$(BIN)/ruff format --check $(SOURCES)
