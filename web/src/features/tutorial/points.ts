@@ -11,6 +11,7 @@ import type { Program, Texts } from "../../model/types";
 import { reveal as revealVertex } from "../../session/actions";
 import { reveal } from "../../session/reveal";
 import { useView } from "../../session/view";
+import { whenThere } from "../../ui/when-there";
 
 const BUTTONS: Readonly<Record<string, { testid: string; words: Key }>> = {
   run: { testid: "run-button", words: "tutorial.point-run" },
@@ -149,6 +150,9 @@ export function goToPoint(point: Point, page: Page): void {
   if (point.inner === "") return;
   // The inspector shows the vertex once it is selected.
   requestAnimationFrame(() => {
-    focus(byTestid(`field-${first}.${point.inner}`));
+    const field = byTestid(`field-${first}.${point.inner}`);
+    whenThere(field, () => {
+      focus(field);
+    });
   });
 }
