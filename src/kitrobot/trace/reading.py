@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import zlib
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -49,7 +49,7 @@ class _Chunk:
     events: _Packed
 
     @property
-    def ticks(self) -> str:
+    def ticks(self) -> Sentence:
         return Sentence("ticks {first} to {last}", self.first_tick, self.last_tick)
 
 
@@ -104,7 +104,7 @@ class TraceReader:
         raw, packed, crc = layout.HEAD.unpack(head)
         if raw > layout.MOST_HEADER_BYTES or packed > layout.MOST_HEADER_BYTES:
             raise self._damaged(Sentence("its header is not what was written"))
-        text = self._unpacked(_Packed(self._file.tell(), raw, packed, crc), Sentence("its header"))
+        text = self._unpacked(_Packed(self._file.tell(), raw, packed, crc), lambda: Sentence("its header"))
         # A list of nothing is two bytes in a file and many in memory.
         if text.count(b"[") + text.count(b"{") > layout.MOST_HEADER_LISTS:
             raise self._damaged(Sentence("its header is not what was written"))
@@ -192,18 +192,18 @@ class TraceReader:
         self.outcome = outcome
         self.cut = False
 
-    def _unpacked(self, packed: _Packed, what: str) -> bytes:
-        """A packed stretch of the file, never more than it says."""
+    def _unpacked(self, packed: _Packed, what: Callable[[], Sentence]) -> bytes:
+        """A packed stretch of the file, never more than it says; `what` is its name in a sentence."""
         self._file.seek(packed.offset)
         data = self._file.read(packed.packed_bytes)
         if len(data) < packed.packed_bytes or zlib.crc32(data) != packed.crc:
-            raise self._damaged(Sentence("{what} is not there as it was written", what))
+            raise self._damaged(Sentence("{what} is not there as it was written", what()))
         try:
             raw = zlib.decompressobj().decompress(data, packed.raw_bytes + 1)
         except zlib.error as error:
-            raise self._damaged(Sentence("{what} cannot be unpacked", what)) from error
+            raise self._damaged(Sentence("{what} cannot be unpacked", what())) from error
         if len(raw) != packed.raw_bytes:
-            raise self._damaged(Sentence("{what} unpacks to another length", what))
+            raise self._damaged(Sentence("{what} unpacks to another length", what()))
         return raw
 
     # -- what is in it
@@ -233,7 +233,7 @@ class TraceReader:
         return found[-MOST_EVENTS:]
 
     def _events_of(self, chunk: _Chunk) -> Iterator[tuple[int, TraceEvent]]:
-        data = self._unpacked(chunk.events, Sentence("what happened in {ticks}", chunk.ticks))
+        data = self._unpacked(chunk.events, lambda: Sentence("what happened in {ticks}", chunk.ticks))
         return decode_events(data, chunk.first_tick, chunk.last_tick, len(self.header.agents))
 
     def _records(self, chunk: _Chunk) -> Iterator[TickRecord]:
@@ -241,7 +241,7 @@ class TraceReader:
         events: dict[int, list[TraceEvent]] = {}
         for tick, event in self._events_of(chunk):
             events.setdefault(tick, []).append(event)
-        data = self._unpacked(chunk.body, chunk.ticks)
+        data = self._unpacked(chunk.body, lambda: chunk.ticks)
         made = 0
         for record in decode(data, chunk.first_tick, chunk.records, len(header.columns), len(header.agents)):
             made = record.tick
