@@ -65,4 +65,5 @@ def test_a_new_program(open_studio: OpenStudio, pictures: Path) -> None:
     studio.at("menu-file-new").click()
     studio.expect_opened()
     expect(studio.at("first-place")).to_be_visible()
+    studio.expect_code("Your program appears here")
     take(studio, pictures / "new-program.png")
