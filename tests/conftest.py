@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import signal
 import tempfile
-from collections.abc import Iterator
 
 import hypothesis
 import pytest
@@ -25,7 +24,7 @@ os.environ.setdefault("KITROBOT_STATE", _STATE.name)
 os.environ.setdefault("KITROBOT_COMPILE", "no")
 
 # No deadlines: on a busy machine they fail tests that are right.
-hypothesis.settings.register_profile("ci", max_examples=60, deadline=None, derandomize=True, print_blob=True)
+hypothesis.settings.register_profile("ci", max_examples=30, deadline=None, derandomize=True, print_blob=True)
 hypothesis.settings.register_profile("thorough", max_examples=2000, deadline=None, print_blob=True)
 hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
 
@@ -37,14 +36,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     if left_out:
         items[:] = [item for item in items if item not in left_out]
         config.hook.pytest_deselected(items=left_out)
-
-
-@pytest.fixture(scope="module")
-def with_numba() -> Iterator[None]:
-    """The step may be compiled in the tests of a module."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("KITROBOT_COMPILE", "")
-        yield
 
 
 @pytest.fixture(scope="session")

@@ -35,6 +35,7 @@ from kitrobot.deploy.carried import frozen_loop
 from kitrobot.deploy.shortening import parsed, shortened
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.image import Image, Machine
+from kitrobot.robots import BoardProgram
 from kitrobot.workspace import find_robot, load_board_program
 from tests.boards.bench import PROGRAMS, STORES, bench_program, bench_robot
 from tests.boards.proxy import Proxy, noise
@@ -159,10 +160,18 @@ def command(word: str, *more: str) -> subprocess.CompletedProcess[str]:
     )
 
 
+def place(board: Emulated, program: BoardProgram) -> None:
+    """Sends a program; where what a test before left there has no room for two, in the place of that."""
+    try:
+        deploy(board.address, program.file.to_bytes(), program.package)
+    except FullError:
+        deploy(board.address, program.file.to_bytes(), program.package, fresh=True)
+
+
 def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_microbit: Emulated) -> None:
     microbit = used_microbit
     to = ("--to", microbit.address)
-    sent = command("deploy", str(HEART), *to)
+    sent = command("deploy", str(HEART), *to, "--fresh")
     assert sent.returncode == 0, sent.stdout + sent.stderr
     assert "bytes of memory are left" in " ".join(sent.stdout.split())
     for word, said in (("stop", "stopped"), ("start", "started"), ("log", "no fault")):
@@ -184,7 +193,7 @@ def test_a_deployed_program_gives_the_same_commands_in_every_tick(
     used_microbit: Emulated, tmp_path: Path, text: str
 ) -> None:
     program = bench_program(tmp_path, text)
-    deploy(used_microbit.address, program.file.to_bytes(), program.package)
+    place(used_microbit, program)
     compared(used_microbit.address, program, bench_robot(tmp_path), seed=11, ticks=STEPS)
 
 
@@ -193,7 +202,7 @@ def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick
 ) -> None:
     program = bench_program(tmp_path, PROGRAMS[0] * 25)
     assert Image.from_bytes(program.file.image).instructions > 300
-    deploy(used_microbit.address, program.file.to_bytes(), program.package)
+    place(used_microbit, program)
     compared(used_microbit.address, program, bench_robot(tmp_path), seed=12, ticks=STEPS)
 
 
@@ -214,8 +223,7 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
     path = tmp_path / "devices.lll"
     path.write_text(f"*[Run.IsTrue()]({text} WAIT(1); );\n", encoding="utf-8")
     program = load_board_program(path, robot="microbit")
-    # The largest leaves no room for the one before.
-    deploy(used_microbit.address, program.file.to_bytes(), program.package, fresh=len(text) > 100)
+    place(used_microbit, program)
     compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
     with connect(used_microbit.address, 10) as board:
         assert board.last_fault() is None
@@ -224,7 +232,7 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
 @pytest.mark.parametrize("name", ["heart", "reaction", "dice"])
 def test_the_examples_for_it_run_on_it(used_microbit: Emulated, name: str) -> None:
     program = load_board_program(EXAMPLES / name / f"{name}.krt")
-    deploy(used_microbit.address, program.file.to_bytes(), program.package)
+    place(used_microbit, program)
     compared(used_microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
 
 
@@ -241,7 +249,7 @@ def test_a_deploy_that_is_cut_at_any_message_leaves_what_was_there(
 ) -> None:
     old, new = bench_program(tmp_path / "old", PROGRAMS[0]), bench_program(tmp_path / "new", PROGRAMS[1])
     board = used_microbit
-    put_program(board.address, old)
+    place(board, old)
     with Proxy(board.port) as whole:
         put_program(whole.address, new)
         messages = whole.messages
@@ -278,7 +286,7 @@ def test_many_programs_in_a_row_leave_files_of_the_user_alone(used_microbit: Emu
     put(microbit.address, mine)
     for turn in range(9 if THOROUGH else 4):
         program = load_board_program(EXAMPLES / (name := ("heart", "reaction", "dice")[turn % 3]) / f"{name}.krt")
-        deploy(microbit.address, program.file.to_bytes(), program.package)
+        deploy(microbit.address, program.file.to_bytes(), program.package, fresh=turn == 0)
         assert program.is_called(runs(microbit.address))
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == mine
@@ -289,6 +297,7 @@ def test_a_program_arrives_over_a_line_that_loses_changes_and_adds_bytes(
     used_microbit: Emulated, tmp_path: Path
 ) -> None:
     program = bench_program(tmp_path, PROGRAMS[0])
+    place(used_microbit, bench_program(tmp_path / "before", PROGRAMS[1]))
     for seed in range(20):
         with Proxy(used_microbit.port, disturb=noise(seed, 0.001)) as proxy, contextlib.suppress(SilentError):
             put_program(proxy.address, program)
@@ -300,7 +309,7 @@ def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(
     used_microbit: Emulated, tmp_path: Path
 ) -> None:
     small = bench_program(tmp_path, PROGRAMS[0])
-    put_program(used_microbit.address, small)
+    place(used_microbit, small)
     with pytest.raises(BoardError, match="flash"):
         put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 100))
     assert small.is_called(runs(used_microbit.address))
@@ -327,7 +336,7 @@ def test_a_device_that_fails_stops_the_robot_and_is_told_with_its_instruction(
     robot = (tmp_path / "bench.robot.xml").read_text(encoding="utf-8")
     (tmp_path / "bench.robot.xml").write_text(robot.replace('pin="1"', 'pin="1" limit="0.2"'), encoding="utf-8")
     program = load_board_program(tmp_path / "program.lll", robot=str(tmp_path / "bench.robot.xml"))
-    deploy(used_microbit.address, program.file.to_bytes(), program.package)
+    place(used_microbit, program)
     with connect(used_microbit.address, 10) as board:
         fault = next((found for _ in range(100) if (found := board.last_fault()) is not None), None)
         assert fault is not None

@@ -38,8 +38,8 @@ def test_programs_of_the_examples() -> None:
         opened = kitrobot.open(path)
         for program in opened.mission.programs:
             compiled = opened.compiled[program.name]
-            robot = opened.catalogue.robots[program.target]
             if compiled.image is not None:
+                robot = opened.catalogue.robots[program.target]
                 name = f"{path.name} {program.name}"
                 script = random_script(seeded(name), robot, TICKS)
                 cases.append(Case(name, Machine(compiled.image, robot, watch=True), script))

@@ -85,7 +85,13 @@ def test_laying_out_a_text_loads_neither_the_simulator_nor_the_server(tmp_path):
     loaded = set(re.findall(rb"\|\s+([\w.]+)\n", ended.stderr))
     assert b"kitrobot.lll" in loaded
     heavy = {b"numpy", b"numba", b"fastapi", b"uvicorn", b"kitrobot.sim", b"kitrobot.server", b"kitrobot.compiler"}
-    assert not loaded & heavy
+    assert not loaded & (heavy | {b"pydantic", b"secrets", b"tempfile"})
+
+
+def test_a_shell_completes_every_command():
+    asked = {"_KITROBOT_COMPLETE": "complete_bash", "COMP_CWORD": "1"}
+    assert call(env={**asked, "COMP_WORDS": "kitrobot st"}).stdout.split() == [b"studio", b"start", b"stop"]
+    assert call("check", env={**asked, "COMP_WORDS": "kitrobot dep"}).stdout.split() == [b"deploy"]
 
 
 def test_importing_the_package_imports_nothing_else():

@@ -186,6 +186,7 @@ ACHIEVED: dict[str, Callable[[Watched], bool]] = {
     "brake": lambda seen: 3700 < seen.path()[-1][0] < 3960,
     "bump": lambda seen: seen.run.collisions == 1 and seen.path()[-1][0] < 3800,
     "circle": lambda seen: seen.reached(1800, 1000) and seen.reached(1100, 1700) and seen.reached(400, 1050),
+    "convoy": lambda seen: [seen.lamps_lit(k) > 0 for k in range(4)] == [True] * 4 and seen.run.seconds < 21,
     "dice": throws,
     "door": lambda seen: seen.lamps_lit() == 5 and way(seen) == 0,
     "doorbell": opens_three_times,

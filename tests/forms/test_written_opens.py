@@ -48,10 +48,20 @@ FULL = """<kitrobot version="1">
     <arc from="v1" to="stop"/>
     <note at="v1">by hand</note>
   </program>
+  <program name="haul" level="group">
+    <vertex id="start" element="Start"/>
+    <vertex id="v1" element="Program"><set name="name">p</set></vertex>
+    <vertex id="stop" element="Stop"/>
+    <arc from="start" to="v1"/>
+    <arc from="v1" to="stop"/>
+  </program>
   <team>
     <agent name="a" program="p" start="b"/>
     <goal storehouse="A" stock="all"/>
     <goal storehouse="B" stock="12"/>
+    <role name="r" robot="mini-robot" least="0" most="3"><note>who&#10;then</note><note at="after">few</note></role>
+    <group name="g" members="r a &quot;b c&quot;" failure="substitute"><note>all</note></group>
+    <work name="Boxes" units="12" lease="30"/>
   </team>
   <breakpoint program="p" vertex="v1" every="yes" when="Laps.EqualTo(1)" hits="2" off="yes">
     <agent name="a"/>

@@ -10,7 +10,7 @@ import pytest
 from kitrobot import image as images
 from kitrobot.compiler import check
 from kitrobot.image.instructions import OPS
-from kitrobot.lll import MAX_NESTING, MAX_NUMBER, parse
+from kitrobot.lll import MAX_NESTING, MAX_NUMBER, parse, parse_team, print_team_program
 from kitrobot.primitives import load_catalogue
 from kitrobot_onboard.image import FORMAT, HEADER_SIZE
 from tests.lll.expectations import meets_expectations
@@ -28,6 +28,13 @@ def test_a_program_of_the_reference_says_what_is_wrong_with_it(text: str) -> Non
 
 def test_the_reference_has_programs() -> None:
     assert len(PROGRAMS) == 5
+
+
+def test_the_team_s_program_of_the_reference_is_read_and_laid_out_as_it_stands() -> None:
+    [text] = re.findall(r"```team\n(.*?)```", PAGE, flags=re.DOTALL)
+    parsed = parse_team(text)
+    assert parsed.diagnostics == []
+    assert print_team_program(parsed.program) == text
 
 
 def test_the_reference_lists_every_instruction_in_its_order() -> None:

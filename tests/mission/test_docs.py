@@ -17,7 +17,7 @@ ROWS = {name: line for line in PAGE.splitlines() if line.startswith("| `<") for 
 def test_the_example_opens_without_a_problem_runs_and_is_written_again_to_the_byte(tmp_path: Path) -> None:
     from kitrobot.mission import write_mission
 
-    [example] = re.findall(r"```xml\n(.*?)```", PAGE, re.DOTALL)
+    [example, _] = re.findall(r"```xml\n(.*?)```", PAGE, re.DOTALL)
     path = tmp_path / "example.krt"
     path.write_text(example)
     opened = open_mission(path)
@@ -25,6 +25,19 @@ def test_the_example_opens_without_a_problem_runs_and_is_written_again_to_the_by
     assert opened.diagnostics == ()
     assert write_mission(opened.mission).decode() == example
     assert opened.run(seconds=120).ticks > 0
+
+
+def test_the_example_of_declarations_is_written_as_it_stands() -> None:
+    from kitrobot.mission import read_mission, write_mission
+
+    [_, example] = re.findall(r"```xml\n(.*?)```", PAGE, re.DOTALL)
+    mission, found = read_mission(f'<kitrobot version="1">{example}</kitrobot>'.encode(), "team.krt")
+    assert mission is not None
+    assert found == []
+    assert "".join(f"  {line}\n" for line in example.splitlines()) in write_mission(mission).decode()
+    team = MISSION["kitrobot"].children["team"].children
+    for name in ("role", "group", "work"):
+        assert all(f" {attribute}=" in example for attribute in team[name].attributes), name
 
 
 def test_every_element_of_a_mission_is_in_the_table_and_the_example() -> None:

@@ -199,7 +199,8 @@ def test_the_inverse_is_found_from_the_template_and_the_first_wins(folder: Path)
     assert inverse[shape(Conditional(Break(), one))].name == "If Then"  # type: ignore[arg-type]
     assert inverse[shape(Conditional(Break(), one, one))].name == "If Then Else"  # type: ignore[arg-type]
     assert {kind.__name__ for kind, _ in inverse} == {
-        *("Repeat", "While", "Conditional", "Event", "Parallel", "Wait", "Break", "Interrupt", "And", "Or", "Not")
+        *("Repeat", "While", "Conditional", "Event", "Parallel", "Wait", "Break", "Interrupt", "And", "Or", "Not"),
+        *("SeqOfPar", "ParOfSeq", "Where", "ProgramCall", "Move", "Joint"),
     }
 
 

@@ -1,6 +1,7 @@
 """What is shipped: the paper's constructors and robot objects, in words people understand, valid by the schemas."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -8,7 +9,7 @@ import xmlschema
 
 import kitrobot.primitives
 from kitrobot.lll import parse_template
-from kitrobot.primitives import Catalogue, Robot, load_catalogue
+from kitrobot.primitives import Catalogue, Group, Level, Robot, load_catalogue
 
 PRIMITIVES = Path(kitrobot.primitives.__file__).parent
 PACKAGE = PRIMITIVES.parent
@@ -60,6 +61,15 @@ def test_a_schema_refuses_what_the_reader_refuses(name: str, text: str) -> None:
     assert not schema_of(Path(name)).is_valid(text)
 
 
+def at_level(catalogue: Catalogue, level: Level) -> list[Group]:
+    """The groups with what stands in programs of a level; groups that have nothing of it are left out."""
+    held = [
+        replace(one, constructors=tuple(c for c in one.constructors if level.holds(c.level)))
+        for one in catalogue.groups
+    ]
+    return [group for group in held if group.constructors]
+
+
 def test_the_papers_constructors_are_there_in_their_groups(catalogue: Catalogue) -> None:
     papers = {
         "Loops": ["Repetition", "While", "Break"],
@@ -67,7 +77,8 @@ def test_the_papers_constructors_are_there_in_their_groups(catalogue: Catalogue)
         "Parallel": ["Parallelism", "Branch", "Interrupt"],
         "Conditions": ["And", "Or", "No"],
     }
-    found = {group.name: [constructor.name for constructor in group.constructors] for group in catalogue.groups}
+    groups = at_level(catalogue, Level.AGENT)
+    found = {group.name: [constructor.name for constructor in group.constructors] for group in groups}
     assert list(found) == list(papers)
     for group, expected in papers.items():
         assert found[group][: len(expected)] == expected
@@ -88,7 +99,15 @@ def test_each_construct_of_the_language_has_one_constructor(catalogue: Catalogue
             "Interrupt",
         }
         | {"And", "Or", "No"}
+        | {"SeqOfPar", "ParOfSeq", "Where", "Where Else", "Program", "Move", "Any", "All", "Most"}
     )
+
+
+def test_what_speaks_of_several_robots_stands_in_programs_of_teams_only(catalogue: Catalogue) -> None:
+    names = {level: {one.name for group in at_level(catalogue, level) for one in group.constructors} for level in Level}
+    assert names[Level.SOCIAL] - names[Level.GROUP] == {"Move"}
+    team = {"SeqOfPar", "ParOfSeq", "Where", "Where Else", "Program", "Any", "All", "Most"}
+    assert names[Level.GROUP] - names[Level.AGENT] == team
 
 
 def test_everything_about_constructors_is_said_in_three_languages(catalogue: Catalogue) -> None:

@@ -50,7 +50,7 @@ def test_a_mission_opens_with_its_world_and_catalogue(page):
     file = opened(page)
     assert file["name"] == "blink.krt"
     assert file["mission"]["programs"][0]["vertices"][2]["settings"] == {"duration": "2"}
-    assert file["mission"]["agents"] == [{"name": "robot-1", "program": "blink", "start": ""}]
+    assert file["mission"]["agents"] == [{"name": "robot-1", "program": "blink", "start": "", "robot": ""}]
     assert file["world"]["name"] == "empty"
     assert file["problems"] == []
     assert "mini-robot" in [robot["name"] for robot in file["catalogue"]["robots"]]

@@ -147,8 +147,8 @@ def test_a_condition_that_cannot_be_understood_is_refused(replay):
 def test_without_its_robot_a_condition_is_said_not_to_be_tested_and_the_place_still_pauses(recording, replay):
     mark = Breakpoint("carrier", waiting_place(replay), when="Cargo.IsPressed()")
     header = open_trace(recording).reader.header
-    assert recorded_agents.testable([mark], header, {}) == ([replace(mark, when="")], False)
-    assert recorded_agents.testable([replace(mark, enabled=False)], header, {})[1]
+    assert recorded_agents.testable([mark], header, {}, ()) == ([replace(mark, when="")], False)
+    assert recorded_agents.testable([replace(mark, enabled=False)], header, {}, ())[1]
     robots = {**TRANSPORT.catalogue.robots, "carrier": TRANSPORT.catalogue.robot("mini-robot")}
     changed = Replay(open_trace(recording), replace(TRANSPORT, catalogue=replace(TRANSPORT.catalogue, robots=robots)))
     with pytest.raises(ReplayError, match="cannot be tested in this recording"):

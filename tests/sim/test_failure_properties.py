@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.mission import Failure, FailureKind
-from kitrobot.sim import Event, Simulation, compiling
+from kitrobot.sim import Event, Simulation
 from kitrobot.sim.failures import KINDS
 from kitrobot.sim.timeline import Timeline
 from tests.sim.building import transport
@@ -54,8 +54,6 @@ def test_stock_is_conserved_whatever_befalls_whom(seed: int) -> None:
 @given(st.integers(0, 10**9), st.integers(1, 12))
 @hypothesis.settings(max_examples=20 if hypothesis.settings().max_examples < 100 else 500, deadline=None)
 def test_plain_and_compiled_agree_on_failures(seed: int, robots: int) -> None:
-    pytest.importorskip("numba")
-    assert compiling.wait() is not None
     names = [agent.name for agent in random_team(seed, robots).members]
     random = Random(seed)
     schedule, rate = harms(random, names, 10), random.choice((0.0, 0.9))

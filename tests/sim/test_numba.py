@@ -9,9 +9,6 @@ import os
 import random
 import subprocess
 import sys
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import hypothesis
@@ -19,38 +16,36 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import Simulation, compiling, simulate
 from tests.patience import PATIENCE_S
 from tests.sim.building import transport
+from tests.sim.team_building import RunningTeam, random_team_program
 from tests.sim.teams import random_team
-
-if sys.platform != "win32":
-    import fcntl
-
-pytest.importorskip("numba")
+from tests.team_programs.hosting import TooLarge
 
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.fixture(scope="module", autouse=True)
-def compiled_step(with_numba: None) -> None:
-    """Made once for these sources on a machine, in a minute, by one of pytest's workers; later it is loaded."""
-    with one_at_a_time():
-        assert compiling.wait() is not None, "Numba is here, and does not compile the step"
-
-
-@contextmanager
-def one_at_a_time() -> Iterator[None]:
-    """Lets one process of this machine in, where the system knows how."""
-    with open(Path(tempfile.gettempdir(), "kitrobot-tests-compile.lock"), "w") as lock:
-        if sys.platform != "win32":
-            fcntl.flock(lock, fcntl.LOCK_EX)
-        yield
+pytestmark = pytest.mark.usefixtures("with_numba")
 
 
 def hurried(run: Simulation) -> Simulation:
     assert run.compile_step()
     return run
+
+
+def programmed_team(seed: int) -> Simulation:
+    """A team that runs a program of the level social, and of which some fail, with spare ones."""
+    maker, program = random_team_program(seed, 1)
+    chance = random.Random(seed)
+    kinds, names = tuple(FailureKind), list(maker.agents)
+    failures = [Failure(chance.choice(names), chance.random() * 4, chance.choice(kinds)) for _ in range(4)]
+    try:
+        return RunningTeam(maker, program, seed, failures).run
+    except TooLarge:
+        hypothesis.assume(False)
+        raise
 
 
 def states(run: Simulation, stretches: list[int]) -> list[bytes]:
@@ -70,6 +65,16 @@ def test_random_teams_run_alike_plain_and_compiled(seed: int, robots: int) -> No
     assert states(plain, stretches) == states(compiled, stretches)
     assert plain.agents == compiled.agents
     assert plain.poses() == compiled.poses()
+    assert (plain.outcome, plain.sentence, plain.events) == (compiled.outcome, compiled.sentence, compiled.events)
+
+
+@given(st.integers(0, 10**9))
+@hypothesis.settings(max_examples=10 if hypothesis.settings().max_examples < 100 else 300)
+def test_random_programs_of_teams_run_alike_plain_and_compiled(seed: int) -> None:
+    plain, compiled = programmed_team(seed), programmed_team(seed)
+    plain.stays_plain = True
+    stretches = [1, 30, 1, 200, 2000]
+    assert states(plain, stretches) == states(hurried(compiled), stretches)
     assert (plain.outcome, plain.sentence, plain.events) == (compiled.outcome, compiled.sentence, compiled.events)
 
 

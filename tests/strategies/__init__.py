@@ -4,6 +4,7 @@ from tests.strategies.inputs import TickInputs, random_script
 from tests.strategies.programs import Shape, random_program
 from tests.strategies.robots import random_robot, random_robot_xml, shipped_robots
 from tests.strategies.shrinking import shrink
+from tests.strategies.teams import random_team_program
 
 __all__ = [
     "Shape",
@@ -12,6 +13,7 @@ __all__ = [
     "random_robot",
     "random_robot_xml",
     "random_script",
+    "random_team_program",
     "shipped_robots",
     "shrink",
 ]

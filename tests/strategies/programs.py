@@ -38,7 +38,7 @@ from kitrobot.lll import (
 from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
 
 Meaning = tuple[RobotObject, Method]
-Maker = Callable[[int, bool, bool], Instr]
+Making = Callable[[int, bool, bool], Instr]
 
 
 @dataclass(frozen=True)
@@ -52,10 +52,10 @@ class Shape:
 
 def random_program(rng: random.Random, robot: Robot, shape: Shape | None = None) -> Seq:
     """A well-typed program for the robot."""
-    return _Maker(rng, robot, shape or Shape()).program()
+    return Maker(rng, robot, shape or Shape()).program()
 
 
-class _Maker:
+class Maker:
     def __init__(self, rng: random.Random, robot: Robot, shape: Shape) -> None:
         self.rng = rng
         self.shape = shape
@@ -89,7 +89,7 @@ class _Maker:
     def instruction(self, depth: int, in_loop: bool, in_parallel: bool) -> Instr:
         self.left -= 1
         nested = 3 if depth < self.shape.depth and self.left > 0 else 0
-        makers: dict[Maker, float] = {
+        makers: dict[Making, float] = {
             self.action: 7,
             self.marked: 4 if in_parallel else 0.4,
             self.wait: 4,
@@ -100,6 +100,7 @@ class _Maker:
             self.choice: nested,
             self.event: nested * 0.7,
             self.parallel: nested * 1.5,
+            **self.more_makers(nested),
         }
         node = self.rng.choices(list(makers), list(makers.values()))[0](depth + 1, in_loop, in_parallel)
         if self.shape.comments:
@@ -108,6 +109,10 @@ class _Maker:
             if self.rng.random() < 0.1:
                 node.after = self.some_comments()[0]
         return node
+
+    def more_makers(self, nested: float) -> dict[Making, float]:
+        """What else an instruction may be, and how often."""
+        return {}
 
     def action(self, *_: object) -> Instr:
         if not self.devices or (self.changes and self.rng.random() < 0.4):

@@ -43,4 +43,4 @@ def test_a_new_program_says_what_to_do_in_each_panel(open_studio: OpenStudio) ->
     expect(studio.at("code")).to_contain_text("Your program appears here.")
     expect(studio.page.locator(".side-inspector")).to_contain_text("Click a part to set its speed")
     studio.at("problems").click()
-    expect(studio.page.locator(".problem-list")).to_contain_text("Press Run to see the program at work.")
+    expect(studio.page.locator("#problem-list")).to_contain_text("Press Run to see the program at work.")

@@ -170,8 +170,8 @@ def test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs(open_stud
     expect(studio.at("part-Twice")).to_have_count(0)
     expect(studio.at("problems")).not_to_contain_text("Problems0")
     studio.at("problems").click()
-    expect(studio.page.locator(".problem-list")).to_contain_text("mine.xml:1")
-    expect(studio.page.locator(".problem-list")).to_contain_text("Twice")
+    expect(studio.page.locator("#problem-list")).to_contain_text("mine.xml:1")
+    expect(studio.page.locator("#problem-list")).to_contain_text("Twice")
     expect(studio.page.locator(".vertex", has_text="Twice")).to_be_visible()
 
     file.write_text(CONSTRUCTORS)

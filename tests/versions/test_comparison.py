@@ -8,7 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.graph import Arc, Vertex
-from kitrobot.versions import differences
+from kitrobot.lll import RoleDeclaration, WorkDeclaration
+from kitrobot.primitives import Level
+from kitrobot.versions import differences, merge_missions
 from tests.versions.test_merging import base, edited
 
 
@@ -48,3 +50,27 @@ def test_one_instruction_put_in_is_one_difference():
     program.arcs.append(Arc("v9", "v3"))
     words = [found.sentence for found in differences(base(), other)]
     assert words == ["p: Wait (v9) added first in the body of While (v1)"]
+
+
+def test_what_a_team_declares_is_told_as_its_lines():
+    one, other = base(), base()
+    one.team.roles = [RoleDeclaration("r", "carrier"), RoleDeclaration("s", "loader", 2, 2)]
+    other.team.roles = [RoleDeclaration("r", "carrier", 1, 3)]
+    other.team.works = [WorkDeclaration("Boxes", 12, after="all")]
+    words = [found.sentence for found in differences(one, other)]
+    assert words == [
+        "the team: `role s: loader 2` removed",
+        "the team: `role r: carrier` → `role r: carrier 1..3`",
+        "the team: `work Boxes = 12` added",
+    ]
+    quiet = copy.deepcopy(other)
+    quiet.team.works[0].after = None
+    assert [found.kind for found in differences(other, quiet)] == ["note"]
+
+
+def test_another_level_of_a_program_is_told():
+    other = base()
+    other.programs[0].level, other.programs[0].target = Level.GROUP, ""
+    assert [found.sentence for found in differences(base(), other)] == ["p: the level: agent → group"]
+    merged = merge_missions(base(), other, base())
+    assert merged.mission.programs[0].level is Level.GROUP

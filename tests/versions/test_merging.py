@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from kitrobot.compiler import compile_program
 from kitrobot.graph import Arc, Note, Program, Vertex
+from kitrobot.lll import FAILURES, GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
 from kitrobot.mission import Agent, Mission, read_mission, write_mission
 from kitrobot.primitives import load_catalogue
 from kitrobot.versions import merge_missions
@@ -87,6 +88,19 @@ def delete(program: Program, id: str) -> None:
     program.vertices = [vertex for vertex in program.vertices if vertex.id != id]
 
 
+def declare(mission: Mission, dice: random.Random) -> None:
+    """Adds, changes or removes a declaration of the team."""
+    name, team = dice.choice("abc"), mission.team
+    made = {
+        "roles": RoleDeclaration(name, "mini-robot", 1, dice.randint(1, 3)),
+        "groups": GroupDeclaration(name, Members(["robot-1", "a"]), dice.choice(FAILURES)),
+        "works": WorkDeclaration(name, dice.randrange(9), after=dice.choice((None, "x"))),
+    }
+    what = dice.choice(list(made))
+    rows = [one for one in getattr(team, what) if one.name != name]
+    setattr(team, what, rows if dice.random() < 0.3 else [*rows, made[what]])
+
+
 def edited(mission: Mission, seed: int, count: int) -> Mission:
     """A copy with random edits."""
     dice = random.Random(seed)
@@ -95,7 +109,7 @@ def edited(mission: Mission, seed: int, count: int) -> Mission:
         program = dice.choice(mission.programs)
         flow = [arc for arc in program.arcs if arc.at in ("in", "return")]
         plain = [vertex for vertex in program.vertices if vertex.element in ("Wait", "Light.LightOn", "Wheel.Advance")]
-        match dice.randrange(7):
+        match dice.randrange(8):
             case 0 | 1:
                 arc = dice.choice(flow)
                 number = max(int(vertex.id[1:]) for vertex in program.vertices if vertex.id[1:].isdigit()) + 1
@@ -114,6 +128,8 @@ def edited(mission: Mission, seed: int, count: int) -> Mission:
                 program.name = dice.choice([program.name, f"name-{seed}-{step}"])
                 names = {one.name for one in mission.programs}
                 mission.team.agents = [agent for agent in mission.team.agents if agent.program in names]
+            case 7:
+                declare(mission, dice)
     return mission
 
 

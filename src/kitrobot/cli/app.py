@@ -15,6 +15,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from copy import copy
 from functools import cache
 from typing import Annotated, Any, Final
 
@@ -40,6 +41,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 
 DEBUG_VARIABLE = "KITROBOT_DEBUG"
+COMPLETION_VARIABLE = "_KITROBOT_COMPLETE"
 MISTAKE_OF_OURS: Final = 70
 INTERRUPTED: Final = 130
 NOBODY_READS: Final = 141
@@ -140,14 +142,18 @@ def _status(act: Callable[[], int], failed: int) -> int:
 
 
 @cache
-def _command() -> Any:
-    """All commands as Typer's Click has them; it takes as long to make as most commands take."""
-    return typer.main.get_command(app)
+def _command(name: str) -> Any:
+    """The command of that name as Typer's Click has it; all of them, which takes much longer, where none has it."""
+    made = copy(app)
+    made.registered_commands = [one for one in app.registered_commands if one.name == name] or app.registered_commands
+    return typer.main.get_command(made)
 
 
 def _obey(arguments: list[str], studio: Studio | None) -> int:
+    # What a shell asks to have completed is not in the arguments; the studio tells which commands there are.
+    name = "" if COMPLETION_VARIABLE in os.environ or arguments[0] == "studio" else arguments[0]
     try:
-        status = _command().main(arguments, prog_name="kitrobot", obj=studio, standalone_mode=False)
+        status = _command(name).main(arguments, prog_name="kitrobot", obj=studio, standalone_mode=False)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else int(end.code is not None)
     except _ClickError as error:

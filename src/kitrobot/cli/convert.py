@@ -19,7 +19,7 @@ def convert_file(
     ] = None,
     robot: Annotated[
         str | None,
-        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot of an LLL text; a `.krt` names its own."),
+        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot of an LLL text, or of a team's program."),
     ] = None,
 ) -> None:
     """Turn a program into another form; the endings of the names say which.

@@ -7,13 +7,21 @@ from kitrobot.compiler.lll_to_graph import lll_to_graph
 from kitrobot.compiler.own_part import Chosen, Look, Offered, Part, PartError, make_part, offer_part
 from kitrobot.compiler.part_offers import Offer
 from kitrobot.compiler.part_reading import PartText, draw_template, read_part
+from kitrobot.compiler.projection import Projection, project
 from kitrobot.compiler.selection import SelectionError
-from kitrobot.compiler.target import Target, target_of
+from kitrobot.compiler.target import Read, Target, print_for, read_for, robot_of, target_of
+from kitrobot.compiler.team_check import check_program, program_circles
+from kitrobot.compiler.team_compilation import CompiledTeam, compile_team
+from kitrobot.compiler.team_names import check_declarations
+from kitrobot.compiler.team_points import ALL, ONE, Point, PointKind, TeamPlan
 from kitrobot.compiler.text_edit import Followed, VertexPlace, follow_text
 
 __all__ = [
+    "ALL",
+    "ONE",
     "Chosen",
     "Compiled",
+    "CompiledTeam",
     "Followed",
     "Look",
     "Offer",
@@ -21,13 +29,21 @@ __all__ = [
     "Part",
     "PartError",
     "PartText",
+    "Point",
+    "PointKind",
+    "Projection",
+    "Read",
     "SelectionError",
     "Target",
+    "TeamPlan",
     "Translation",
     "VertexPlace",
     "check",
+    "check_declarations",
+    "check_program",
     "compile_lll",
     "compile_program",
+    "compile_team",
     "compile_text",
     "draw_template",
     "follow_text",
@@ -35,6 +51,11 @@ __all__ = [
     "lll_to_graph",
     "make_part",
     "offer_part",
+    "print_for",
+    "program_circles",
+    "project",
+    "read_for",
     "read_part",
+    "robot_of",
     "target_of",
 ]

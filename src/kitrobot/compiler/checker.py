@@ -6,14 +6,12 @@ read (an empty `object`) was reported by the parser and is passed over.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cached_property
-
 from kitrobot.compiler import rules
+from kitrobot.compiler.called_names import CalledNames
 from kitrobot.compiler.constant_conditions import always_holds
 from kitrobot.compiler.flow import FlowAnalysis
 from kitrobot.compiler.overridden_commands import given_way
-from kitrobot.compiler.target import Target
+from kitrobot.compiler.target import Target, words_for
 from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule, Source, in_reading_order
 from kitrobot.lll import (
     And,
@@ -24,20 +22,25 @@ from kitrobot.lll import (
     Event,
     Instr,
     Interrupt,
+    Joint,
     Node,
     Not,
     Number,
     Or,
     Parallel,
+    ParOfSeq,
     Repeat,
     Seq,
+    SeqOfPar,
+    TeamInstr,
     Wait,
+    Where,
     While,
     bodies,
     nodes,
 )
 from kitrobot.primitives import Category, Kind, Method, Parameter, Robot, RobotObject, ValueType
-from kitrobot.text import COMMA, Help, Sentence, Series, Suggestions, Word, listed
+from kitrobot.text import COMMA, Help, Sentence, Series, Word
 
 
 def check(program: Seq, target: Target, source: Source, program_name: str = "") -> list[Diagnostic]:
@@ -57,8 +60,10 @@ class _Checker:
         self.robot = robot
         self.source = source
         self.program_name = program_name
+        self.within = program_name
+        """The program from which the instruction comes that is looked at."""
         self.flow = FlowAnalysis(robot, self.is_endless)
-        self.suggestions = Suggestions()
+        self.names = CalledNames(robot)
         self.found: list[Diagnostic] = []
 
     def report(
@@ -72,7 +77,7 @@ class _Checker:
     ) -> None:
         place = self.source.place(node.start if start is None else start, node.end)
         vertices = (node.vertex,) if node.vertex else ()
-        self.found.append(rule(message, place, help=help, program=self.program_name, vertices=vertices, fix=fix))
+        self.found.append(rule(message, place, help=help, program=self.within, vertices=vertices, fix=fix))
 
     def text(self, node: Node) -> str:
         return self.source.text[node.start : node.end]
@@ -80,26 +85,6 @@ class _Checker:
     def is_endless(self, node: While) -> bool:
         """Whether only a BREAK leaves a loop."""
         return always_holds(node.condition, self.robot)
-
-    @cached_property
-    def methods(self) -> dict[str, list[Method]]:
-        """What each name of an object offers, in the order of the robot."""
-        table: dict[str, list[Method]] = {}
-        for (name, _), (_, method) in self.robot.calls.items():
-            table.setdefault(name, []).append(method)
-        return table
-
-    @cached_property
-    def objects(self) -> list[str]:
-        """The names of the robot's objects that can be called, in the order of the alphabet."""
-        return sorted(self.methods)
-
-    def suggested(self, name: str, known: Sequence[str]) -> tuple[str, Help]:
-        """The most similar known name, and a help sentence with it; without one the sentence lists what there is."""
-        near = self.suggestions.nearest(name, known)
-        if near:
-            return near, Sentence("did you mean {near}?", near)
-        return "", Sentence("there is {known}", listed(known)) if known else ""
 
     # -- instructions
 
@@ -113,7 +98,9 @@ class _Checker:
                     node,
                     Sentence("take it away, or let a BREAK leave the loop before it"),
                 )
+            within, self.within = self.within, node.program or self.program_name
             self.instruction(node, in_loop, in_parallel)
+            self.within = within
             reachable = reachable is not True or self.flow.instruction(node).goes_on
 
     def instruction(self, node: Instr, in_loop: bool, in_parallel: bool) -> None:
@@ -156,6 +143,12 @@ class _Checker:
                 for branch in node.branches:
                     self.seq(branch, in_loop=False, in_parallel=True)
                 self.shared_actuators(node)
+            case SeqOfPar() | ParOfSeq():
+                self.seq(node.body, in_loop=False, in_parallel=in_parallel)
+            case Where():
+                self.condition(node.condition)
+                for body in bodies(node):
+                    self.seq(body, in_loop=False, in_parallel=in_parallel)
             case Break():
                 if not in_loop:
                     message = Sentence("BREAK stands in no loop, so it ends the program")
@@ -193,7 +186,7 @@ class _Checker:
         if isinstance(node, Call):
             meaning = self.robot.calls.get((node.object, node.method))
             return meaning is None or meaning[1].kind is Kind.PROCEDURE
-        return isinstance(node, Wait | Parallel | Event | Break)
+        return isinstance(node, Wait | Parallel | Event | Break | TeamInstr)
 
     def is_blind(self, node: Instr) -> bool:
         """Whether an instruction is a call that takes no time, whatever the robot senses."""
@@ -236,7 +229,7 @@ class _Checker:
             case And() | Or():
                 self.condition(node.left)
                 self.condition(node.right)
-            case Not():
+            case Not() | Joint():
                 self.condition(node.condition)
             case Call():
                 meaning = self.meaning(node)
@@ -250,7 +243,7 @@ class _Checker:
 
     def offer(self, part: RobotObject, kind: Kind) -> Help:
         """Names the methods of that kind which an object's name offers."""
-        known = [method.name for method in self.methods[part.name] if method.kind is kind]
+        known = [method.name for method in self.names.methods[part.name] if method.kind is kind]
         return (
             Sentence("`{part}` has {known}", part.name, Series(COMMA, (f"`{name}`" for name in known))) if known else ""
         )
@@ -265,13 +258,13 @@ class _Checker:
             return None
         meaning = self.robot.calls.get((call.object, call.method))
         if meaning is None:
-            methods = sorted(method.name for method in self.methods.get(call.object, ()))
+            methods = sorted(method.name for method in self.names.methods.get(call.object, ()))
             if methods:
-                near, help = self.suggested(call.method, methods)
+                near, help = self.names.suggested(call.method, methods)
                 self.report(
                     rules.UNKNOWN_METHOD,
                     Sentence(
-                        "`{object}` of the robot `{robot}` has no `{method}`", call.object, self.robot.name, call.method
+                        "`{object}` of {robot} has no `{method}`", call.object, words_for(self.robot), call.method
                     ),
                     call,
                     help,
@@ -279,10 +272,10 @@ class _Checker:
                     fix=self.renaming(call, call.object, near),
                 )
             else:
-                near, help = self.suggested(call.object, self.objects)
+                near, help = self.names.suggested(call.object, self.names.objects)
                 self.report(
                     rules.UNKNOWN_OBJECT,
-                    Sentence("the robot `{robot}` has no `{object}`", self.robot.name, call.object),
+                    Sentence("{robot} has no `{object}`", words_for(self.robot), call.object),
                     call,
                     help,
                     fix=self.renaming(call, near, call.method),
@@ -385,7 +378,7 @@ def _name(call: Call) -> str:
 
 
 def _calls(seq: Seq) -> list[Call]:
-    """The calls that stand as instructions in a body, nested bodies included, in reading order."""
+    """The calls that stand as instructions in a body, nested bodies of the same robots included, in reading order."""
     found: list[Call] = []
     for node in seq.items:
         if isinstance(node, Call):
@@ -393,7 +386,7 @@ def _calls(seq: Seq) -> list[Call]:
         elif isinstance(node, Interrupt):
             if isinstance(node.call, Call):
                 found.append(node.call)
-        else:
+        elif not isinstance(node, TeamInstr):
             for body in bodies(node):
                 found += _calls(body)
     return found

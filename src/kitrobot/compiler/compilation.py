@@ -9,7 +9,8 @@ from kitrobot.compiler.graph_rules import UNKNOWN_ELEMENT
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lowering import lower
 from kitrobot.compiler.rules import UNKNOWN_METHOD, UNKNOWN_OBJECT
-from kitrobot.compiler.target import Target, target_of
+from kitrobot.compiler.target import Target, print_for, target_of
+from kitrobot.compiler.team_check import check_program
 from kitrobot.diagnostics import Diagnostic, Source, in_reading_order
 from kitrobot.graph import Program
 from kitrobot.image import DebugMap, Image
@@ -80,9 +81,9 @@ def _compile_program(program: Program, catalogue: Catalogue, translation: Transl
     target = target_of(program, catalogue)
     if translation is None:
         translation = graph_to_lll(program, catalogue)
-    source = Source(f"{program.name}.lll", print_program(translation.program))
-    if not translation.ok:
-        found = check(translation.program, target, source, program.name)
+    source = Source(f"{program.name}.lll", print_for(translation.program, target, catalogue.crew))
+    if not translation.ok or target.level.is_team:  # what a team's program becomes is each robot's own
+        found = check_program(translation.program, target, catalogue.crew, source, program.name)
         diagnostics = translation.diagnostics + _news(found, translation.diagnostics)
         return Compiled(translation.program, source, None, DebugMap(), diagnostics)
     compiled = compile_lll(translation.program, target, source, program.name, sound=sound)

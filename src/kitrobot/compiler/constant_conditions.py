@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from itertools import product
 
-from kitrobot.lll import And, Call, Condition, Hole, Not, Number, Or
+from kitrobot.lll import And, Call, Condition, Hole, Joint, Not, Number, Or
 from kitrobot.primitives import Robot
 
 MOST_TESTS = 6
@@ -32,7 +32,7 @@ def _collect(condition: Condition, tests: list[Call], robot: Robot) -> bool:
             return _collect(condition.left, tests, robot) and _collect(condition.right, tests, robot)
         case Not():
             return _collect(condition.condition, tests, robot)
-        case Hole():
+        case Hole() | Joint():
             return False
         case Call():
             if _known(condition, robot) is None and condition not in tests:
@@ -51,7 +51,7 @@ def _holds(condition: Condition, tests: list[Call], values: tuple[bool, ...], ro
         case Call():
             known = _known(condition, robot)
             return values[tests.index(condition)] if known is None else known
-        case Hole():
+        case Hole() | Joint():
             return False
 
 

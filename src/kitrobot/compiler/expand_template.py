@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
 from typing import Any, Protocol
 
 from kitrobot.compiler import graph_rules as rules
@@ -19,16 +21,24 @@ from kitrobot.lll import (
     Event,
     Hole,
     Interrupt,
+    Joint,
+    Members,
+    Move,
     Node,
     Not,
     Number,
     Or,
     Parallel,
     Param,
+    ParOfSeq,
+    ProgramCall,
     Repeat,
     Seq,
+    SeqOfPar,
     Wait,
+    Where,
     While,
+    parse_members,
 )
 from kitrobot.primitives import Constructor, Slot, SlotKind
 from kitrobot.text import Help, Sentence, Word
@@ -100,6 +110,41 @@ class _Filling:
         low, high = max(0, slot.minimum or 0), MAX_NUMBER if slot.maximum is None else min(slot.maximum, MAX_NUMBER)
         return self.walk.number(self.vertex, slot.name, text, low, high)
 
+    def name(self, value: str | Hole) -> str | Hole:
+        if isinstance(value, str):
+            return value
+        left = self.left(value)
+        return self.typed(value) if left is None else left
+
+    def typed(self, hole: Hole) -> str:
+        """What was typed into a slot, on one line."""
+        slot = self.slot(hole)
+        text = " ".join(self.vertex.settings.get(slot.name, slot.default).split("\n"))
+        if not text.strip():
+            self.empty(hole, Sentence("write a name into it"))
+        return text
+
+    def members(self, value: Members | Hole) -> Members | Hole:
+        if isinstance(value, Members):
+            return replace(value)
+        left = self.left(value)
+        if left is not None:
+            return left
+        text = self.typed(value)
+        members = parse_members(text)
+        if members is None and text.strip():
+            message = Sentence(
+                "expected a set as the {slot} of `{vertex}`, found `{found}`", Word(value.name), self.vertex.id, text
+            )
+            self.walk.report(
+                rules.NOT_A_SET, message, self.vertex.id, help=Sentence("write a name, or several: {a, b}")
+            )
+        return Members([], vertex=self.vertex.id) if members is None else replace(members, vertex=self.vertex.id)
+
+    def joint(self, template: Joint) -> Condition:
+        members = self.members(template.members)
+        return self.joined(partial(Joint, template.quantifier, members), template.condition)
+
     def left(self, hole: Hole) -> Hole | None:
         """The hole that the walk leaves in the place of this one."""
         return self.walk.hole(self.vertex, hole.name)
@@ -116,11 +161,15 @@ class _Filling:
             if kind is SlotKind.ACTION
             else Sentence("a value")
         )
+        self.empty(hole, Sentence("drop {wanted} on it", wanted))
+        return None
+
+    def empty(self, hole: Hole, help: Help) -> None:
+        """Reports a slot that holds nothing."""
         message = Sentence(
             "the slot `{hole}` of `{vertex}` ({element}) is empty", hole.name, self.vertex.id, Word(self.vertex.element)
         )
-        self.walk.report(rules.EMPTY_SLOT, message, self.vertex.id, help=Sentence("drop {wanted} on it", wanted))
-        return None
+        self.walk.report(rules.EMPTY_SLOT, message, self.vertex.id, help=help)
 
     def condition(self, template: Any) -> Condition:
         if isinstance(template, Hole):
@@ -242,6 +291,15 @@ _BUILDERS: dict[type[Node], Callable[[_Filling, Any], Any]] = {
     Parallel: lambda f, t: Parallel(f.branches(t.branches)),
     Wait: lambda f, t: Wait(f.number(t.duration)),
     Break: lambda f, t: Break(),
+    SeqOfPar: lambda f, t: SeqOfPar(f.members(t.members), f.body(t.body)),
+    ParOfSeq: lambda f, t: ParOfSeq(f.members(t.members), f.body(t.body)),
+    Where: lambda f, t: Where(
+        *(f.members(t.members), f.condition(t.condition), f.body(t.then)),
+        None if t.orelse is None else f.body(t.orelse),
+    ),
+    ProgramCall: lambda f, t: ProgramCall(f.name(t.name)),
+    Move: lambda f, t: Move(f.number(t.count), f.name(t.source), f.name(t.target)),
+    Joint: lambda f, t: f.joint(t),
     And: lambda f, t: f.joined(And, t.left, t.right),
     Or: lambda f, t: f.joined(Or, t.left, t.right),
     Not: lambda f, t: f.joined(Not, t.condition),

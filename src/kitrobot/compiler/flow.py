@@ -10,7 +10,24 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from kitrobot.compiler.slots import is_marked
-from kitrobot.lll import Break, Call, Conditional, Event, Instr, Interrupt, Parallel, Repeat, Seq, Wait, While
+from kitrobot.lll import (
+    Break,
+    Call,
+    Conditional,
+    Event,
+    Instr,
+    Interrupt,
+    Move,
+    Parallel,
+    ParOfSeq,
+    ProgramCall,
+    Repeat,
+    Seq,
+    SeqOfPar,
+    Wait,
+    Where,
+    While,
+)
 from kitrobot.primitives import Robot
 
 
@@ -64,7 +81,7 @@ class FlowAnalysis:
                 return self._call(node)
             case Interrupt():
                 return self._call(node.call) if isinstance(node.call, Call) else _NOTHING
-            case Wait():
+            case Wait() | SeqOfPar() | ParOfSeq() | Where() | ProgramCall() | Move():
                 return _BLOCKS
             case Parallel():
                 return _NOWHERE if self._endless is not None and self._never_ends(node) else _BLOCKS

@@ -89,3 +89,17 @@ OPEN_BREAK = rule(
     "A part can stand anywhere. A Break in it that leaves the loop around it would leave another loop there, or end "
     "the program.",
 )
+NOT_A_SET = rule(
+    "not-a-set",
+    Severity.ERROR,
+    "A slot for a set of robots holds none",
+    "A set is the name of a role, a group or an agent, or several of them: `{carriers, loader}`. A name that is not "
+    "made of letters and digits, joined by single hyphens, stands between double quotes.",
+)
+WRONG_LEVEL = rule(
+    "wrong-level",
+    Severity.ERROR,
+    "A vertex stands in a program of another level",
+    "Constructors of the levels group and social speak of several robots, so they stand in a team's program; those of "
+    "the level social stand in a social program only.",
+)

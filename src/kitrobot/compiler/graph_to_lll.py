@@ -9,7 +9,6 @@ given name and is not walked. That is how a stretch of a program becomes a templ
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, cast
@@ -17,6 +16,7 @@ from typing import Any, cast
 from kitrobot.compiler import graph_rules as rules
 from kitrobot.compiler.expand_template import fill
 from kitrobot.compiler.target import target_of
+from kitrobot.compiler.typed_numbers import nearest_number, typed_number
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.diagnostics import Diagnostic, Fix, FixKind, Rule
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
@@ -31,10 +31,8 @@ from kitrobot.lll import (
     Param,
     Seq,
 )
-from kitrobot.primitives import Catalogue, Parameter, Role
+from kitrobot.primitives import Catalogue, Constructor, Parameter, Role
 from kitrobot.text import Help, Sentence, Word
-
-_WHOLE = re.compile(r"[+-]?[0-9]{1,9}")
 
 
 @dataclass(frozen=True)
@@ -114,12 +112,12 @@ class _Walk:
         if start is not None:
             self.visited.add(start.id)
             self.chain(seq, start.id, NEXT, None)
-            self.notes = [line for note in start.notes for line in _lines(note.text)]
+            self.notes = [line for note in start.notes for line in note.lines]
             if self.notes:
                 (seq.items[0].above if seq.items else seq.below)[:0] = self.notes
         if stop is not None:
             self.visited.add(stop.id)
-            seq.below += [line for note in stop.notes for line in _lines(note.text)]
+            seq.below += [line for note in stop.notes for line in note.lines]
         self.parked()
         return seq
 
@@ -260,6 +258,7 @@ class _Walk:
                 vertex.id,
             )
         else:
+            self.look_at_level(vertex, constructor)
             filled = fill(self, vertex, constructor)
             if isinstance(filled, Seq):
                 row = filled
@@ -271,12 +270,24 @@ class _Walk:
         made: list[Any] = row.items
         inner, self.notes = self.notes, notes
         if made:
-            above = [line for note in vertex.notes if note.at == "" for line in _lines(note.text)]
+            above = [line for note in vertex.notes if note.at == "" for line in note.lines]
             made[0].above = above + inner + made[0].above
             after = [" ".join(note.text.split("\n")) for note in vertex.notes if note.at == "after"]
             if after:
                 made[-1].after = " ".join([*filter(None, (made[-1].after,)), *after]).rstrip()
         self.put(vertex, seq, row)
+
+    def look_at_level(self, vertex: Vertex, constructor: Constructor) -> None:
+        """Reports what speaks of more robots than the program does."""
+        if not self.program.level.holds(constructor.level):
+            message = Sentence(
+                "`{vertex}` ({element}) stands in a program of the level {level}; this is one of the level {found}",
+                vertex.id,
+                Word(vertex.element),
+                Word(constructor.level),
+                Word(self.program.level),
+            )
+            self.report(rules.WRONG_LEVEL, message, vertex.id, help=Sentence("put it into the team's program"))
 
     def call(self, vertex: Vertex) -> Call:
         name, _, method = vertex.element.partition(".")
@@ -315,9 +326,9 @@ class _Walk:
         return Number(self.number(vertex, parameter.name, text, 0, MAX_NUMBER), vertex=vertex.id)
 
     def number(self, vertex: Vertex, name: str, text: str, low: int, high: int) -> int:
-        digits = text.strip()
-        if digits.isascii() and digits.isdigit() and len(digits.lstrip("0")) <= 5 and low <= int(digits) <= high:
-            return int(digits)
+        typed = typed_number(text, low, high)
+        if typed is not None:
+            return typed
         shown = text if len(text) <= 24 else text[:21] + "…"
         message = Sentence(
             "expected a whole number from {low} to {high} as the {parameter} of `{vertex}`, found `{found}`",
@@ -327,7 +338,8 @@ class _Walk:
             vertex.id,
             shown,
         )
-        fix = Fix(str(nearest), FixKind.SETTING, name) if (nearest := _nearest(digits, low, high)) is not None else None
+        nearest = nearest_number(text, low, high)
+        fix = None if nearest is None else Fix(str(nearest), FixKind.SETTING, name)
         help = Sentence("write a number from {minimum} to {maximum}", low, high)
         self.report(rules.NOT_A_NUMBER, message, vertex.id, help=help, fix=fix)
         return low
@@ -346,7 +358,7 @@ class _Walk:
     def body(self, vertex: Vertex, port: str) -> Seq:
         seq = Seq()
         self.chain(seq, vertex.id, port, vertex.id)
-        seq.below += [line for note in vertex.notes if note.at == f"in:{port}" for line in _lines(note.text)]
+        seq.below += [line for note in vertex.notes if note.at == f"in:{port}" for line in note.lines]
         return seq
 
     def condition(self, vertex: Vertex) -> Condition:
@@ -360,6 +372,7 @@ class _Walk:
             message = Sentence("`{vertex}` ({element}) is no condition", vertex.id, Word(vertex.element))
             self.report(rules.WRONG_PLACE, message, vertex.id)
             return Call("", "")
+        self.look_at_level(vertex, constructor)
         return cast("Condition", fill(self, vertex, constructor))
 
     def read(self, vertex: Vertex) -> Call:
@@ -382,16 +395,5 @@ class _Walk:
             self.report(rules.WRONG_WAY, message, vertex.id, help=Sentence("take a copy of it"))
             return False
         self.visited.add(vertex.id)
-        self.notes += [line for note in vertex.notes for line in _lines(note.text)]
+        self.notes += [line for note in vertex.notes for line in note.lines]
         return True
-
-
-def _nearest(digits: str, low: int, high: int) -> int | None:
-    """The number in range that is nearest to a whole number; None when it is none."""
-    if not _WHOLE.fullmatch(digits):
-        return None
-    return min(max(int(digits), low), high)
-
-
-def _lines(text: str) -> list[str]:
-    return [line.rstrip() for line in text.split("\n")]

@@ -19,9 +19,10 @@ from typing import Any
 from kitrobot.compiler.accepted_forms import write_anew
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.preserve_ids import Before, Branch, Old, Origin, Row, lines_of, note, nothing_before
+from kitrobot.compiler.target import program_for
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Note, Program, Vertex
-from kitrobot.lll import Call, Instruction, Node, Number, Seq, nodes
+from kitrobot.lll import Call, Instruction, Members, Node, Number, Seq, nodes, print_members
 from kitrobot.primitives import Bound, Catalogue, Constructor, Robot, SlotKind, shape, unfill, unfill_all, unfill_row
 from kitrobot.text import Sentence
 
@@ -52,7 +53,7 @@ def lll_to_graph(
         return redraw(seq, robot, catalogue, name, Before(graph_to_lll(keep, catalogue)))[0]
     write_anew(seq, catalogue)
     old = Old(nothing_before(robot, catalogue), {})
-    return Drawing(Program(name, robot.name), robot, catalogue, old, apart_from=apart_from).whole(seq)
+    return Drawing(program_for(robot, name), robot, catalogue, old, apart_from=apart_from).whole(seq)
 
 
 def redraw(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, before: Before) -> tuple[Program, Translation]:
@@ -62,11 +63,11 @@ def redraw(seq: Seq, robot: Robot, catalogue: Catalogue, name: str, before: Befo
     if tree == seq:
         for node, was in zip(nodes(seq), nodes(tree), strict=True):
             node.vertex = was.vertex
-        return replace(before.program, name=name, target=robot.name), before.translation
+        return replace(before.program, name=name, target=robot.name, level=robot.level), before.translation
     old = Old.beside(before, seq)
-    drawn, translation = Program(name, robot.name), before.translation
+    drawn, translation = program_for(robot, name), before.translation
     for notes_anew in (False, True):
-        drawn = Drawing(Program(name, robot.name), robot, catalogue, old, notes_anew=notes_anew).whole(seq)
+        drawn = Drawing(program_for(robot, name), robot, catalogue, old, notes_anew=notes_anew).whole(seq)
         old.leave(drawn, loose_only=notes_anew)
         translation = graph_to_lll(drawn, catalogue)
         if translation.program == seq:
@@ -210,7 +211,7 @@ class Drawing:
         for constructor in self.catalogue.drawn.get(kind, ()):
             assert constructor.template is not None, "only what has a template is drawn"
             bound = unfill(constructor, constructor.template, node)
-            if bound is not None and constructor.name != self.apart_from:
+            if bound is not None and constructor.name != self.apart_from and self.robot.level.holds(constructor.level):
                 return _Choice(constructor.name, constructor, bound, origin)
         inverse = self.catalogue.inverse.get(kind)
         if inverse is None:
@@ -290,15 +291,16 @@ class Drawing:
                 self.arc(last, vertex.id, out, RETURN)
             elif slot.kind is SlotKind.FLOW:
                 self.body(vertex, slot.name, content, _at(below, slot.name))
-            elif isinstance(content, Node) and not isinstance(content, Number):
+            elif isinstance(content, Node) and not isinstance(content, Number | Members):
                 self.filler(vertex, slot.name, content, bare)
             else:
                 self.setting(vertex, slot.name, content, was)
 
     def setting(self, vertex: Vertex, name: str, value: Any, was: Any) -> None:
-        """A number that was typed; one that says the same as before stays as it was written."""
+        """What was typed; what says the same as before stays as it was written."""
         if was is None or value != was:
-            vertex.settings[name] = str(value.value if isinstance(value, Number) else value)
+            written = print_members(value) if isinstance(value, Members) else value
+            vertex.settings[name] = str(written.value if isinstance(written, Number) else written)
 
     def body(self, vertex: Vertex, port: str, seq: Seq, notes: list[Note], *, bare: bool = True) -> None:
         """A body, with the notes that stood at its end before. An empty branch keeps them unless `bare`."""

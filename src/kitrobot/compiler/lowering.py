@@ -139,7 +139,7 @@ class _Lowering:
     def seq(self, seq: Seq) -> None:
         for node in seq.items:
             self.code.free_temporaries()
-            self.code.origin = Origin(self.name, node.vertex, node.start, node.end)
+            self.code.origin = Origin(node.program or self.name, node.vertex, node.start, node.end)
             self.instruction(node)
 
     def body(self, seq: Seq) -> None:
@@ -156,7 +156,7 @@ class _Lowering:
             case Interrupt():
                 assert isinstance(node.call, Call)
                 if node.call.vertex is not None:
-                    code.origin = Origin(self.name, node.call.vertex, node.start, node.end)
+                    code.origin = Origin(node.program or self.name, node.call.vertex, node.start, node.end)
                 self.action(node.call, marked=True)
             case Repeat():
                 self.repeat(node)

@@ -7,7 +7,7 @@ last wins. What only some ways do is not told: a command that a choice takes bac
 from __future__ import annotations
 
 from kitrobot.compiler.flow import FlowAnalysis
-from kitrobot.lll import Call, Conditional, Instr, Interrupt, Repeat, Seq, While, bodies
+from kitrobot.lll import Call, Conditional, Instr, Interrupt, Repeat, Seq, SeqOfPar, While, bodies
 from kitrobot.primitives import Category, Kind, Robot
 
 Pairs = list[tuple[Call, Call]]
@@ -29,6 +29,9 @@ def given_way(program: Seq, robot: Robot) -> Pairs:
             last = {id(call) for call in given.values()}
             found += [pair for pair in more if id(pair[0]) in last - told and pair[0] is not pair[1]]
         for node in seq.items:
+            if isinstance(node, SeqOfPar):  # its members meet between two lines
+                waiting += [(Seq([item]), False) for item in node.body.items]
+                continue
             endless = isinstance(node, While) and node.condition is None and flow.back_edge_is_free(node.body)
             waiting += [(body, endless) for body in bodies(node)]
     return found

@@ -26,19 +26,23 @@ from kitrobot.graph import NEXT, START, STOP, Arc, Program, Vertex
 from kitrobot.lll import (
     Break,
     Condition,
+    Joint,
     Node,
     Parallel,
     Repeat,
     Seq,
+    TeamInstr,
     While,
     children,
     is_name,
+    nodes,
     print_template,
 )
 from kitrobot.primitives import (
     OWN_GROUP,
     Catalogue,
     Constructor,
+    Level,
     Role,
     Slot,
     SlotKind,
@@ -148,6 +152,7 @@ def make_part(
         icon=look.icon,
         label=look.label,
         help=look.help,
+        level=program.level if any(isinstance(node, TeamInstr | Joint) for node in nodes(template)) else Level.AGENT,
     )
     constructor = judged(wanted)
     if (constructor.role is Role.CONDITION) is not selection.is_condition:
@@ -257,6 +262,12 @@ def _slot(label: str, placed: list[_Placed], taken: set[str]) -> Slot:
                 Sentence("one name can only stand for the same number"),
             )
         kind = SlotKind.NUMBER
+    if any(other.kind is SlotKind.TEXT for _, other, _ in placed):
+        if any(other.kind is not SlotKind.TEXT for _, other, _ in placed):
+            raise PartError(
+                Sentence("two different things are called `{label}`", label), Sentence("give each its own name")
+            )
+        return Slot(name, SlotKind.TEXT, default=offer.value, label=texts)
     low = max(other.minimum for _, other, _ in placed)
     high = min(other.maximum for _, other, _ in placed)
     low = low if chosen.minimum is None else chosen.minimum
@@ -319,11 +330,11 @@ def _piece(program: Program, selection: Selection, wiring: Wiring) -> Program:
     vertices = [replace(wiring.vertices[name], notes=[]) for name in selection.held]
     arcs = [arc for arc in program.arcs if arc.source in held and arc.target in held]
     if selection.is_condition:
-        return Program(program.name, program.target, vertices, arcs)
+        return replace(program, vertices=vertices, arcs=arcs)
     first, last = selection.chain[0], selection.chain[-1]
     arcs = [arc for arc in arcs if (arc.source, arc.out) != (last, NEXT)]
     ends = [Vertex(start, START), Vertex(stop, STOP)]
-    return Program(program.name, program.target, [*vertices, *ends], [*arcs, Arc(start, first), Arc(last, stop)])
+    return replace(program, vertices=[*vertices, *ends], arcs=[*arcs, Arc(start, first), Arc(last, stop)])
 
 
 def _unused(held: set[str], name: str) -> str:

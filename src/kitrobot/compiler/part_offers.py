@@ -125,7 +125,8 @@ class _Offers:
     def slot(self, vertex: Vertex, slot: Slot, inside: SlotName | None) -> Offer:
         if slot.kind in TYPED:
             filled = (vertex.id, slot.name) in self.wiring.fills
-            typed = vertex.settings.get(slot.name, slot.default or str(slot.minimum or 0))
+            usual = "" if slot.kind is SlotKind.TEXT else str(slot.minimum or 0)
+            typed = vertex.settings.get(slot.name, slot.default or usual)
             return self.number(vertex, slot, "" if filled else typed, inside)
         return Offer(
             vertex.id,

@@ -164,7 +164,7 @@ class _Placing:
                 vertices.append(vertex)
         moved = (self.arcs.get(id(arc), arc) for arc in self.old.arcs)
         arcs = [arc for arc in moved if arc is not None and arc.source not in gone and arc.target not in gone]
-        return Program(self.old.name, self.old.target, vertices, arcs + self.more)
+        return replace(self.old, vertices=vertices, arcs=arcs + self.more)
 
 
 def _fresh(program: Program) -> str:

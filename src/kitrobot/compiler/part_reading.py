@@ -22,9 +22,13 @@ from kitrobot.lll import (
     Call,
     Event,
     Hole,
+    Joint,
+    Members,
+    Move,
     Not,
     Number,
     Or,
+    ProgramCall,
     Seq,
     nodes,
     parse_template,
@@ -151,7 +155,7 @@ def draw_template(constructor: Constructor, robot: Robot, catalogue: Catalogue) 
     assert constructor.template is not None, "what adds a branch has no template"
     template: Any = copy.deepcopy(constructor.template)
     numbers: dict[int, str] = {}
-    is_condition = isinstance(template, And | Or | Not)
+    is_condition = isinstance(template, And | Or | Not | Joint)
     seq = template if isinstance(template, Seq) else Seq([Event(template, Seq()) if is_condition else template])
     for node in nodes(seq):
         _stand_in(node, numbers)
@@ -180,6 +184,10 @@ def _stand_in(node: Any, numbers: dict[int, str]) -> None:
                 node.hole = None
             elif part.name in ("count", "duration"):
                 setattr(node, part.name, number(value))
+            elif part.name == "members":
+                node.members = Members([value.name])  # written as the hole is
+            elif isinstance(node, ProgramCall | Move):
+                setattr(node, part.name, f"{{{value.name}}}")
             else:
                 setattr(node, part.name, Call(f"{{{value.name}}}", ""))
         elif isinstance(value, list) and not isinstance(node, Seq):
@@ -190,9 +198,8 @@ def _without_chain(program: Program) -> Program:
     """What does not stand in the chain: the condition of its only instruction."""
     chained = {arc.target for arc in program.arcs if arc.at == IN}
     gone = chained | {vertex.id for vertex in program.vertices if vertex.element in (START, STOP)}
-    return Program(
-        program.name,
-        program.target,
-        [vertex for vertex in program.vertices if vertex.id not in gone],
-        [arc for arc in program.arcs if arc.source not in gone and arc.target not in gone],
+    return replace(
+        program,
+        vertices=[vertex for vertex in program.vertices if vertex.id not in gone],
+        arcs=[arc for arc in program.arcs if arc.source not in gone and arc.target not in gone],
     )

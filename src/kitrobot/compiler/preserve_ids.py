@@ -15,6 +15,7 @@ from itertools import pairwise
 from typing import Any
 
 from kitrobot.compiler.graph_to_lll import Translation
+from kitrobot.compiler.target import program_for
 from kitrobot.compiler.tree_diff import Same, same_nodes
 from kitrobot.compiler.wiring import Wiring
 from kitrobot.graph import RETURN, START, Note, Program, Vertex
@@ -98,7 +99,7 @@ class Before:
 
 def nothing_before(robot: Robot, catalogue: Catalogue) -> Before:
     """What there was before the first text: no graph."""
-    program = Program("", robot.name)
+    program = program_for(robot, "")
     return Before(Translation(Seq(), Wiring(program, robot, catalogue)))
 
 

@@ -9,13 +9,14 @@ but an instruction around the edit keeps its vertex for certain, where the whole
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from kitrobot.compiler.accepted_forms import write_anew
 from kitrobot.compiler.graph_to_lll import Translation, graph_to_lll
 from kitrobot.compiler.lll_to_graph import Drawing, redraw
 from kitrobot.compiler.preserve_ids import Before, Old, lines_of
+from kitrobot.compiler.target import program_for
 from kitrobot.compiler.tree_diff import same_nodes
 from kitrobot.graph import IN, NEXT, Arc, Program
 from kitrobot.lll import Call, Interrupt, Repeat, Seq, children, nodes
@@ -69,7 +70,7 @@ def _with_stretch(seq: Seq, robot: Robot, catalogue: Catalogue, before: Before) 
         return None
 
     old = Old(before, same_nodes(Seq(row), Seq(stretch.row(stretch.new))))
-    drawing = Drawing(Program(program.name, robot.name), robot, catalogue, old)
+    drawing = Drawing(program_for(robot, program.name), robot, catalogue, old)
     title: list[str] = []
     if stretch.old is before.translation.program and stretch.start == 0:
         assert wiring.start is not None, "a graph without Start has an error"
@@ -164,4 +165,4 @@ def _spliced(before: Before, drawn: Program, entry: Arc, stretch: _Stretch) -> P
             arcs.append(arc)
     vertices = program.vertices
     kept = [vertex for vertex in vertices[place:] if vertex.id not in gone]
-    return Program(program.name, drawn.target, [*vertices[:place], *drawn.vertices, *kept], arcs)
+    return replace(program, target=drawn.target, vertices=[*vertices[:place], *drawn.vertices, *kept], arcs=arcs)

@@ -11,14 +11,15 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
-from kitrobot.compiler.checker import check
 from kitrobot.compiler.graph_to_lll import Translation
 from kitrobot.compiler.preserve_ids import Before, Old
 from kitrobot.compiler.stretch import redraw_edited
+from kitrobot.compiler.target import read_for
+from kitrobot.compiler.team_check import check_program
 from kitrobot.diagnostics import Diagnostic, Place, Source, in_reading_order
 from kitrobot.graph import Program
-from kitrobot.lll import Seq, nodes, parse
-from kitrobot.primitives import Catalogue, Robot
+from kitrobot.lll import Seq, TeamProgram, nodes
+from kitrobot.primitives import Catalogue, Crew, declaring
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,8 @@ class VertexPlace:
 class Followed:
     """The graph of an edited text (None when there are mistakes in it), and what there is to say about the text.
 
+    `team` is what the text of a team's program declares, with its instructions; None for a program of one robot.
+
     `spans` are the outermost stretches of each vertex in the text, in reading order; none without a graph.
     `translation` is the graph's way back to LLL, for who compiles it next; its tree is not the one of the text, but
     equal to it where `sound` says so: then there is nothing to say about either.
@@ -45,6 +48,7 @@ class Followed:
     diagnostics: list[Diagnostic] = field(default_factory=list)
     translation: Translation | None = field(default=None, repr=False, compare=False)
     sound: bool = field(default=False, repr=False, compare=False)
+    team: TeamProgram | None = field(default=None, repr=False, compare=False)
 
 
 def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followed:
@@ -58,15 +62,17 @@ def follow_text(before: Translation, text: str, catalogue: Catalogue) -> Followe
     Raises KitRobotError when the catalogue lacks the constructors to draw with.
     """
     program, robot = before.wiring.program, before.wiring.robot
-    parsed = parse(text, f"{program.name}.lll")
-    found = check(parsed.program, robot, parsed.source, program.name)
+    parsed = read_for(text, robot, f"{program.name}.lll")
+    crew = catalogue.crew if parsed.team is None else declaring(catalogue.crew, parsed.team)
+    found = check_program(parsed.seq, robot, crew, parsed.source, program.name)
     diagnostics = [replace(item, program=program.name) for item in in_reading_order(parsed.diagnostics + found)]
-    if parsed.ok and not _news(found, before, robot):
-        drawn, made = redraw_edited(parsed.program, robot, catalogue, Before(before))
-        sound = not diagnostics and made.program == parsed.program
-        return Followed(drawn, list(_spans(parsed.program, parsed.source)), diagnostics, made, sound)
-    old = Old.beside(Before(before), parsed.program)
-    return Followed(None, [], [_at_vertex(item, parsed.program, parsed.source, old) for item in diagnostics])
+    if parsed.ok and not _news(found, before, catalogue.crew):
+        drawn, made = redraw_edited(parsed.seq, robot, catalogue, Before(before))
+        sound = not diagnostics and made.program == parsed.seq
+        return Followed(drawn, list(_spans(parsed.seq, parsed.source)), diagnostics, made, sound, parsed.team)
+    old = Old.beside(Before(before), parsed.seq)
+    told = [_at_vertex(item, parsed.seq, parsed.source, old) for item in diagnostics]
+    return Followed(None, [], told, team=parsed.team)
 
 
 def _spans(tree: Seq, source: Source) -> Iterator[VertexPlace]:
@@ -77,12 +83,12 @@ def _spans(tree: Seq, source: Source) -> Iterator[VertexPlace]:
             yield VertexPlace(node.vertex, node.start, node.end, source.position(node.start)[0])
 
 
-def _news(found: list[Diagnostic], before: Translation, robot: Robot) -> bool:
+def _news(found: list[Diagnostic], before: Translation, crew: Crew) -> bool:
     """Whether there are errors that the graph does not have already."""
     errors = _errors(found)
     if not errors:
         return False
-    return bool(errors - _errors(check(before.program, robot, Source("", ""))))
+    return bool(errors - _errors(check_program(before.program, before.wiring.robot, crew, Source("", ""))))
 
 
 def _errors(found: list[Diagnostic]) -> Counter[tuple[str, str]]:

@@ -17,14 +17,21 @@ from kitrobot.lll import (
     Conditional,
     Event,
     Interrupt,
+    Joint,
+    Members,
+    Move,
     Node,
     Not,
     Number,
     Or,
     Parallel,
+    ParOfSeq,
+    ProgramCall,
     Repeat,
     Seq,
+    SeqOfPar,
     Wait,
+    Where,
     While,
     children,
     nodes,
@@ -38,6 +45,9 @@ _BODIES: dict[type[Node], tuple[str, ...]] = {
     While: ("body",),
     Event: ("body",),
     Conditional: ("then", "orelse"),
+    SeqOfPar: ("body",),
+    ParOfSeq: ("body",),
+    Where: ("then", "orelse"),
 }
 
 
@@ -123,7 +133,7 @@ class _Matching:
             self.calls([old.call], [new.call])
         elif isinstance(old, Parallel):
             self.row(old.branches, new.branches)
-        elif isinstance(old, While | Event | Conditional) and None not in (old.condition, new.condition):
+        elif isinstance(old, While | Event | Conditional | Where) and None not in (old.condition, new.condition):
             self.condition(old.condition, new.condition)
         for name in _BODIES.get(type(old), ()):
             one, other = getattr(old, name), getattr(new, name)
@@ -155,7 +165,7 @@ class _Matching:
             self.pair(old, new)
             self.condition(old.left, new.left)
             self.condition(old.right, new.right)
-        elif isinstance(old, Not):
+        elif isinstance(old, Not | Joint):
             self.pair(old, new)
             self.condition(old.condition, new.condition)
         else:
@@ -167,12 +177,12 @@ class _Matching:
         """Equal subtrees that are left on both sides, in reading order."""
         waiting: dict[int, list[Node]] = {}
         for node in reversed(nodes(old)):
-            if not isinstance(node, Seq | Number) and id(node) not in self.taken:
+            if not isinstance(node, Seq | Number | Members) and id(node) not in self.taken:
                 waiting.setdefault(self.keys[id(node)], []).append(node)
         if not waiting:
             return
         for node in nodes(new):
-            if id(node) in self.same or isinstance(node, Seq | Number):
+            if id(node) in self.same or isinstance(node, Seq | Number | Members):
                 continue
             candidates = waiting.get(self.keys[id(node)], [])
             while candidates:
@@ -195,10 +205,18 @@ def _own(node: Any) -> tuple[object, ...]:
             return (node.count,)
         case Wait():
             return (node.duration,)
-        case Conditional():
+        case Conditional() | Where():
             return (node.orelse is not None,)
         case While():
             return (node.condition is not None,)
+        case Members():
+            return (*node.names, node.braced)
+        case Joint():
+            return (node.quantifier,)
+        case ProgramCall():
+            return (node.name,)
+        case Move():
+            return node.count, node.source, node.target
         case _:
             return ()
 

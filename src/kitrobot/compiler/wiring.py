@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import Any
 
 from kitrobot.compiler import graph_rules as rules
+from kitrobot.compiler.target import words_for
 from kitrobot.diagnostics import ArcName, Diagnostic, Fix, FixKind
 from kitrobot.graph import IN, NEXT, RETURN, START, STOP, Arc, Program, Vertex
 from kitrobot.primitives import Catalogue, Constructor, Robot, SlotKind
@@ -83,7 +84,7 @@ class Wiring:
         name, dot, method = vertex.element.partition(".")
         if dot and name and method and (name, method) in self.robot.calls:
             return
-        where = Sentence("the robot `{robot}`", self.robot.name) if dot else Sentence("the constructors' XML")
+        where = words_for(self.robot) if dot else Sentence("the constructors' XML")
         near = (
             self._nearest_call(name, method)
             if dot

@@ -5,8 +5,9 @@ The door opens lazily, because whoever lays out a text needs no journals.
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
     from kitrobot.files.disk import (
@@ -47,75 +48,51 @@ if TYPE_CHECKING:
     from kitrobot.files.layout import Layout, lay_out, lay_out_file
     from kitrobot.files.places import Places
     from kitrobot.files.recovery import Claimed, Journals, Left, News, state_folder
-
-_HOME = {
-    "disk": (
-        "LARGEST_FILE_BYTES",
-        "LOCK_NAME",
-        "UNREADABLE",
-        "FileError",
-        "decode",
-        "expect_unchanged",
-        "look_alike",
-        "read_bytes",
-        "read_text",
-        "replace_file",
-        "replace_whole",
-        "same_file",
-        "saving_in",
-        "sweep",
-        "write_atomic",
-    ),
-    "embedded_mission": (
-        "CarriedError",
-        "carried_mission",
-        "is_picture",
-        "read_carried",
-    ),
-    "examples": (
-        "examples_folder",
-        "first_example",
-    ),
-    "file_lock": ("FileLock",),
-    "folder": (
-        "NAME_NO_TEXT",
-        "RECORDING",
-        "RENAME",
-        "TUTORIAL_ENDING",
-        "ConflictError",
-        "MissionEntry",
-        "MissionFolder",
-        "MissionNameError",
-        "ReadOnlyError",
-        "name_as_text",
-        "revision_of",
-    ),
-    "forms": (
-        "Form",
-        "FormError",
-        "form_of",
-    ),
-    "journal_file": (
-        "Journal",
-        "JournalError",
-        "read_journal",
-        "write_journal",
-    ),
-    "layout": (
-        "Layout",
-        "lay_out",
-        "lay_out_file",
-    ),
-    "places": ("Places",),
-    "recovery": (
-        "Claimed",
-        "Journals",
-        "Left",
-        "News",
-        "state_folder",
-    ),
-}
-_MODULE_OF = {name: module for module, names in _HOME.items() for name in names}
+else:
+    # Hidden from mypy, which would take every name for one that there is.
+    __getattr__ = lazy_names(
+        __name__,
+        {
+            "disk": (
+                "LARGEST_FILE_BYTES",
+                "LOCK_NAME",
+                "UNREADABLE",
+                "FileError",
+                "decode",
+                "expect_unchanged",
+                "look_alike",
+                "read_bytes",
+                "read_text",
+                "replace_file",
+                "replace_whole",
+                "same_file",
+                "saving_in",
+                "sweep",
+                "write_atomic",
+            ),
+            "embedded_mission": ("CarriedError", "carried_mission", "is_picture", "read_carried"),
+            "examples": ("examples_folder", "first_example"),
+            "file_lock": ("FileLock",),
+            "folder": (
+                "NAME_NO_TEXT",
+                "RECORDING",
+                "RENAME",
+                "TUTORIAL_ENDING",
+                "ConflictError",
+                "MissionEntry",
+                "MissionFolder",
+                "MissionNameError",
+                "ReadOnlyError",
+                "name_as_text",
+                "revision_of",
+            ),
+            "forms": ("Form", "FormError", "form_of"),
+            "journal_file": ("Journal", "JournalError", "read_journal", "write_journal"),
+            "layout": ("Layout", "lay_out", "lay_out_file"),
+            "places": ("Places",),
+            "recovery": ("Claimed", "Journals", "Left", "News", "state_folder"),
+        },
+    )
 
 __all__ = [
     "LARGEST_FILE_BYTES",
@@ -168,10 +145,3 @@ __all__ = [
     "write_atomic",
     "write_journal",
 ]
-
-
-def __getattr__(name: str) -> Any:
-    module = _MODULE_OF.get(name)
-    if module is None:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{module}"), name)

@@ -12,7 +12,6 @@ import contextlib
 import os
 import re
 import shutil
-import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -153,6 +152,9 @@ def replace_whole(path: Path, data: bytes, *, keep_old: bool = False) -> None:
         OSError: the operating system refused; the old file is untouched.
         ValueError: the path is none.
     """
+    # Not before: most who read files write none.
+    import tempfile
+
     target = Path(os.path.realpath(path))
     expect_regular(target)
     handle, name = tempfile.mkstemp(prefix=f".{target.name[:50]}.", suffix=_ENDING, dir=target.parent)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
 import sys
 import time
 from dataclasses import dataclass
@@ -68,7 +67,7 @@ class FileLock:
     def is_possible(folder: Path) -> bool:
         """Whether files can be locked in a folder."""
         try:
-            lock = FileLock.take(folder / f".{secrets.token_hex(4)}.lock")
+            lock = FileLock.take(folder / f".{os.urandom(4).hex()}.lock")
         except OSError:
             return False
         if lock is not None:

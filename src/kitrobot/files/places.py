@@ -16,7 +16,7 @@ from kitrobot.graph import IN, NEXT
 
 _TAG = re.compile(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)"
-    r"""|<(?P<name>program|vertex|arc|agent|goal|world)(?P<attributes>(?:\s+[^\s=/>]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*/?>""",
+    r"""|<(?P<name>program|vertex|arc|agent|goal|role|group|work|world)(?P<attributes>(?:\s+[^\s=/>]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*/?>""",
     re.DOTALL,
 )
 _ATTRIBUTE = re.compile(r"""([^\s=]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
@@ -39,6 +39,7 @@ class Places:
         self._vertices: dict[tuple[str, str], Place] = {}
         self._arcs: dict[tuple[str, ArcName], Place] = {}
         self._agents: dict[str, Place] = {}
+        self._declarations: dict[str, Place] = {}
         self._goals: list[Place] = []
         self.world: Place | None = None
         program = ""
@@ -59,6 +60,8 @@ class Places:
                     self._arcs.setdefault((program, arc), place)
                 case "agent":
                     self._agents.setdefault(words.get("name", ""), place)
+                case "role" | "group" | "work":
+                    self._declarations.setdefault(words.get("name", ""), place)
                 case "goal":
                     self._goals.append(place)
                 case "world":
@@ -71,6 +74,10 @@ class Places:
     def agent(self, name: str) -> Place | None:
         """Where an agent of the team is named."""
         return self._agents.get(name)
+
+    def declaration(self, name: str) -> Place | None:
+        """Where a role, a group or a work of the team is declared."""
+        return self._declarations.get(name)
 
     def goal(self, index: int) -> Place | None:
         """Where the goal of that number, from 0, stands."""

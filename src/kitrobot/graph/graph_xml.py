@@ -15,9 +15,10 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from kitrobot.graph.model import IN, NEXT, Arc, Note, Program, Vertex
+from kitrobot.primitives import LEVEL, Level
 from kitrobot.text import Sentence, shown
 from kitrobot.xml import NAME, Element, Kind, Tag, attributes, escape_text, needed, optional
-from kitrobot.xml.rules import DUPLICATE, MISSING
+from kitrobot.xml.rules import DUPLICATE, MISSING, UNKNOWN_ATTRIBUTE
 
 
 class _Setting(NamedTuple):
@@ -32,7 +33,12 @@ class _Unknown(str):
 
 
 def _program(element: Element) -> Program:
-    program = Program(element.required("name"), element.required("robot"))
+    level = Level(element.choice("level"))
+    if level.is_team and "robot" in element.attributes:
+        message = Sentence("a program of the level {level} is for several robots, so robot is left out", level)
+        element.report(UNKNOWN_ATTRIBUTE, message, "robot")
+    target = "" if level.is_team else element.required("robot")
+    program = Program(element.required("name"), target, level=level)
     taken = {vertex.id for vertex in element.found(Vertex)}
     seen: set[str] = set()
     last: dict[str, int] = {}
@@ -128,14 +134,23 @@ _ARC = Tag(
     {"from": needed(), "out": optional(NAME, NEXT), "to": needed(), "at": optional(NAME, IN)},
     about="From a port of one vertex to a port of another.",
 )
-PROGRAM = Tag(_program, {"name": needed(), "robot": needed()}, {"vertex": _VERTEX, "arc": _ARC})
+PROGRAM = Tag(
+    _program,
+    {
+        "name": needed(),
+        "robot": optional(NAME, about="The kind of robot that it is for; needed in a program of the level agent."),
+        "level": optional(LEVEL, Level.AGENT, about="Of whom it speaks: one robot, a group of them, or all."),
+    },
+    {"vertex": _VERTEX, "arc": _ARC},
+)
 """A `<program>`: goes among the children of the element that holds it, where `found(Program)` gives what was read."""
 
 
 def write_program(program: Program, indent: str = "  ") -> list[str]:
     """The lines of a `<program>`, without line breaks; what is inside stands two spaces deeper than `indent`."""
     inner = indent + "  "
-    lines = [f"{indent}<program{attributes(('name', program.name), ('robot', program.target))}>"]
+    what = ("level", program.level) if program.level.is_team else ("robot", program.target)
+    lines = [f"{indent}<program{attributes(('name', program.name), what)}>"]
     lines += [inner + _vertex_line(vertex) for vertex in program.vertices]
     lines += [inner + _arc_line(arc) for arc in program.arcs]
     lines.append(f"{indent}</program>")

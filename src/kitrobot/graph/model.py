@@ -13,6 +13,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from kitrobot.primitives import Level
+
 START = "Start"
 STOP = "Stop"
 NEXT = "next"
@@ -30,6 +32,11 @@ class Note:
 
     text: str
     at: str = ""
+
+    @property
+    def lines(self) -> list[str]:
+        """Its lines, as comments have them."""
+        return [line.rstrip() for line in self.text.split("\n")]
 
 
 @dataclass(slots=True)
@@ -59,12 +66,13 @@ class Arc:
 
 @dataclass(slots=True)
 class Program:
-    """A graph, and what it is for: `target` names the kind of robot of the agents that run it."""
+    """A graph, and what it is for: `target` names the kind of robot of the agents that run it, "" for a team's."""
 
     name: str
     target: str
     vertices: list[Vertex] = field(default_factory=list)
     arcs: list[Arc] = field(default_factory=list)
+    level: Level = Level.AGENT
 
 
 def empty_program(name: str, target: str) -> Program:

@@ -27,3 +27,12 @@ class DebugMap:
     def vertex(self, instruction: int) -> str | None:
         """The vertex of an instruction, or None when it came from no graph."""
         return self.origins[instruction].vertex if 0 <= instruction < len(self.origins) else None
+
+    @property
+    def vertices(self) -> list[str | None]:
+        """The vertex of each instruction."""
+        return [origin.vertex for origin in self.origins]
+
+    def vertices_of(self, program: str) -> list[str | None]:
+        """The same, without those of other programs that stand in this one."""
+        return [origin.vertex if origin.program == program else None for origin in self.origins]

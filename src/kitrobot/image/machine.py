@@ -169,10 +169,10 @@ class Machine:
 
     def active(self) -> list[tuple[int, int]]:
         """(slot, instruction) where each live thread stands."""
-        threads = [int(number) for number in self.threads[: 2 * len(self.image.slots)]]
+        threads = self.threads
         return [
-            (at // 2, threads[at] - (1 if threads[at + 1] > 0 else 0))
-            for at in range(0, len(threads), 2)
+            (at // 2, int(threads[at]) - (1 if threads[at + 1] > 0 else 0))
+            for at in range(0, 2 * len(self.image.slots), 2)
             if threads[at] >= 0
         ]
 

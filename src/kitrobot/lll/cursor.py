@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from kitrobot.diagnostics import Diagnostic, Fix, Rule, Source
 from kitrobot.lll import rules
-from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, OTHER, SYMBOL, Comment, Token, tokenise
-from kitrobot.lll.tree import MAX_NESTING, Instr
+from kitrobot.lll.tokens import CALL, END, HOLE, NAME, NUMBER, OTHER, QUOTED, SYMBOL, Comment, Token, tokenise
+from kitrobot.lll.tree import MAX_NESTING, Declaration, Instr
 from kitrobot.text import Help, Sentence
 
 PARTNER = {"(": ")", "[": "]", "<": ">"}
 _NAMES = {
     CALL: Sentence("a call"),
     NAME: Sentence("a name"),
+    QUOTED: Sentence("a name"),
     NUMBER: Sentence("a number"),
     HOLE: Sentence("a hole"),
     END: Sentence("the end of the text"),
@@ -30,11 +31,11 @@ class Mistake(Exception):
 class Cursor:
     """Where the reader stands in a text, how deep, and what it has found wrong so far."""
 
-    def __init__(self, text: str, name: str, *, template: bool) -> None:
+    def __init__(self, text: str, name: str, *, template: bool, team: bool | None = None) -> None:
         self.source = Source(name, text)
         self.text = text
         self.template = template
-        self.tokens, self.comments, lookalikes = tokenise(text)
+        self.tokens, self.comments, lookalikes = tokenise(text, team=team)
         self.braces = _braces(self.tokens)
         self.next_comment = 0
         self.comment_at = self.comments[0].before if self.comments else len(self.tokens)
@@ -194,7 +195,7 @@ class Cursor:
         more = self.next_comment < len(self.comments)
         self.comment_at = self.comments[self.next_comment].before if more else len(self.tokens)
 
-    def take_comment_after(self, node: Instr) -> None:
+    def take_comment_after(self, node: Instr | Declaration) -> None:
         """Gives an instruction the comment that follows it on its line."""
         if self.comment_at > self.at or node.after is not None:
             return

@@ -6,7 +6,20 @@ from kitrobot.lll import habits, rules
 from kitrobot.lll.cursor import PARTNER, Mistake
 from kitrobot.lll.foreign import Foreign
 from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, RESERVED, SYMBOL, Token
-from kitrobot.lll.tree import MAX_NESTING, MAX_NUMBER, And, Call, Condition, Conditional, Hole, Not, Number, Or, Param
+from kitrobot.lll.tree import (
+    MAX_NESTING,
+    MAX_NUMBER,
+    And,
+    Call,
+    Condition,
+    Conditional,
+    Hole,
+    Joint,
+    Not,
+    Number,
+    Or,
+    Param,
+)
 from kitrobot.text import Help, Sentence
 
 _BEHIND_A_CALL = frozenset((";", ",", ")", "]", ">", "&", "|", MARK))
@@ -18,6 +31,14 @@ class Expressions(Foreign):
     def conditional(self) -> Conditional:
         """The instruction; here only because people write one where a condition belongs."""
         raise NotImplementedError  # given by the parser
+
+    def is_joint(self) -> bool:
+        """Whether a joint condition begins here."""
+        raise NotImplementedError  # given by the forms of teams
+
+    def joint(self) -> Joint:
+        """A condition that a team is asked."""
+        raise NotImplementedError  # given by the forms of teams
 
     for_ever_at = -1
     """The token at which the condition of a `*[ ]( )` begins, if one was begun."""
@@ -100,6 +121,8 @@ class Expressions(Foreign):
         self.height = 0
         kind, start, _, value = self.tokens[self.at]
         if kind == NAME and not self.follows("."):
+            if self.is_joint():
+                return self.joint()
             if value.lower() in habits.TRUTH:
                 raise self.mistake(Sentence("a condition"), self.no_condition())
             if value.lower() in ("not", "non"):

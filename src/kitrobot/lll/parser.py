@@ -12,18 +12,16 @@ The grammar is LL(1) and each method below is one of its lines. Three things mak
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
-from kitrobot.diagnostics import Diagnostic, Fix, Source
+from kitrobot.diagnostics import Fix
 from kitrobot.lll import habits, rules
 from kitrobot.lll.cursor import Mistake
-from kitrobot.lll.expressions import Expressions
+from kitrobot.lll.team_forms import TeamForms
 from kitrobot.lll.tokens import CALL, END, HOLE, MARK, NAME, NUMBER, OTHER, SYMBOL, Token
 from kitrobot.lll.tree import (
     Break,
     Call,
-    Condition,
     Conditional,
     Event,
     Hole,
@@ -35,57 +33,14 @@ from kitrobot.lll.tree import (
     Wait,
     While,
 )
-from kitrobot.text import Sentence, collection_paused
+from kitrobot.text import Sentence
 
 _WHOLE_UNITS = Sentence("numbers are whole; on most robots WAIT(10) is one second, and WAIT(1) a tenth")
 
 
-@dataclass(frozen=True)
-class Parsed:
-    """What was read: the program (what could be understood of it), the mistakes, and the text they point into."""
+class Parser(TeamForms):
+    """Reads programs; each method is a line of the grammar."""
 
-    program: Seq
-    diagnostics: list[Diagnostic]
-    source: Source
-
-    @property
-    def ok(self) -> bool:
-        """Whether the text is free of errors."""
-        return not any(item.is_error for item in self.diagnostics)
-
-
-def parse(text: str, name: str = "program.lll") -> Parsed:
-    """Reads an LLL program. `name` is the file name that diagnostics show. Never raises for a mistake in the text."""
-    with collection_paused():
-        parser = _Parser(text, name, template=False)
-        return Parsed(parser.program(), parser.diagnostics, parser.source)
-
-
-def parse_template(text: str, name: str = "template") -> tuple[Instr | Condition | Seq | None, list[Diagnostic]]:
-    """Reads a constructor's `<code>`: one instruction, several (a `Seq`), or a condition, with holes.
-
-    None when the text is not LLL; then the diagnostics say why.
-    """
-    if not text.strip():
-        return None, [rules.SYNTAX(Sentence("a template cannot be empty"), Source(name, text).place(0, 0))]
-    parser = _Parser(text, name, template=True)
-    program = parser.program()
-    if not any(item.is_error for item in parser.diagnostics):
-        if len(program.items) + (program.hole is not None) != 1:
-            return program, parser.diagnostics
-        if program.items and not isinstance(program.items[0], Call):
-            return program.items[0], parser.diagnostics
-    other = _Parser(text, name, template=True)
-    condition = other.whole_condition()
-    if not other.diagnostics:
-        return condition, []
-    if any(item.is_error for item in parser.diagnostics):
-        looks_like_condition = any(kind == SYMBOL and text in "&|" for kind, _, _, text in other.tokens)
-        return None, other.diagnostics if looks_like_condition else parser.diagnostics
-    return program.items[0] if program.items else program.hole, parser.diagnostics
-
-
-class _Parser(Expressions):
     # -- program, seq
 
     def program(self) -> Seq:
@@ -217,8 +172,16 @@ class _Parser(Expressions):
         )
 
     def without_a_dot(self) -> Instr:
-        """A name that no method follows: a word of another language, or a variable that is changed."""
+        """A name that no method follows: a word of a team's, or of another language, or a variable that is changed."""
         _, start, end, name = self.tokens[self.at]
+        if self.is_form():
+            return self.form()
+        if self.is_declaration():
+            if self.team is not None:
+                message = Sentence("`{word}` stands among instructions", name)
+                self.report(rules.SYNTAX, message, start, end, Sentence("put it before the first instruction"))
+            self.declaration()
+            raise self.past(Mistake())
         if habits.is_reserved_in_other_letters(name):
             word = name.upper()
             message = Sentence("expected `{meant}`, found `{found}`", word, name)

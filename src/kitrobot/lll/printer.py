@@ -8,32 +8,45 @@ its place in the new text, so that what is found out about the tree can be shown
 
 from __future__ import annotations
 
-from kitrobot.lll.tokens import MARK
+from kitrobot.lll.tokens import MARK, team_name
 from kitrobot.lll.tree import (
+    FAILURES,
     And,
+    AnyDeclaration,
     Break,
     Call,
     Condition,
     Conditional,
     Event,
+    GroupDeclaration,
     Hole,
     Instr,
     Interrupt,
+    Joint,
+    Members,
+    Move,
     Not,
     Number,
     Or,
     Parallel,
     Param,
+    ParOfSeq,
+    ProgramCall,
     Repeat,
+    RoleDeclaration,
     Seq,
+    SeqOfPar,
+    TeamProgram,
     Wait,
+    Where,
     While,
+    WorkDeclaration,
 )
 
 LINE_WIDTH = 60
 """Characters a line may have for a body to stay on it; the studio shows this many without wrapping."""
 
-_SIMPLE = (Call, Interrupt, Wait, Break)
+_SIMPLE = (Call, Interrupt, Wait, Break, ProgramCall, Move)
 
 
 def print_program(program: Seq) -> str:
@@ -47,9 +60,38 @@ def print_program(program: Seq) -> str:
     return text
 
 
+def print_team_program(program: TeamProgram) -> str:
+    """The text of a team's program: a line a declaration, an empty line, and the instructions. Sets all places."""
+    printer = _Printer()
+    for declaration in program.declarations:
+        printer.declaration(declaration)
+    if program.declarations and (program.seq.items or program.seq.below):
+        printer.write("\n")
+    program.seq.start = printer.at
+    printer.seq(program.seq, 0)
+    for comment in program.seq.below:
+        printer.comment(comment, 0)
+    program.start, program.end = 0, printer.at
+    program.seq.end = printer.at
+    return "".join(printer.parts)
+
+
+def print_declaration(declaration: AnyDeclaration) -> str:
+    """One declaration, without its comments and its `;`."""
+    printer = _Printer()
+    printer.declared(declaration)
+    return "".join(printer.parts)
+
+
+def print_members(members: Members) -> str:
+    """A set as it is written."""
+    names = ", ".join(map(team_name, members.names))
+    return f"{{{names}}}" if members.braced or len(members.names) != 1 else names
+
+
 def print_template(template: Seq | Instr | Condition) -> str:
     """The text of a template: instructions as a program, a condition on one line without a line break."""
-    if isinstance(template, (And, Or, Not, Hole)):
+    if isinstance(template, (And, Or, Not, Joint, Hole)):
         printer = _Printer()
         printer.condition(template, 0)
         return "".join(printer.parts)
@@ -116,7 +158,51 @@ class _Printer:
                 self.write(f"WAIT({_number(node.duration)})")
             case Break():
                 self.write("BREAK")
+            case SeqOfPar() | ParOfSeq():
+                self.block("SeqOfPar " if isinstance(node, SeqOfPar) else "ParOfSeq ", node.members)
+                self.write(" (")
+                self.body(node.body, level)
+                self.write(")")
+            case Where():
+                self.block("Where ", node.members)
+                self.write(" ")
+                self.conditional(node, level)
+            case ProgramCall():
+                self.write(f"PROGRAM {_name(node.name)}")
+            case Move():
+                self.write(f"MOVE {_number(node.count)} {_name(node.source)} -> {_name(node.target)}")
         node.end = self.at
+
+    def block(self, word: str, members: Members | Hole) -> None:
+        """A word and the set that it is for."""
+        self.write(word)
+        members.start = self.at
+        self.write(print_members(members) if isinstance(members, Members) else f"{{{members.name}}}")
+        members.end = self.at
+
+    def declaration(self, node: AnyDeclaration) -> None:
+        for comment in node.above:
+            self.comment(comment, 0)
+        node.start = self.at
+        self.declared(node)
+        node.end = self.at
+        self.write(";" if node.after is None else f";  # {node.after}".rstrip())
+        self.write("\n")
+
+    def declared(self, node: AnyDeclaration) -> None:
+        match node:
+            case RoleDeclaration():
+                self.write(f"role {team_name(node.name)}: {team_name(node.robot)}")
+                if node.least != node.most:
+                    self.write(f" {node.least}..{node.most}")
+                elif node.most != 1:
+                    self.write(f" {node.most}")
+            case GroupDeclaration():
+                self.block(f"group {team_name(node.name)} = ", node.members)
+                self.write("" if node.failure == FAILURES[0] else f" on failure {node.failure}")
+            case WorkDeclaration():
+                lease = "" if node.lease is None else f" lease {node.lease}"
+                self.write(f"work {team_name(node.name)} = {node.units}{lease}")
 
     def guarded(self, opener: str, condition: Condition, between: str, body: Seq, level: int) -> None:
         self.write(opener)
@@ -125,7 +211,7 @@ class _Printer:
         self.body(body, level)
         self.write(")")
 
-    def conditional(self, node: Conditional, level: int) -> None:
+    def conditional(self, node: Conditional | Where, level: int) -> None:
         self.write("[")
         self.condition(node.condition, 0)
         self.write("](")
@@ -201,9 +287,13 @@ class _Printer:
             node.end = self.at
             if binding > own:
                 self.write(")")
-        elif isinstance(node, Not):
+        elif isinstance(node, (Not, Joint)):
             node.start = self.at
-            self.write("!(")
+            if isinstance(node, Joint):
+                self.block(f"{node.quantifier} ", node.members)
+                self.write(" (")
+            else:
+                self.write("!(")
             self.condition(node.condition, 0)
             self.write(")")
             node.end = self.at
@@ -245,6 +335,10 @@ class _Printer:
 
 def _number(value: int | Hole) -> str:
     return str(value) if isinstance(value, int) else f"{{{value.name}}}"
+
+
+def _name(name: str | Hole) -> str:
+    return team_name(name) if isinstance(name, str) else f"{{{name.name}}}"
 
 
 def _inline(seq: Seq) -> str | None:

@@ -52,3 +52,10 @@ HOLE_IN_PROGRAM = rule(
     "A hole stands in a program",
     "`{name}` is a hole of a constructor's template; a program has none.",
 )
+TEAM_FORM = rule(
+    "team-form",
+    Severity.ERROR,
+    "A form of a team's program stands in the program of one robot",
+    "Roles, groups, work, `SeqOfPar`, `ParOfSeq`, `Where`, `PROGRAM`, `MOVE` and tests with `any`, `all` or `most` "
+    "speak of several robots. They stand in programs of the level group or social.",
+)

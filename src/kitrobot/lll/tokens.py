@@ -7,6 +7,10 @@ the index of the token that follows it.
 
 What only looks like signs and digits (`lookalikes`) is read as what it looks like, and listed. A brace is a token.
 
+A text with a word of the team's language has two tokens more: a NAME whose parts are joined by single hyphens
+(`carrier-2`; not before a dot, since no object has such a name), and QUOTED, any name between double quotes, in which
+two quotes stand for one. `=` and `:` are tokens of their own there.
+
 Left to others: what may follow what (parser).
 """
 
@@ -18,8 +22,9 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from kitrobot.lll.lookalikes import plain
+from kitrobot.lll.tree import QUANTIFIERS
 
-CALL, NAME, NUMBER, HOLE, SYMBOL, OTHER, END = range(7)
+CALL, NAME, NUMBER, HOLE, SYMBOL, OTHER, END, QUOTED = range(8)
 
 Token = tuple[int, int, int, Any]
 
@@ -46,16 +51,20 @@ class Tokens(NamedTuple):
     lookalikes: list[tuple[int, int, str]]
 
 
-def _pattern(name: str) -> re.Pattern[str]:
+def _pattern(name: str, part: str, *, team: bool) -> re.Pattern[str]:
+    """`part` is what a name goes on with behind a hyphen."""
+    joined = rf"(?:(?:-(?:{part})++)++(?!\s*\.))?" if team else ""
+    more = r"""| (?P<quoted>"(?:[^"\n]|"")*") | (?P<sign>[=:](?!=))""" if team else ""
     return re.compile(
         rf"""\s*+(?:
           (?P<call>({name})\s*\.\s*({name})\s*\(\s*([0-9]+(?:\s*,\s*[0-9]+)*)?\s*\))
-        | (?P<name>{name})
+        | (?P<name>{name}{joined})
         | (?P<symbol>//|[;,()\[\]<>!&|*.])
         | (?P<number>[0-9]+)
         | (?P<comment>\#[^\n]*)
         | (?P<mark>[{_MARKS_READ}])
         | (?P<hole>\{{\s*{name}\s*\}})
+        {more}
         | (?P<other>[{{}}]|[^\s{{}};,()\[\]<>!&|*.{_MARKS_READ}\#]+)
         | \Z
         )""",
@@ -64,12 +73,12 @@ def _pattern(name: str) -> re.Pattern[str]:
 
 
 @cache
-def _ascii() -> re.Pattern[str]:
-    return _pattern(r"[A-Za-z_][A-Za-z0-9_]*")
+def _ascii(*, team: bool = False) -> re.Pattern[str]:
+    return _pattern(r"[A-Za-z_][A-Za-z0-9_]*", "[A-Za-z0-9_]", team=team)
 
 
 @cache
-def _unicode() -> re.Pattern[str]:
+def _unicode(*, team: bool = False) -> re.Pattern[str]:
     r"""Names in any script: a word of `re` has letters, but not the vowel signs that many scripts add.
 
     `\w` takes numerals too (², Ⅷ, ①), which `\d` does not: a name does not start with one. U+00BA, read as a mark,
@@ -78,7 +87,8 @@ def _unicode() -> re.Pattern[str]:
     characters = [chr(code) for code in range(0x80, 0x1F200)]
     marks = "".join(one for one in characters if unicodedata.category(one) in ("Mn", "Mc"))
     numerals = "".join(one for one in characters if one.isalnum() and not one.isalpha())
-    return _pattern(rf"[^\W\d\u00ba{numerals}](?:[^\W\u00ba]|[{marks}])*")
+    part = rf"[^\W\u00ba]|[{marks}]"
+    return _pattern(rf"[^\W\d\u00ba{numerals}](?:{part})*", part, team=team)
 
 
 def _without_marks(text: str) -> str:
@@ -89,21 +99,39 @@ def _without_marks(text: str) -> str:
 
 def is_name(text: str) -> bool:
     """Whether a text is an IDENT of the grammar (and no reserved word)."""
-    tokens = tokenise(text).tokens
-    return len(tokens) == 2 and tokens[0][:3] == (NAME, 0, len(text)) and text not in RESERVED
+    return _is_one_name(tokenise(text, team=False).tokens, text) and text not in RESERVED
 
 
 RESERVED = frozenset({"WAIT", "BREAK"})
 
+TEAM_FORMS = frozenset({"SeqOfPar", "ParOfSeq", "Where", "PROGRAM", "MOVE"})
+TEAM_DECLARATIONS = frozenset({"role", "group", "work"})
+TEAM_WORDS = TEAM_FORMS | TEAM_DECLARATIONS | frozenset(QUANTIFIERS)
+"""The words of a team's language; names where a dot follows."""
 
-def tokenise(text: str) -> Tokens:
-    """The tokens and comments of a text; never fails: what is no token is one of kind OTHER."""
+
+def team_name(name: str) -> str:
+    """A name as a team's program writes it: bare if its parts are joined by single hyphens, else between quotes."""
+    if _is_one_name(tokenise(name, team=True).tokens, name):
+        return name
+    return '"' + " ".join(name.split("\n")).replace('"', '""') + '"'
+
+
+def _is_one_name(tokens: list[Token], text: str) -> bool:
+    return len(tokens) == 2 and tokens[0][:3] == (NAME, 0, len(text))
+
+
+def tokenise(text: str, *, team: bool | None = None) -> Tokens:
+    """The tokens and comments of a text; never fails: what is no token is one of kind OTHER.
+
+    `team`: whether with the tokens of a team's language; if not given, where one of its words is a token.
+    """
     tokens: list[Token] = []
     comments: list[Comment] = []
     lookalikes: list[tuple[int, int, str]] = []
     add = tokens.append
-    pattern = _ascii() if _without_marks(text).isascii() else _unicode()
-    kinds = {"name": NAME, "number": NUMBER, "other": OTHER}
+    pattern = (_ascii if _without_marks(text).isascii() else _unicode)(team=bool(team))
+    kinds = {"name": NAME, "number": NUMBER, "other": OTHER, "sign": OTHER}
     for match in pattern.finditer(text):
         group = match.lastgroup
         if group == "symbol":
@@ -119,10 +147,17 @@ def tokenise(text: str) -> Tokens:
             add((SYMBOL, match.start(group), match.end(), MARK))
         elif group == "hole":
             add((HOLE, match.start(group), match.end(), match[group][1:-1].strip()))
+        elif group == "quoted":
+            start, end = match.span(group)
+            add((QUOTED, start, end, match[group][1:-1].replace('""', '"')))
         elif group == "other" and (meant := plain(match[group])) != match[group]:
             start, end = match.span(group)
             lookalikes.append((start, end, meant))
-            tokens += [(kind, start + a, start + b, text) for kind, a, b, text in tokenise(meant).tokens[:-1]]
+            tokens += [
+                (kind, start + a, start + b, text) for kind, a, b, text in tokenise(meant, team=team).tokens[:-1]
+            ]
+        elif group == "name" and team is None and match[group] in TEAM_WORDS:
+            return tokenise(text, team=True)
         elif group is not None:
             add((kinds[group], match.start(group), match.end(), match[group]))
     add((END, len(text), len(text), ""))

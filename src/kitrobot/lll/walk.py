@@ -9,15 +9,22 @@ from kitrobot.lll.tree import (
     And,
     Call,
     Conditional,
+    Declaration,
     Event,
+    GroupDeclaration,
     Instruction,
     Interrupt,
+    Joint,
     Node,
     Not,
     Or,
     Parallel,
+    ParOfSeq,
     Repeat,
     Seq,
+    SeqOfPar,
+    TeamProgram,
+    Where,
     While,
 )
 
@@ -41,7 +48,7 @@ Tree = TypeVar("Tree", bound=Node)
 def without_comments(root: Tree) -> Tree:
     """The same tree, whose comments are taken away in place."""
     for node in nodes(root):
-        if isinstance(node, Instruction):
+        if isinstance(node, Instruction | Declaration):
             node.above, node.after = [], None
         elif isinstance(node, Seq):
             node.below = []
@@ -72,4 +79,13 @@ _INSIDE: dict[type, Callable[[Any], list[Any]]] = {
     And: lambda node: [node.left, node.right],
     Or: lambda node: [node.left, node.right],
     Not: lambda node: [node.condition],
+    SeqOfPar: lambda node: [node.members, node.body],
+    ParOfSeq: lambda node: [node.members, node.body],
+    Where: lambda node: [
+        *(node.members, node.condition, node.then),
+        *([node.orelse] if node.orelse is not None else []),
+    ],
+    Joint: lambda node: [node.members, node.condition],
+    TeamProgram: lambda node: [*node.declarations, node.seq],
+    GroupDeclaration: lambda node: [node.members],
 }

@@ -1,12 +1,13 @@
 """A `.krt` file as a whole: programs, team and world together."""
 
-from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
+from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team, image_name
 from kitrobot.mission.reading import read_mission
-from kitrobot.mission.rules import NO_PROGRAM
+from kitrobot.mission.rules import AGENT_ROBOT, NO_PROGRAM
 from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
 from kitrobot.mission.writing import SaveError, save, write_mission
 
 __all__ = [
+    "AGENT_ROBOT",
     "ALL",
     "NO_PROGRAM",
     "VERSION",
@@ -18,6 +19,7 @@ __all__ = [
     "Mission",
     "SaveError",
     "Team",
+    "image_name",
     "read_mission",
     "save",
     "write_mission",

@@ -11,8 +11,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from kitrobot.graph import Program
+from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
 from kitrobot.mission.trial import Breakpoint, Failure
-from kitrobot.primitives import Constructor, OwnVariable, Texts
+from kitrobot.primitives import Constructor, Crew, CrewProgram, Level, OwnVariable, Texts
 from kitrobot.world import World
 
 VERSION = 1
@@ -22,18 +23,32 @@ ALL = "all"
 """A goal's stock: every box there is."""
 
 
+def image_name(program: str, robot: str) -> str:
+    """The name of what a program of the team is for a kind of robot; of a program of one robot, its own."""
+    return f"{program}\n{robot}" if robot else program
+
+
 @dataclass(slots=True)
 class Agent:
-    """A member of the team and the program it runs. It starts at the world's start `start`, or the one of its name."""
+    """A member of the team and the program it runs. It starts at the world's start `start`, or the one of its name.
+
+    `robot` is its kind where its program is one of the level social, which speaks of all kinds.
+    """
 
     name: str
     program: str
     start: str = ""
+    robot: str = ""
 
     @property
     def start_name(self) -> str:
         """The name of the start it takes."""
         return self.start or self.name
+
+    @property
+    def image_name(self) -> str:
+        """By which the image that it runs is known: its program's, or that of its kind of robot."""
+        return image_name(self.program, self.robot)
 
 
 @dataclass(slots=True)
@@ -46,10 +61,13 @@ class Goal:
 
 @dataclass(slots=True)
 class Team:
-    """Who takes part, and what for."""
+    """Who takes part, and what for; and what the programs of the whole team declare."""
 
     agents: list[Agent] = field(default_factory=list)
     goals: list[Goal] = field(default_factory=list)
+    roles: list[RoleDeclaration] = field(default_factory=list)
+    groups: list[GroupDeclaration] = field(default_factory=list)
+    works: list[WorkDeclaration] = field(default_factory=list)
 
     def free(self, starts: Iterable[str]) -> list[str]:
         """Those starts of a world at which no agent starts, in their order."""
@@ -79,6 +97,25 @@ class Mission:
     breakpoints: list[Breakpoint] = field(default_factory=list)
     failures: list[Failure] = field(default_factory=list)
     own_world: World | None = None
+
+    @property
+    def crew(self) -> Crew | None:
+        """The team as its programs see it; None where there is nothing that speaks of several robots."""
+        team = self.team
+        if not (team.roles or team.groups or team.works or any(one.level.is_team for one in self.programs)):
+            return None
+        kinds = {program.name: program.target for program in self.programs}
+        return Crew(
+            tuple((agent.name, agent.robot or kinds.get(agent.program, "")) for agent in team.agents),
+            tuple(CrewProgram(one.name, one.target, one.level) for one in self.programs),
+            *(tuple(team.roles), tuple(team.groups), tuple(team.works)),
+        )
+
+    @property
+    def social(self) -> str:
+        """The program of the whole team that agents run; "" for none, the first where they run several."""
+        levels = {program.name: program.level for program in reversed(self.programs)}
+        return next((one.program for one in self.team.agents if levels.get(one.program) is Level.SOCIAL), "")
 
     def program(self, name: str) -> Program | None:
         """The program of that name, or None."""

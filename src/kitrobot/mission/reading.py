@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import NamedTuple
 
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import PROGRAM, Program
+from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
 from kitrobot.mission import rules
+from kitrobot.mission.declarations import DECLARATIONS
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
 from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
@@ -38,7 +40,8 @@ def _open(element: Element) -> None:
 
 
 def _agent(element: Element) -> Agent:
-    return Agent(element.required("name"), element.required("program"), element.optional("start"))
+    start, robot = element.optional("start"), element.optional("robot")
+    return Agent(element.required("name"), element.required("program"), start, robot)
 
 
 def _goal(element: Element) -> Goal | None:
@@ -55,7 +58,13 @@ def _goal(element: Element) -> Goal | None:
 
 def _team(element: Element) -> Team:
     agents = element.distinct(Agent, lambda agent: agent.name, "agent")
-    return Team([agent for agent in agents if agent.name], element.found(Goal))
+    return Team(
+        [agent for agent in agents if agent.name],
+        element.found(Goal),
+        element.distinct(RoleDeclaration, lambda role: role.name, "role"),
+        element.distinct(GroupDeclaration, lambda group: group.name, "group"),
+        element.distinct(WorkDeclaration, lambda work: work.name, "work"),
+    )
 
 
 def _world(element: Element) -> _Where | None:
@@ -90,6 +99,7 @@ _AGENT = Tag(
         "name": needed(),
         "program": needed(),
         "start": optional(about="A start of the world; else the one with the agent's name."),
+        "robot": optional(about="Its kind of robot, where its program is the whole team's."),
     },
 )
 _WORLD = Tag(
@@ -108,7 +118,7 @@ MISSION = {
             **OWN,
             **TRIAL,
             "program": PROGRAM,
-            "team": Tag(_team, children={"agent": _AGENT, "goal": _GOAL}),
+            "team": Tag(_team, children={"agent": _AGENT, "goal": _GOAL, **DECLARATIONS}),
             "world": _WORLD,
         },
         open=_open,
@@ -134,8 +144,8 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
     version = next(iter(root.found(_Version)), VERSION)
     mission = Mission(int(version), root.distinct(Program, lambda program: program.name, "program"))
     for team in root.found(Team):
-        mission.team.agents += team.agents
-        mission.team.goals += team.goals
+        for part in fields(Team):
+            getattr(mission.team, part.name).extend(getattr(team, part.name))
     places = root.found_at(_Where)
     for where, _ in places[:1]:
         mission.world_href, mission.own_world = where.href, where.own

@@ -10,6 +10,13 @@ NO_PROGRAM = rule(
     "An agent has no program",
     "Every agent of the team names one of the mission's programs.",
 )
+AGENT_ROBOT = rule(
+    "mission-agent-robot",
+    Severity.ERROR,
+    "It is not clear which kind of robot an agent is",
+    "A program of one robot says for which kind it is. One of the level social is run by robots of several kinds, so"
+    ' each agent that runs it says its own with `robot="…"`. Agents of one mission run at most one such program.',
+)
 WORLD = rule(
     "mission-world",
     Severity.ERROR,

@@ -11,6 +11,7 @@ from pathlib import Path
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import replace_whole
 from kitrobot.graph import write_program
+from kitrobot.mission.declarations import write_declarations
 from kitrobot.mission.model import Mission, Team
 from kitrobot.mission.trial import write_breakpoint, write_failure
 from kitrobot.primitives import Texts, write_constructor, write_variable
@@ -47,14 +48,15 @@ def _texts(name: str, texts: Texts) -> list[str]:
 
 
 def _team(team: Team) -> list[str]:
-    if not team.agents and not team.goals:
+    if team == Team():
         return []
     lines = ["  <team>"]
     for agent in team.agents:
-        who = attributes(("name", agent.name), ("program", agent.program), ("start", agent.start or None))
-        lines.append(f"    <agent{who}/>")
+        where = (("start", agent.start or None), ("robot", agent.robot or None))
+        lines.append(f"    <agent{attributes(('name', agent.name), ('program', agent.program), *where)}/>")
     for goal in team.goals:
         lines.append(f"    <goal{attributes(('storehouse', goal.storehouse), ('stock', goal.stock))}/>")
+    lines += [f"    {line}" for line in write_declarations((team.roles, team.groups, team.works))]
     return [*lines, "  </team>"]
 
 

@@ -1,9 +1,12 @@
 """The words a robot understands: constructors and robots, read from XML."""
 
-from kitrobot.primitives.attribute_kinds import IDENTIFIER
+from kitrobot.primitives.attribute_kinds import IDENTIFIER, LEVEL
+from kitrobot.primitives.automatic import work_object
 from kitrobot.primitives.catalogue import SHIPPED, Catalogue, config_folder, load_catalogue
 from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.crew import Crew, CrewProgram, declaring, team_robot
+from kitrobot.primitives.levels import Level
 from kitrobot.primitives.match_template import Bound, fill_with, unfill, unfill_all, unfill_row
 from kitrobot.primitives.own_xml import (
     MOST_OWN,
@@ -30,26 +33,32 @@ from kitrobot.primitives.robot import (
     ValueType,
 )
 from kitrobot.primitives.robot_xml import read_robot
+from kitrobot.primitives.team_objects import TEAM, has_team, with_team
 from kitrobot.primitives.template_xml import Template, read_template
 from kitrobot.primitives.templates import Shape, holes, shape
 
 __all__ = [
     "IDENTIFIER",
     "LARGEST_VALUE",
+    "LEVEL",
     "LONGEST_SETTING",
     "MOST_OWN",
     "MOST_SETTINGS",
     "OWN",
     "OWN_GROUP",
     "SHIPPED",
+    "TEAM",
     "Board",
     "Bound",
     "Catalogue",
     "Category",
     "Constructor",
     "ConstructorTable",
+    "Crew",
+    "CrewProgram",
     "Group",
     "Kind",
+    "Level",
     "Method",
     "OwnVariable",
     "Parameter",
@@ -63,7 +72,9 @@ __all__ = [
     "Texts",
     "ValueType",
     "config_folder",
+    "declaring",
     "fill_with",
+    "has_team",
     "holes",
     "load_catalogue",
     "read_constructors",
@@ -71,9 +82,12 @@ __all__ = [
     "read_robot",
     "read_template",
     "shape",
+    "team_robot",
     "unfill",
     "unfill_all",
     "unfill_row",
+    "with_team",
+    "work_object",
     "write_constructor",
     "write_constructors",
     "write_variable",

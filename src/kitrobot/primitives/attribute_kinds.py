@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 from kitrobot.lll import is_name
+from kitrobot.primitives.levels import Level
 from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.text import Sentence
 from kitrobot.xml import LONGEST_NAME, Kind, one, optional, whole
@@ -55,3 +56,6 @@ RANGE = {
     "max": optional(ROBOT_NUMBER, str(USUAL_MAXIMUM)),
 }
 """The ends of a range of numbers."""
+
+LEVEL = one(*Level, name="level")
+"""Of whom a program speaks."""

@@ -1,4 +1,4 @@
-"""What nobody writes in a robot's XML because every robot has it: the methods of variables, and `Fault`.
+"""What nobody writes in a robot's XML because every robot has it: the methods of variables, `Fault`, a team's work.
 
 Values given by Set, Add and Sub are clamped to the variable's range by the compiler. The range of what is *added* is
 the width of the variable's range, both ways.
@@ -21,7 +21,8 @@ FAULT = "Fault"
 """The system object that says whether a number had to be clamped."""
 
 
-def _texts(english: str, french: str, urdu: str) -> Texts:
+def texts(english: str, french: str, urdu: str) -> Texts:
+    """A text in the three languages."""
     return {"": english, "fr": french, "ur": urdu}
 
 
@@ -42,26 +43,26 @@ _TESTS = (
         "equal",
         "equal",
         _label("Égal à", "برابر"),
-        _texts("Is it exactly this number?", "Est-ce exactement ce nombre ?", "کیا یہ بالکل یہی عدد ہے؟"),
+        texts("Is it exactly this number?", "Est-ce exactement ce nombre ?", "کیا یہ بالکل یہی عدد ہے؟"),
     ),
     (
         "LessThan",
         "less",
         "chevron-left",
         _label("Plus petit que", "سے کم"),
-        _texts("Is it smaller than this number?", "Est-ce plus petit que ce nombre ?", "کیا یہ اس عدد سے چھوٹا ہے؟"),
+        texts("Is it smaller than this number?", "Est-ce plus petit que ce nombre ?", "کیا یہ اس عدد سے چھوٹا ہے؟"),
     ),
     (
         "GreaterThan",
         "greater",
         "chevron-right",
         _label("Plus grand que", "سے زیادہ"),
-        _texts("Is it bigger than this number?", "Est-ce plus grand que ce nombre ?", "کیا یہ اس عدد سے بڑا ہے؟"),
+        texts("Is it bigger than this number?", "Est-ce plus grand que ce nombre ?", "کیا یہ اس عدد سے بڑا ہے؟"),
     ),
 )
 _VALUE_LABEL = _label("valeur", "قدر")
-_VALUE_HELP = _texts("The number to use.", "Le nombre à utiliser.", "استعمال ہونے والا عدد۔")
-_TRUTH_HELP = _texts("0 is false, 1 is true.", "0 veut dire faux, 1 veut dire vrai.", "0 کا مطلب غلط، 1 کا مطلب درست۔")
+_VALUE_HELP = texts("The number to use.", "Le nombre à utiliser.", "استعمال ہونے والا عدد۔")
+_TRUTH_HELP = texts("0 is false, 1 is true.", "0 veut dire faux, 1 veut dire vrai.", "0 کا مطلب غلط، 1 کا مطلب درست۔")
 
 
 def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, ...]:
@@ -77,7 +78,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
             action="set",
             icon="pencil",
             label=_label("Mettre", "رکھو"),
-            help=_texts(
+            help=texts(
                 "Gives the variable a new number.",
                 "Donne un nouveau nombre à la variable.",
                 "متغیر کو نیا عدد دیتا ہے۔",
@@ -91,7 +92,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
             action="add",
             icon="plus",
             label=_label("Ajouter", "جمع کرو"),
-            help=_texts(
+            help=texts(
                 "Makes the variable bigger by a number.",
                 "Ajoute un nombre à la variable.",
                 "متغیر میں ایک عدد جمع کرتا ہے۔",
@@ -105,7 +106,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
             action="sub",
             icon="minus",
             label=_label("Enlever", "گھٹاؤ"),
-            help=_texts(
+            help=texts(
                 "Makes the variable smaller by a number.",
                 "Enlève un nombre à la variable.",
                 "متغیر میں سے ایک عدد گھٹاتا ہے۔",
@@ -117,7 +118,7 @@ def integer_methods(minimum: int, maximum: int, initial: int) -> tuple[Method, .
             Kind.VALUE,
             icon="hash",
             label=_label("Valeur", "قدر"),
-            help=_texts(
+            help=texts(
                 "The number that the variable holds now.", "Le nombre que contient la variable.", "متغیر میں موجود عدد۔"
             ),
             phrase={"": "{object}"},
@@ -149,7 +150,7 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             action="set",
             icon="pencil",
             label=_label("Mettre", "رکھو"),
-            help=_texts(
+            help=texts(
                 "Makes the variable true or false.",
                 "Rend la variable vraie ou fausse.",
                 "متغیر کو درست یا غلط بناتا ہے۔",
@@ -163,8 +164,8 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             to=1,
             icon="toggle-right",
             label=_label("Est vrai", "درست ہے"),
-            help=_texts("Is the variable true?", "La variable est-elle vraie ?", "کیا متغیر درست ہے؟"),
-            phrase=_texts("{object} is true", "{object} est vrai", "{object} درست ہے"),
+            help=texts("Is the variable true?", "La variable est-elle vraie ?", "کیا متغیر درست ہے؟"),
+            phrase=texts("{object} is true", "{object} est vrai", "{object} درست ہے"),
         ),
         Method(
             "IsFalse",
@@ -173,8 +174,8 @@ def boolean_methods(initial: int) -> tuple[Method, ...]:
             to=0,
             icon="toggle-left",
             label=_label("Est faux", "غلط ہے"),
-            help=_texts("Is the variable false?", "La variable est-elle fausse ?", "کیا متغیر غلط ہے؟"),
-            phrase=_texts("{object} is false", "{object} est faux", "{object} غلط ہے"),
+            help=texts("Is the variable false?", "La variable est-elle fausse ?", "کیا متغیر غلط ہے؟"),
+            phrase=texts("{object} is false", "{object} est faux", "{object} غلط ہے"),
         ),
     )
 
@@ -192,12 +193,12 @@ def fault_object() -> RobotObject:
                 to=1,
                 icon="triangle-alert",
                 label=_label("Est levé", "اٹھا ہوا ہے"),
-                help=_texts(
+                help=texts(
                     "Did a number go out of its range since the last Clear?",
                     "Un nombre est-il sorti de ses limites depuis le dernier Effacer ?",
                     "کیا پچھلے «مٹاؤ» کے بعد کوئی عدد اپنی حد سے باہر گیا؟",
                 ),
-                phrase=_texts("{object} is raised", "{object} est levé", "{object} اٹھا ہوا ہے"),
+                phrase=texts("{object} is raised", "{object} est levé", "{object} اٹھا ہوا ہے"),
             ),
             Method(
                 "Clear",
@@ -205,16 +206,83 @@ def fault_object() -> RobotObject:
                 action="clear",
                 icon="eraser",
                 label=_label("Effacer", "مٹاؤ"),
-                help=_texts("Forgets the fault.", "Oublie le défaut.", "خرابی بھلا دیتا ہے۔"),
+                help=texts("Forgets the fault.", "Oublie le défaut.", "خرابی بھلا دیتا ہے۔"),
             ),
         ),
         type=ValueType.BOOLEAN,
         maximum=1,
         icon="triangle-alert",
         label=_label("Défaut", "خرابی"),
-        help=_texts(
+        help=texts(
             "Goes up when a number had to be cut to fit its range, for example a speed of 120.",
             "Se lève quand un nombre a dû être ramené dans ses limites, par exemple une vitesse de 120.",
             "جب کسی عدد کو اس کی حد میں لانا پڑے، مثلاً رفتار 120، تو یہ اٹھ جاتا ہے۔",
+        ),
+    )
+
+
+def work_object(name: str, units: int) -> RobotObject:
+    """A work of the team: units that its members share out among themselves."""
+    return RobotObject(
+        name,
+        Category.SYSTEM,
+        (
+            Method(
+                "Take",
+                Kind.PROCEDURE,
+                completes_later=True,
+                icon="hand",
+                label=_label("Prendre", "لو"),
+                help=texts(
+                    "Waits until a unit is this robot's, or until none is left.",
+                    "Attend qu'une unité soit à ce robot, ou qu'il n'en reste plus.",
+                    "انتظار کرتا ہے کہ ایک اکائی اس روبوٹ کو ملے، یا کوئی باقی نہ رہے۔",
+                ),
+            ),
+            Method(
+                "Done",
+                Kind.PROCEDURE,
+                completes_later=True,
+                icon="check",
+                label=_label("Fini", "ہو گیا"),
+                help=texts(
+                    "Says that the unit that this robot took is done.",
+                    "Dit que l'unité prise par ce robot est finie.",
+                    "بتاتا ہے کہ اس روبوٹ کی لی ہوئی اکائی مکمل ہو گئی۔",
+                ),
+            ),
+            Method(
+                "IsEmpty",
+                Kind.TEST,
+                test="equal",
+                to=0,
+                icon="package-open",
+                label=_label("Est vide", "خالی ہے"),
+                help=texts(
+                    "Are all units done?", "Toutes les unités sont-elles finies ?", "کیا سب اکائیاں مکمل ہو گئیں؟"
+                ),
+                phrase=texts("{object} is empty", "{object} est vide", "{object} خالی ہے"),
+            ),
+            Method(
+                "Left",
+                Kind.VALUE,
+                icon="hash",
+                label=_label("Reste", "باقی"),
+                help=texts(
+                    "How many units are not done yet.",
+                    "Combien d'unités ne sont pas encore finies.",
+                    "کتنی اکائیاں ابھی مکمل نہیں ہوئیں۔",
+                ),
+                phrase=texts("what is left of {object}", "reste de {object}", "{object} میں سے باقی"),
+            ),
+        ),
+        maximum=units,
+        initial=units,
+        shared=True,
+        icon="package",
+        help=texts(
+            "A work of the team: units that its robots share out among themselves.",
+            "Un travail de l'équipe : des unités que ses robots se partagent.",
+            "ٹیم کا کام: اکائیاں جو اس کے روبوٹ آپس میں بانٹ لیتے ہیں۔",
         ),
     )

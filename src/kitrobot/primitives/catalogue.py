@@ -23,6 +23,8 @@ from kitrobot.lll import Condition, Instr
 from kitrobot.primitives import rules
 from kitrobot.primitives.constructors import Constructor, Group
 from kitrobot.primitives.constructors_xml import read_constructors
+from kitrobot.primitives.crew import Crew, team_robot
+from kitrobot.primitives.levels import Level
 from kitrobot.primitives.match_template import is_more_specific
 from kitrobot.primitives.own_xml import OWN_GROUP, OWN_LABEL, OwnVariable
 from kitrobot.primitives.robot import Robot, RobotObject
@@ -52,7 +54,8 @@ _FIRST_ELEMENT = re.compile(rb"(?:\s|(?><\?.*?\?>)|(?><!--.*?-->))*+<([A-Za-z]+)
 class Catalogue:
     """What programs can be made of. `groups` is in the order of the palette; `constructors` follows it.
 
-    `robot_files` and `constructor_files` say which file a robot or a constructor is from, by its name.
+    `robot_files` and `constructor_files` say which file a robot or a constructor is from, by its name. `crew` is the
+    team whose programs are meant, where there is one.
     """
 
     robots: dict[str, Robot] = field(default_factory=dict)
@@ -60,6 +63,7 @@ class Catalogue:
     problems: list[Diagnostic] = field(default_factory=list)
     robot_files: dict[str, Path] = field(default_factory=dict)
     constructor_files: dict[str, Path] = field(default_factory=dict)
+    crew: Crew = field(default_factory=Crew)
 
     @cached_property
     def constructors(self) -> dict[str, Constructor]:
@@ -100,13 +104,20 @@ class Catalogue:
                 table.setdefault(shape(template), []).append((constructor, template))
         return table
 
-    def extended(self, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]) -> Catalogue:
+    @cached_property
+    def teams(self) -> Mapping[Level, Robot]:
+        """The targets of programs of a team, by their level."""
+        return {level: team_robot(self.crew, self.robots, level) for level in Level if level.is_team}
+
+    def extended(
+        self, constructors: Sequence[Constructor], variables: Sequence[OwnVariable], crew: Crew | None = None
+    ) -> Catalogue:
         """The same with what a mission brings along; it wins over what is there, as a later folder does.
 
         A variable whose name the robot has already is left out, and `problems` says so.
         """
         if not constructors and not variables:
-            return self
+            return self if crew is None else replace(self, crew=crew)
         own = {constructor.name for constructor in constructors}
         groups = [replace(group, constructors=_without(group.constructors, own)) for group in self.groups]
         if constructors:
@@ -131,7 +142,7 @@ class Catalogue:
         for name, more in added.items():
             robots[name] = replace(robots[name], variables=(*robots[name].variables, *more))
         files = {name: path for name, path in self.constructor_files.items() if name not in own}
-        return Catalogue(robots, groups, problems, self.robot_files, files)
+        return Catalogue(robots, groups, problems, self.robot_files, files, crew or self.crew)
 
     def robot(self, name_or_path: str | Path) -> Robot:
         """The robot of that name, or of that `.robot.xml` file.

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from kitrobot.lll import Condition, Instr, Seq
+from kitrobot.primitives.levels import Level
 from kitrobot.primitives.robot import Texts
 
 
@@ -53,6 +54,7 @@ class Slot:
 class Constructor:
     """A building block. `template` is None exactly for one that only adds a branch (`adds`: constructor, slot).
 
+    It stands in programs of its `level` and of those behind it.
     `reads` are other templates with the same slots: LLL made from one is drawn as this constructor too.
     """
 
@@ -68,6 +70,7 @@ class Constructor:
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
     reads: tuple[Instr | Condition, ...] = ()
+    level: Level = Level.AGENT
 
     def slot(self, name: str) -> Slot | None:
         """The slot of that name, or None."""

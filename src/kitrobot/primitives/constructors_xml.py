@@ -13,10 +13,11 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import And, Call, Not, Or, Seq, print_template, without_comments
+from kitrobot.lll import And, Call, Joint, Not, Or, Seq, TeamInstr, nodes, print_template, without_comments
 from kitrobot.primitives import rules
-from kitrobot.primitives.attribute_kinds import COLOUR, COLOURS, IDENTIFIER, ROBOT_NUMBER
+from kitrobot.primitives.attribute_kinds import COLOUR, COLOURS, IDENTIFIER, LEVEL, ROBOT_NUMBER
 from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, SlotKind
+from kitrobot.primitives.levels import Level
 from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
 from kitrobot.primitives.templates import holes
@@ -190,9 +191,12 @@ def _constructor(element: Element) -> Constructor | None:
         if also.template is not None and not element.faulty:
             _check_holes(element, around, also.template)
     picture = icon(element)
+    template = codes[0].template if codes else None
+    level = Level(element.choice("level"))
+    if level is Level.AGENT and template is not None and not element.faulty:
+        _check_level(element, template)
     if element.faulty:
         return None
-    template = codes[0].template if codes else None
     return Constructor(
         name=name,
         group=group.attributes.get("name", ""),
@@ -203,17 +207,29 @@ def _constructor(element: Element) -> Constructor | None:
         role=_role(template),
         adds=(added[0].constructor, added[0].slot) if added else None,
         reads=tuple(template for template in reads if not isinstance(template, Seq)),
+        level=level,
         icon=picture,
         label=element.texts.get("label", {}),
         help=element.texts.get("help", {}),
     )
 
 
+def _check_level(element: Element, template: Template) -> None:
+    """The code of what stands in programs of one robot speaks of one robot."""
+    if any(isinstance(node, TeamInstr | Joint) for node in nodes(template)):
+        element.report(
+            rules.TEMPLATE,
+            Sentence("its code speaks of several robots, so it stands in programs of a team"),
+            "level",
+            Sentence('write level="group" on the constructor'),
+        )
+
+
 def _role(template: Template | None) -> Role:
     """A template that is a lone call could be either; it is an instruction."""
     if template is None:
         return Role.BRANCH
-    return Role.CONDITION if isinstance(template, And | Or | Not) else Role.INSTRUCTION
+    return Role.CONDITION if isinstance(template, And | Or | Not | Joint) else Role.INSTRUCTION
 
 
 def _group(element: Element) -> Group:
@@ -279,6 +295,7 @@ CONSTRUCTOR = Tag(
         "name": needed(_CONSTRUCTOR_NAME),
         "icon": optional(ICON),
         "colour": optional(COLOUR, about="When it is not the colour of the group."),
+        "level": optional(LEVEL, Level.AGENT, about="Of the programs it stands in, the narrowest level."),
     },
     {
         **TEXTS,

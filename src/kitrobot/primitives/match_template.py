@@ -12,12 +12,13 @@ import copy
 from dataclasses import fields, is_dataclass
 from typing import Any
 
-from kitrobot.lll import Hole, Instruction, Node, Number, Seq
+from kitrobot.lll import Hole, Instruction, Members, Node, Number, Seq
 from kitrobot.primitives.constructors import Constructor, SlotKind
 
 Bound = dict[str, Any]
 """Hole name → the part that stands there: a number, a node, a body; a repeated body gives the list of all branches."""
 
+_TYPED: dict[SlotKind, Any] = {SlotKind.NUMBER: int, SlotKind.TEXT: int | str | Members}
 _PLACES = frozenset(("start", "end", "vertex", "above", "after", "method_start"))
 
 
@@ -131,7 +132,7 @@ class _Unfilling:
                 return False
             if slot.maximum is not None and number > slot.maximum:
                 return False
-        elif not isinstance(number, int) and slot.kind in (SlotKind.NUMBER, SlotKind.TEXT):
+        elif not isinstance(number, _TYPED.get(slot.kind, object)):
             return False
         if name in self.bound:
             return bool(self.bound[name] == value)

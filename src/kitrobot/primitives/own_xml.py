@@ -106,7 +106,10 @@ def read_own(lines: list[str], name: str) -> tuple[Constructor | OwnVariable | N
 def write_constructor(constructor: Constructor, indent: str = "  ") -> list[str]:
     """The lines of a `<constructor>`, without line breaks."""
     head = attributes(
-        ("name", constructor.name), ("icon", constructor.icon or None), ("colour", constructor.colour or None)
+        ("name", constructor.name),
+        ("icon", constructor.icon or None),
+        ("colour", constructor.colour or None),
+        ("level", constructor.level if constructor.level.is_team else None),
     )
     inside = [*_texts("label", constructor.label), *_texts("help", constructor.help)]
     inside += [_slot(slot) for slot in constructor.slots]

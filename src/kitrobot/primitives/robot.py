@@ -16,6 +16,7 @@ from enum import StrEnum
 from functools import cached_property
 
 from kitrobot.diagnostics import Place
+from kitrobot.primitives.levels import Level
 
 LARGEST_VALUE = 2**29 - 1
 """How far from zero a number of a robot may lie: the sum of two still fits the word of the smallest board (31 bits)."""
@@ -140,7 +141,10 @@ class RobotObject:
 
 @dataclass(frozen=True)
 class Robot:
-    """A kind of robot. `tick_ms` is the period of a reaction, `wait_unit_ms` the unit of WAIT."""
+    """A kind of robot. `tick_ms` is the period of a reaction, `wait_unit_ms` the unit of WAIT.
+
+    `level` is that of the programs for it: one of several robots only for the target of a team (crew).
+    """
 
     name: str
     actuators: tuple[RobotObject, ...]
@@ -151,6 +155,7 @@ class Robot:
     wait_unit_ms: int = 100
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
+    level: Level = Level.AGENT
 
     @property
     def objects(self) -> Iterator[RobotObject]:

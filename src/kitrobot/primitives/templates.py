@@ -10,19 +10,36 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import fields
 
-from kitrobot.lll import Call, Conditional, Hole, Interrupt, Node, Parallel, Seq, While, children, nodes
+from kitrobot.lll import (
+    Call,
+    Conditional,
+    Hole,
+    Interrupt,
+    Joint,
+    Move,
+    Node,
+    Parallel,
+    ProgramCall,
+    Seq,
+    Where,
+    While,
+    children,
+    nodes,
+)
 from kitrobot.primitives.constructors import Constructor, SlotKind
 
-Shape = tuple[type[Node], bool]
-"""Class of a node, and whether its optional part (`condition`, `orelse`) is there."""
+Shape = tuple[type[Node], bool | str]
+"""Class of a node, and whether its optional part (`condition`, `orelse`) is there, or its quantifier."""
 
 _NUMBER = (SlotKind.NUMBER,)
 _CONDITION = (SlotKind.CONDITION,)
 _FLOW = (SlotKind.FLOW,)
 _ACTION = (SlotKind.ACTION,)
 _PARAMETER = (SlotKind.NUMBER, SlotKind.VALUE, SlotKind.TEXT)
-_OPTIONAL: dict[type[Node], str] = {While: "condition", Conditional: "orelse"}
-_PLAIN = frozenset(("start", "end", "vertex", "above", "after", "method_start"))
+_TEXT = (SlotKind.TEXT,)
+_OPTIONAL: dict[type[Node], str] = {While: "condition", Conditional: "orelse", Where: "orelse"}
+_NAMES = ("name", "source", "target")
+_PLAIN = frozenset(("start", "end", "vertex", "program", "above", "after", "method_start", "quantifier"))
 
 
 def holes(template: Node) -> Iterator[tuple[Hole, tuple[SlotKind, ...], bool]]:
@@ -36,14 +53,20 @@ def holes(template: Node) -> Iterator[tuple[Hole, tuple[SlotKind, ...], bool]]:
         number = getattr(node, "count", None) or getattr(node, "duration", None)
         if isinstance(number, Hole):
             yield number, _NUMBER, False
+        if isinstance(node, ProgramCall | Move):
+            for name in (getattr(node, part, None) for part in _NAMES):
+                if isinstance(name, Hole):
+                    yield name, _TEXT, False
         fitting = _ACTION if isinstance(node, Interrupt) else _PARAMETER if isinstance(node, Call) else _CONDITION
         for child in children(node):
             if isinstance(child, Hole):
-                yield child, fitting, False
+                yield child, _TEXT if child is getattr(node, "members", None) else fitting, False
 
 
 def shape(node: Node) -> Shape:
     """What decides which constructor an LLL construct becomes."""
+    if isinstance(node, Joint):
+        return Joint, node.quantifier
     part = _OPTIONAL.get(type(node))
     return type(node), part is not None and getattr(node, part) is not None
 

@@ -22,7 +22,7 @@ from kitrobot.image import LARGEST_VALUE
 from kitrobot.robots.records import RecordedBoard, active_of, first_row, header_of, row_of, sentence_of
 from kitrobot.robots.session import RobotSession
 from kitrobot.robots.state import Change, Happening, RobotState
-from kitrobot.text import Recorded, Sentence
+from kitrobot.text import Recorded, Sentence, clipped
 from kitrobot.trace import Ability, AbilityError, NewEvents, Threads, TickRecord, TraceCommand, TraceEvent, TraceHeader
 
 LONGEST_TEXT = 500
@@ -157,7 +157,7 @@ class RobotsRun:
             self._wrong.pop(number, None)
         self._commands += [TraceCommand(number, *command) for command in change.commands]
         happened = [
-            TraceEvent(self._tick, event.kind, number, event.text[:LONGEST_TEXT], event.cause)
+            TraceEvent(self._tick, event.kind, number, clipped(event.text, LONGEST_TEXT), event.cause)
             for event in change.events
         ]
         self._events += happened

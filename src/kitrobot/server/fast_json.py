@@ -16,8 +16,10 @@ from fastapi import Response
 from kitrobot.compiler import Followed, VertexPlace
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import Arc, Program, Vertex
+from kitrobot.lll import TeamProgram
 from kitrobot.server.list_delta import stretched
 from kitrobot.server.shapes import problem_shapes
+from kitrobot.server.shapes.mission import DeclaredShape
 from kitrobot.workspace import Report, Span
 
 
@@ -34,8 +36,13 @@ def followed_answer(before: Program, followed: Followed, report: Report | None, 
             "spans": _spans(followed.spans),
             "problems": _problems(followed.diagnostics[:most_problems]),
             "report": _report(report) if report is not None else None,
+            "declared": _declared(followed.team) if followed.program is not None else None,
         }
     )
+
+
+def _declared(team: TeamProgram | None) -> dict[str, Any] | None:
+    return None if team is None else DeclaredShape.model_validate(team).model_dump(mode="json")
 
 
 def _report(report: Report) -> dict[str, Any]:

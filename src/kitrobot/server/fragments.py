@@ -6,6 +6,8 @@ program: it is read as the guard of an empty event; that graph without its chain
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from kitrobot.compiler import lll_to_graph
 from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.graph import IN, START, STOP, Program
@@ -61,9 +63,8 @@ def _without_chain(program: Program) -> Program:
     """What does not stand in the chain: the condition of its only instruction."""
     chained = {arc.target for arc in program.arcs if arc.at == IN}
     gone = chained | {vertex.id for vertex in program.vertices if vertex.element in (START, STOP)}
-    return Program(
-        program.name,
-        program.target,
-        [vertex for vertex in program.vertices if vertex.id not in gone],
-        [arc for arc in program.arcs if arc.source not in gone and arc.target not in gone],
+    return replace(
+        program,
+        vertices=[vertex for vertex in program.vertices if vertex.id not in gone],
+        arcs=[arc for arc in program.arcs if arc.source not in gone and arc.target not in gone],
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from base64 import b64encode
 
+from kitrobot.compiler import robot_of
 from kitrobot.diagnostics import ProblemsError
 from kitrobot.image import disassemble
 from kitrobot.server.routing import ThisStudio, api_router
@@ -19,6 +20,8 @@ def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
     """Compiles one program of a mission: its image and the listing of it."""
     opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     program = opened.program(wanted.program)
+    if program.level.is_team:
+        robot_of(program, opened.catalogue)  # says that it has none
     compiled = opened.compiled.get(program.name)
     if compiled is None:
         raise ProblemsError(

@@ -17,9 +17,10 @@ from dataclasses import replace
 from kitrobot.compiler import Compiled
 from kitrobot.image import Layout
 from kitrobot.image.instructions import ACT
+from kitrobot.lll import WorkDeclaration
 from kitrobot.mission import Breakpoint
-from kitrobot.primitives import Robot
-from kitrobot.trace import Threads, TickRecord, TraceHeader
+from kitrobot.primitives import Robot, has_team, with_team
+from kitrobot.trace import Threads, TickRecord, TraceAgent, TraceHeader
 
 _CELLS = ("input", "done", "variable")
 """The first words of columns that hold what an agent's program knows."""
@@ -35,11 +36,12 @@ class RecordedAgent:
         self.index = index
         self.name = agent.name
         self.program = agent.program
+        self.image_name = header.image_name(agent)
         self.robot = robot
         self.active: Threads = ()
         self.cells: list[int] = []
         self.seen: list[int] = []
-        self._vertices = header.vertices.get(agent.program, ())
+        self._vertices = header.vertices_of(agent)
         self._places = cells
         self._givers = givers
 
@@ -61,7 +63,10 @@ class RecordedAgent:
 
 
 def recorded_agents(
-    header: TraceHeader, robots: Mapping[str, Robot], programs: Mapping[str, Compiled]
+    header: TraceHeader,
+    robots: Mapping[str, Robot],
+    programs: Mapping[str, Compiled],
+    works: Sequence[WorkDeclaration] = (),
 ) -> list[RecordedAgent]:
     """The agents of a recording whose robots are known, with their programs as they compile now."""
     first: dict[str, int] = {}
@@ -71,7 +76,7 @@ def recorded_agents(
             first[column.owner] = at
         if column.owner in first and column.name.partition(" ")[0] in ("fault", *_CELLS):
             width[column.owner] += 1
-    robot_of = {agent.program: robots.get(agent.robot) for agent in header.agents}
+    robot_of = {header.image_name(agent): _robot(header, agent, robots, works) for agent in header.agents}
     givers = {
         name: _givers(compiled, robot, header.vertices.get(name, ()))
         for name, compiled in programs.items()
@@ -79,26 +84,41 @@ def recorded_agents(
     }
     made = []
     for index, agent in enumerate(header.agents):
-        robot, begin = robots.get(agent.robot), first.get(agent.name, 0)
+        robot, begin = _robot(header, agent, robots, works), first.get(agent.name, 0)
         if robot is not None:
             cells = slice(begin, begin + width[agent.name])
-            made.append(RecordedAgent(index, header, robot, cells, givers.get(agent.program, {})))
+            made.append(RecordedAgent(index, header, robot, cells, givers.get(header.image_name(agent), {})))
     return made
 
 
 def testable(
-    breakpoints: Iterable[Breakpoint], header: TraceHeader, robots: Mapping[str, Robot]
+    breakpoints: Iterable[Breakpoint],
+    header: TraceHeader,
+    robots: Mapping[str, Robot],
+    works: Sequence[WorkDeclaration],
 ) -> tuple[list[Breakpoint], bool]:
     """The breakpoints, without conditions where what a condition speaks of is not what was recorded; and whether all
     of their conditions can be tested.
     """
-    known = {agent.program: _is_as_recorded(header, agent.name, robots.get(agent.robot)) for agent in header.agents}
+    known: dict[str, bool] = {}
+    for agent in header.agents:
+        is_known = _is_as_recorded(header, agent.name, _robot(header, agent, robots, works))
+        known[agent.program] = is_known and known.get(agent.program, True)
     made, all_of_them = [], True
     for one in breakpoints:
         tests = not one.when.strip() or known.get(one.program, True)
         made.append(one if tests else replace(one, when=""))
         all_of_them &= tests or not one.enabled
     return made, all_of_them
+
+
+def _robot(
+    header: TraceHeader, agent: TraceAgent, robots: Mapping[str, Robot], works: Sequence[WorkDeclaration]
+) -> Robot | None:
+    """The robot of an agent, as a member of its team where it is one."""
+    robot = robots.get(agent.robot)
+    is_of_team = robot is not None and header.image_name(agent) != agent.program and not has_team(robot, works)
+    return with_team(robot, works) if robot is not None and is_of_team else robot
 
 
 def _is_as_recorded(header: TraceHeader, agent: str, robot: Robot | None) -> bool:

@@ -28,8 +28,9 @@ class RunOfRecords(WatchedRun):
 
     def __init__(self, source: RunSource, world: World, opened: OpenMission | None) -> None:
         self._robots = {} if opened is None else opened.catalogue.robots
-        programs = {} if opened is None else opened.compiled
-        self._recorded = recorded_agents(source.header, self._robots, programs)
+        self._works = [] if opened is None else opened.mission.team.works
+        programs = {} if opened is None else opened.images
+        self._recorded = recorded_agents(source.header, self._robots, programs, self._works)
         super().__init__(source, world, self._recorded)
 
     def _observe(self) -> None:
@@ -44,7 +45,7 @@ class RunOfRecords(WatchedRun):
             ConditionError: a condition cannot be understood.
             ReplayError: a condition cannot be tested here; its breakpoint pauses at each visit.
         """
-        sensible, all_of_them = testable(breakpoints, self._source.header, self._robots)
+        sensible, all_of_them = testable(breakpoints, self._source.header, self._robots, self._works)
         super().pause_at(sensible)
         if not all_of_them:
             raise ReplayError(

@@ -16,8 +16,19 @@ from typing import Any
 
 from kitrobot.server.shapes import EVENT_CAUSES, EVENT_KINDS, StartedAgentShape, StartedMessage, world_shape
 from kitrobot.sim import DOING
-from kitrobot.text import Sentence
-from kitrobot.trace import POSE_WORDS, PROGRAM, TEAM, Ability, Threads, TickRecord, TraceError, TraceEvent, TraceHeader
+from kitrobot.text import Sentence, clipped
+from kitrobot.trace import (
+    POSE_WORDS,
+    PROGRAM,
+    TEAM,
+    Ability,
+    Threads,
+    TickRecord,
+    TraceAgent,
+    TraceError,
+    TraceEvent,
+    TraceHeader,
+)
 from kitrobot.world import World
 
 MOST_EVENTS_TOLD = 5000
@@ -74,7 +85,7 @@ class RunEncoder:
         for at, column in enumerate(header.columns):
             by_owner.setdefault(column.owner, []).append((column.name, at))
         try:
-            self._agents = [self._plan(one.name, one.program, by_owner.get(one.name, [])) for one in header.agents]
+            self._agents = [self._plan(one, by_owner.get(one.name, [])) for one in header.agents]
             self._collisions = dict(by_owner.get(TEAM, []))["collisions"]
         except KeyError as error:
             raise TraceError(
@@ -87,7 +98,7 @@ class RunEncoder:
         self._looked_at = self._first_ones()
         self._before: list[tuple[object, ...] | None] = [None] * len(self._agents)
 
-    def _plan(self, name: str, program: str, mine: Sequence[tuple[str, int]]) -> _Told:
+    def _plan(self, agent: TraceAgent, mine: Sequence[tuple[str, int]]) -> _Told:
         at = dict(mine)
         scales = self._header.columns
         placed = any(word in at for word in _POSE)
@@ -96,8 +107,8 @@ class RunEncoder:
         shown = _faces(mine)
         watched = (at["doing"], at["forced"], at["fault"], *(place for _, place in (*inputs, *values)))
         watched += tuple(place for _, places in shown for place in places)
-        vertices = self._header.vertices.get(program, ())
-        return _Told(name, pose, at["doing"], at["forced"], at["fault"], inputs, values, shown, vertices, watched)
+        vertices = self._header.vertices_of(agent)
+        return _Told(agent.name, pose, at["doing"], at["forced"], at["fault"], inputs, values, shown, vertices, watched)
 
     def _first_ones(self) -> frozenset[int]:
         """The first agent of each program."""
@@ -223,7 +234,7 @@ class RunEncoder:
             "tick": event.tick,
             "kind": event.kind if event.kind in EVENT_KINDS else "message",
             "agent": self._header.agents[event.agent].name if event.agent >= 0 else "",
-            "text": event.text if len(event.text) <= LONGEST_TEXT else event.text[:LONGEST_TEXT],
+            "text": clipped(event.text, LONGEST_TEXT),
             "cause": event.cause if event.cause in EVENT_CAUSES else PROGRAM,
         }
 

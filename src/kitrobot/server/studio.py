@@ -144,7 +144,7 @@ class Studio:
     def parts_of(self, mission: Mission, path: str) -> Catalogue:
         """The robots and constructors for a mission that the page sent: of the files, and those it brings along."""
         catalogue = self.catalogue(path)
-        return self.programs.catalogue(catalogue, mission.constructors, mission.variables)
+        return self.programs.catalogue(catalogue, mission.constructors, mission.variables, mission.crew)
 
     def recorded(self, trace: OpenTrace, recording: str) -> OpenMission | None:
         """The mission of a recording among what it brought along; None where that cannot be used."""

@@ -50,6 +50,10 @@ def text_follow(studio: ThisStudio, wanted: TextEditShape) -> Response:
         if followed.program is not None:
             drawn = followed.program
             mission.programs = [drawn if one is program else one for one in mission.programs]
+            if followed.team is not None:
+                team = followed.team
+                mission.team.roles, mission.team.groups, mission.team.works = team.roles, team.groups, team.works
+                parts = studio.parts_of(mission, wanted.path)
             studio.programs.of(drawn, parts, followed.translation, sound=followed.sound)
             report = studio.open(mission, wanted.path).check()
         return followed_answer(program, followed, report, MOST_PROBLEMS)

@@ -76,6 +76,15 @@ def all_flags(state: State) -> list[int]:
     ]
 
 
+def commanded(state: State) -> set[int]:
+    """The agents of which a device took a new command in the last step."""
+    ints, step = state.actuators.ints, state.clock[columns.TICK]
+    fresh = numbers(ints[columns.A_FRESH])
+    if step not in fresh:
+        return set()
+    return {robot for robot, at in zip(numbers(ints[columns.A_ROBOT]), fresh, strict=True) if at == step}
+
+
 def _rows(table: Any, names: tuple[int, ...]) -> list[list[Any]]:
     return [numbers(table[name]) for name in names]
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from kitrobot.image import Command, Machine
 from kitrobot.primitives import Robot
 from kitrobot.sim.actuation import busy
@@ -44,7 +42,7 @@ class Agent:
     def __init__(self, index: int, name: str, program: str, robot: Robot, machine: Machine, period: int) -> None:
         self.index = index
         self.name = name
-        self.program = program
+        self.program = self.image_name = program
         self.robot = robot
         self.machine = machine
         self.period = period
@@ -56,12 +54,16 @@ class Agent:
             for at, part in enumerate(robot.actuators)
             if part.model in known and known[part.model].shown
         ]
+        self._actuators: list[int] = []
+        """The numbers of its actuators, as its XML lists them."""
         self._state: State | None = None
 
     def show(self, state: State) -> None:
         """From now on the state is this."""
         self._state = state
         machine, tables, i = self.machine, state.machines, self.index
+        first = state.robots.ints[ACTUATOR_INDEX][i]
+        self._actuators = numbers(state.actuators.actuator_index[first : first + len(self.robot.actuators)])
         machine.cells, machine.threads = tables.cells[i], tables.threads[i]
         machine.pars, machine.out, machine.seen = tables.pars[i], tables.out[i], tables.seen[i]
 
@@ -76,35 +78,23 @@ class Agent:
         """Whether its program has ended."""
         return bool(self.state.robots.ints[ENDED][self.index])
 
-    def _actuators(self) -> Sequence[int]:
-        """The numbers of its actuators, as its XML lists them."""
-        first = self.state.robots.ints[ACTUATOR_INDEX][self.index]
-        return self.state.actuators.actuator_index[first : first + len(self.robot.actuators)]
-
     @property
     def commands(self) -> list[Command]:
         """The commands of the last step that say something new."""
-        state = self.state
-        step = state.clock[TICK]
-        fresh = [
-            name.name
-            for name, k in zip(self.robot.actuators, self._actuators(), strict=True)
-            if state.actuators.ints[A_FRESH][k] == step
-        ]
-        if not fresh:
-            return []
+        step, given = self.state.clock[TICK], self.state.actuators.ints[A_FRESH]
+        fresh = [part.name for part, k in zip(self.robot.actuators, self._actuators, strict=True) if given[k] == step]
         return [command for command in self.machine.commands() if command.actuator in fresh]
 
     def outputs(self) -> list[tuple[str, list[int]]]:
         """What each of its actuators that shows something shows, by the actuator's name (see devices.base)."""
-        outputs, own = self.state.actuators.outputs, self._actuators()
-        return [(name, numbers(outputs[own[at]][:shown])) for name, shown, at in self._showing]
+        outputs = self.state.actuators.outputs
+        return [(name, numbers(outputs[self._actuators[at]][:shown])) for name, shown, at in self._showing]
 
     @property
     def busy(self) -> bool:
         """Whether a device of it is doing something."""
         state = self.state
-        return any(busy(k, state) for k in self._actuators())
+        return any(busy(k, state) for k in self._actuators)
 
     @property
     def down(self) -> int:
@@ -114,8 +104,9 @@ class Agent:
     @property
     def doing(self) -> str:
         """What it is doing, in one word of `AgentView.state`."""
-        if self.down != WELL:
-            return "failed" if self.down == FAILED else "stalled"
+        down = self.down
+        if down != WELL:
+            return "failed" if down == FAILED else "stalled"
         return "running" if self.busy else "idle" if self.ended else "waiting"
 
     @property
@@ -142,14 +133,14 @@ class Agent:
     def is_driving(self) -> bool:
         """Whether its motors were told to turn last; its program may have ended."""
         state = self.state
-        return any(KINDS[state.actuators.ints[A_KIND][k]].is_told(k, state) for k in self._actuators())
+        return any(KINDS[state.actuators.ints[A_KIND][k]].is_told(k, state) for k in self._actuators)
 
     @property
     def full_house(self) -> int:
         """The number of the storehouse in which its arm waits for room; -1 when it waits for none."""
         state = self.state
         ints = state.actuators.ints
-        for k in self._actuators():
+        for k in self._actuators:
             if KINDS[ints[A_KIND][k]].is_waiting_for_room(k, state) and self.down != FAILED:
                 return int(ints[A_STORE][k])
         return -1

@@ -51,6 +51,9 @@ class Observed(Protocol):
     def program(self) -> str: ...
 
     @property
+    def image_name(self) -> str: ...
+
+    @property
     def robot(self) -> Robot: ...
 
     @property
@@ -109,11 +112,13 @@ class Condition:
 
 @dataclass
 class _Watched:
-    """One breakpoint: whom it watches, the instructions of its vertex, and when each agent came there."""
+    """One breakpoint: whom it watches, the instructions of its vertex and its condition, for each image that they run,
+    and when each agent came there.
+    """
 
     breakpoint: Breakpoint
-    instructions: frozenset[int]
-    condition: Condition | None
+    instructions: Mapping[str, frozenset[int]]
+    conditions: Mapping[str, Condition]
     agents: Sequence[Observed]
     visits: dict[int, list[int]] = field(default_factory=dict)
     there: set[int] = field(default_factory=set)
@@ -144,11 +149,16 @@ class Breakpoints:
             wanted = [agent for agent in mine if not breakpoint.agents or agent.name in breakpoint.agents]
             if not breakpoint.enabled or not wanted:
                 continue
-            places = enumerate(vertices.get(breakpoint.program, ()))
-            instructions = frozenset(number for number, vertex in places if vertex == breakpoint.vertex)
-            condition = Condition(breakpoint.when, wanted[0].robot) if breakpoint.when.strip() else None
-            if instructions:
-                self._watched.append(_Watched(breakpoint, instructions, condition, wanted))
+            images = {agent.image_name: agent.robot for agent in wanted}
+            places = {name: enumerate(vertices.get(name, ())) for name in images}
+            instructions = {
+                name: frozenset(number for number, vertex in rows if vertex == breakpoint.vertex)
+                for name, rows in places.items()
+            }
+            asks = breakpoint.when.strip()
+            conditions = {name: Condition(breakpoint.when, robot) for name, robot in images.items()} if asks else {}
+            if any(instructions.values()):
+                self._watched.append(_Watched(breakpoint, instructions, conditions, wanted))
 
     def __bool__(self) -> bool:
         return bool(self._watched)
@@ -175,18 +185,20 @@ class Breakpoints:
         """Whether the agent came to the vertex in this step, and the condition holds; counts the visit."""
         seen = agent.machine.seen
         before = agent.index in watched.there
-        runs = any(seen[number] for number in watched.instructions)
+        runs = any(seen[number] for number in watched.instructions[agent.image_name])
         if _stands(watched, agent) or (runs and watched.breakpoint.every):
             watched.there.add(agent.index)
         else:
             watched.there.discard(agent.index)
         if not runs or before:
             return False
-        if watched.condition is not None and not watched.condition.holds(agent.machine):
+        condition = watched.conditions.get(agent.image_name)
+        if condition is not None and not condition.holds(agent.machine):
             return False
         watched.visits.setdefault(agent.index, []).append(tick)
         return True
 
 
 def _stands(watched: _Watched, agent: Observed) -> bool:
-    return any(instruction in watched.instructions for _, instruction in agent.active)
+    here = watched.instructions[agent.image_name]
+    return any(instruction in here for _, instruction in agent.active)

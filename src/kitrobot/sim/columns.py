@@ -177,7 +177,12 @@ CLOCKS = 19
     LOST,  # what: the actuator that a command did not reach
     HARMED,  # what: what befell the robot, how much: its cause
     LEAVING,
-) = range(12)
+    MOVED_OVER,  # what: the group that it is in now
+    MISSED,  # the team goes on without it
+    TAKEN_OVER,  # it plays a role now, what: the robot that was missed
+    BACK,  # it begins anew, as a spare one
+    UNIT_LOST,  # what: the work of which it had a unit
+) = range(17)
 EVENT = 5
 
 

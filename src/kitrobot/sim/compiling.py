@@ -37,6 +37,10 @@ places of all arrays of the state that it is given, which would double the time 
 _CALLED: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 """Of what the step calls. Python calls none of it, and unpacking a state for that takes a third of compiling."""
 
+_APART: dict[str, Any] = {**_CALLED, "forceinline": False}
+_TEAMS = ("kitrobot.sim.meetings", "kitrobot.sim.substitution", "kitrobot.sim.work")
+"""What only teams need stays apart: inlined, it would more than double the time of compiling for everybody."""
+
 READY = "ready"
 """The file in the cache folder that says that all of it is there."""
 
@@ -199,7 +203,7 @@ def _told(folder: Path) -> Advance:
     extending.overload(rows.copy_row, jit_options=options)(copy_arrays)
     for loop in loops().values():
         if loop.__module__ != rows.__name__:
-            extending.register_jitable(**_CALLED)(loop)
+            extending.register_jitable(**(_APART if loop.__module__ in _TEAMS else _CALLED))(loop)
     config: Any = numba.config
     kept = config.CACHE_DIR
     config.CACHE_DIR = str(folder)

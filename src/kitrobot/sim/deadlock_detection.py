@@ -45,7 +45,8 @@ from kitrobot.sim.columns import (
     X,
     Y,
 )
-from kitrobot.sim.dispatch import DRIVES, is_busy
+from kitrobot.sim.dispatch import AGREES, DRIVES, is_busy
+from kitrobot.sim.meetings import is_kept, keep_team
 from kitrobot.sim.rows import copy_row, same
 from kitrobot.sim.state import State
 
@@ -112,7 +113,7 @@ def is_at_work(step: int, state: State) -> bool:
     actuator = state.actuators.ints
     down = state.robots.ints[DOWN]
     for k in range(len(actuator[A_FRESH])):
-        if actuator[A_FRESH][k] == step + 1:
+        if actuator[A_FRESH][k] == step + 1 and AGREES[actuator[A_KIND][k]] == 0:
             return True
         if down[actuator[A_ROBOT][k]] == FAILED:
             continue
@@ -144,8 +145,11 @@ def detect_deadlock(state: State) -> None:
                 copy_row(kept_cells[i], cells[i])
                 copy_row(kept_threads[i], threads[i])
                 copy_row(kept_pars[i], pars[i])
+        keep_team(state.team)
         return
     clock[DISTANCE] += 1
+    if not is_kept(state.team):
+        return
     for i in range(len(ended)):
         if ended[i] == 0 and not (
             same(threads[i], kept_threads[i]) and same(cells[i], kept_cells[i]) and same(pars[i], kept_pars[i])

@@ -23,6 +23,9 @@ KINDS = _ACTUATORS
 DRIVES = tuple(1 if device.drives else 0 for device in _ACTUATORS)
 """Of each kind of actuator, whether what it does is the motion of its robot."""
 
+AGREES = tuple(1 if device.agrees else 0 for device in _ACTUATORS)
+"""Of each kind of actuator, whether what it is told changes nothing but what robots of a team agree on."""
+
 
 def _having(name: str, devices: tuple[type[Device], ...]) -> Iterator[tuple[type[Device], str]]:
     """The devices whose modules have a function of this name, and how that is called here."""

@@ -43,12 +43,12 @@ class Goals:
 
     def say(self) -> str:
         """`B holds 7 of 12 boxes` for each goal; "" without goals."""
-        return _listed([self._said(name, self._stage.stock[house], wanted) for name, house, wanted in self._goals])
+        return names_listed([self._said(name, self._stage.stock[house], wanted) for name, house, wanted in self._goals])
 
     def say_full(self, agents: Sequence[Agent]) -> str:
         """The storehouses in which arms wait for room; "" for none."""
         waited_for = dict.fromkeys(agent.full_house for agent in agents)
-        return _listed(
+        return names_listed(
             [Recorded("storehouse {storehouse} is full", self._names[house]) for house in waited_for if house >= 0]
         )
 
@@ -94,21 +94,28 @@ def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
     return Recorded("Nobody is left to go on: {why}.", why)
 
 
+def say_team_over(why: str, goals: Goals, agents: Sequence[Agent]) -> str:
+    """The team cannot go on; `why` says for what reason."""
+    return Recorded("The team cannot go on: {why}.", _joined(why, _casualties(agents), goals.say(), _left(agents)))
+
+
 def say_time(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """The time ran out."""
     why = (goals.say() or _unfinished(agents), _casualties(agents), goals.say_full(agents), _left(agents))
     return Recorded("The time of {seconds} s ran out: {why}.", f"{seconds:g}", _joined(*why))
 
 
-def say_stuck(goals: Goals, agents: Sequence[Agent]) -> str:
-    """Nothing can change any more."""
+def say_stuck(goals: Goals, agents: Sequence[Agent], missing: Sequence[str] = ()) -> str:
+    """Nothing can change any more; `missing` says of a team who waits for whom."""
     names = [agent.name for agent in agents if not agent.ended and agent.down == WELL]
-    if not names:
+    if missing:
+        waiting = _joined(*missing[:SHOWN])
+    elif not names:
         waiting = ""
     elif len(names) == 1:
         waiting = Recorded("{name} waits for something that will not come", names[0])
     else:
-        waiting = Recorded("{names} wait for something that will not come", _listed(names))
+        waiting = Recorded("{names} wait for something that will not come", names_listed(names))
     why = (waiting, goals.say_full(agents), _casualties(agents), goals.say(), _left(agents))
     return Recorded("Nothing can change any more: {why}.", _joined(*why))
 
@@ -125,7 +132,7 @@ def _unfinished(agents: Sequence[Agent]) -> str:
 
 def _casualties(agents: Sequence[Agent]) -> str:
     """Who failed, stalled or lost its radio before its program had ended, when and why; "" for nobody."""
-    return _listed([downfall for agent in agents if not agent.ended and (downfall := agent.downfall)])
+    return names_listed([downfall for agent in agents if not agent.ended and (downfall := agent.downfall)])
 
 
 def is_at_once(seconds: float, agents: Sequence[Agent]) -> bool:
@@ -144,13 +151,13 @@ def _driving(agents: Sequence[Agent]) -> str:
     names = [agent.name for agent in agents if agent.ended and agent.is_driving]
     if len(names) == 1:
         return Recorded("{name} ended with its motors on", names[0])
-    return Recorded("{names} ended with their motors on", _listed(names)) if names else ""
+    return Recorded("{names} ended with their motors on", names_listed(names)) if names else ""
 
 
 def _left(agents: Sequence[Agent]) -> str:
     """Who is beyond the edge of the world; "" for nobody."""
     names = [agent.name for agent in agents if agent.is_outside]
-    return Recorded("{names} left the world, which has no wall there", _listed(names)) if names else ""
+    return Recorded("{names} left the world, which has no wall there", names_listed(names)) if names else ""
 
 
 def _joined(*clauses: str) -> str:
@@ -158,7 +165,7 @@ def _joined(*clauses: str) -> str:
     return Series(SEMICOLON, filter(None, clauses))
 
 
-def _listed(names: Sequence[str]) -> str:
+def names_listed(names: Sequence[str]) -> str:
     """`a`, `a and b`, `a, b and c`: the first few of them."""
     shown = list(names[:SHOWN])
     if len(names) > SHOWN:

@@ -40,8 +40,18 @@ class Event:
 class EventText:
     """Turns a run's numbers into sentences."""
 
-    def __init__(self, world: World, members: Sequence[Agent], variables: Sequence[RobotObject], state: State) -> None:
+    def __init__(
+        self,
+        world: World,
+        members: Sequence[Agent],
+        variables: Sequence[RobotObject],
+        state: State,
+        groups: Sequence[str] = (),
+        works: Sequence[str] = (),
+    ) -> None:
         self._members = members
+        self._groups = groups
+        self._works = works
         self._variables = variables
         self._docks = [dock.name for dock in world.docks]
         self._houses = [house.name for house in world.storehouses]
@@ -92,6 +102,18 @@ class EventText:
             return "message", Recorded("a command did not reach {actuator}", self._actuators[what])
         if kind == c.HARMED:
             return "revival" if what == REVIVE else "failure", said_of(what, much)
+        if kind == c.MOVED_OVER:
+            return "message", Recorded("goes over to {group}", self._groups[what])
+        if kind == c.MISSED:
+            return "message", Recorded("is missed by its team")
+        if kind == c.TAKEN_OVER:
+            return "message", Recorded("takes over for {agent}", self._members[what].name)
+        if kind == c.BACK:
+            return "message", Recorded("begins anew, as a spare one")
+        if kind == c.UNIT_LOST:
+            return "message", Recorded(
+                "was too late: its unit of {work} is free again, or another's", self._works[what]
+            )
         assert kind == c.WRITTEN, f"nobody says {kind}"
         variable = self._variables[what]
         boolean = variable.minimum == 0 and variable.type.value == "boolean"

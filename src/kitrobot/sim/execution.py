@@ -11,16 +11,11 @@ from kitrobot.sim.columns import (
     ACTUATOR_INDEX,
     ASLEEP,
     DOWN,
-    END,
     ENDED,
-    LIVING,
-    MUTED,
     PERIOD,
     PROGRAM,
-    RUNNING,
-    SOUND,
-    tell,
 )
+from kitrobot.sim.program_ends import end_program
 from kitrobot.sim.rows import copy_row, same
 from kitrobot.sim.state import State
 from kitrobot_onboard.interpreter import tick
@@ -34,7 +29,6 @@ def react(step: int, state: State) -> int:
     was_pars = machines.was_pars
     parts = machines.parts
     actuator_index = state.actuators.actuator_index
-    clock = state.clock
     ints = state.robots.ints
     ended = ints[ENDED]
     asleep = ints[ASLEEP]
@@ -67,12 +61,7 @@ def react(step: int, state: State) -> int:
                 at = number * width
                 give(step, k, its_out[at + 2], its_out, at + 3, machines.commands[p], state)
         if its_threads[0] < 0:
-            ended[i] = 1
-            clock[RUNNING] -= 1
-            clock[LIVING] -= 1
-            if ints[MUTED][i] == 0:
-                clock[SOUND] -= 1
-            tell(state.events, clock, END, i, 0, 0)
+            end_program(i, state)
         elif quiet and same(its_threads, was_threads) and same(its_cells, was_cells) and same(its_pars, was_pars):
             asleep[i] = 1
     return ran

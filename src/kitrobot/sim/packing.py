@@ -35,6 +35,13 @@ class Packing:
             yield "d", column, len(column)
         for ints in (robots.guided, state.sensors.past, actuators.queue, state.docks.stock):
             yield "q", ints, len(ints)
+        team = state.team
+        for row in (team.numbers, team.emptied, team.kept_passes):
+            yield "q", row, len(row)
+        of_points = (team.points, team.robots, team.members, team.groups, team.since, team.kept)
+        for table in (*of_points, team.works, team.holds, team.until, team.waits):
+            for row in table:
+                yield "q", row, len(row)
         yield "q", state.contacts.before, 2 * contacts
         yield "q", state.events, EVENT * events
         for row, length in zip(actuators.takens, self._takens, strict=True):

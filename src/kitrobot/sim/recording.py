@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.mission import write_mission
-from kitrobot.sim.agent_views import all_flags
+from kitrobot.sim.agent_views import all_flags, commanded
 from kitrobot.sim.columns import DELIVERED, HEADING, LOAD, X, Y
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
@@ -81,7 +81,7 @@ class Recorder:
             ),
             tuple(columns),
             {
-                name: tuple(debug.vertex(number) for number in range(len(debug.origins)))
+                name: tuple(debug.vertices_of(name.partition("\n")[0]) if "\n" in name else debug.vertices)
                 for name, debug in sorted(simulation.debug.items())
             },
             parts,
@@ -100,27 +100,25 @@ class Recorder:
         simulation, state = self._simulation, self._simulation.state
         xs, ys, headings = (numbers(state.robots.floats[column]) for column in (X, Y, HEADING))
         loads, flags = numbers(state.robots.ints[LOAD]), all_flags(state)
+        forced, with_commands = simulation.forced_bits(), commanded(state)
         recorded: list[int] = []
         commands: list[TraceCommand] = []
         for agent in simulation.members:
             i = agent.index
-            recorded.append(round(xs[i] * 10))
-            recorded.append(round(ys[i] * 10))
-            recorded.append(round(normalised(headings[i]) * 1000))
-            recorded.append(loads[i])
-            recorded.append(flags[i])
+            heading = normalised(headings[i])
+            recorded += (round(xs[i] * 10), round(ys[i] * 10), round(heading * 1000), loads[i], flags[i])
             if in_full is not None and i not in in_full:
                 recorded += [0] * (self._widths[i] - len(POSE))
                 continue
-            recorded.append(DOING.index(agent.doing))
-            recorded.append(simulation.forced_bits(i))
+            recorded += (DOING.index(agent.doing), forced[i])
             recorded += numbers(agent.machine.cells[: agent.machine.layout.cells])
             for _, output in agent.outputs():
                 recorded += output
-            commands += [
-                TraceCommand(i, command.actuator, command.procedure, tuple(command.arguments))
-                for command in agent.commands
-            ]
+            if i in with_commands:
+                commands += [
+                    TraceCommand(i, command.actuator, command.procedure, tuple(command.arguments))
+                    for command in agent.commands
+                ]
         recorded += numbers(state.docks.stock)
         recorded += [int(state.robots.ints[DELIVERED][index]) for index in self._carriers]
         recorded.append(simulation.collisions)

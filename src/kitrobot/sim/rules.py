@@ -49,6 +49,13 @@ GOAL = rule(
     "A goal names no storehouse",
     "The storehouse of a goal must be in the mission's world.",
 )
+ROLE = rule(
+    "run-role",
+    Severity.ERROR,
+    "Too few robots for the roles of a team",
+    "Before a run begins, each role takes as many robots of its kind as it wants at least, of those that run "
+    "the team's program.",
+)
 AT_ONCE = rule(
     "run-at-once",
     Severity.HINT,

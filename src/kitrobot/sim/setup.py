@@ -11,12 +11,12 @@ from collections import Counter, defaultdict
 from collections.abc import Collection, Mapping, Sequence
 from functools import reduce
 
-from kitrobot.compiler import Compiled
+from kitrobot.compiler import Compiled, TeamPlan
 from kitrobot.diagnostics import Diagnostic, KitRobotError
 from kitrobot.image import Machine
 from kitrobot.mission import ALL, Mission
 from kitrobot.mission import Agent as Member
-from kitrobot.primitives import Catalogue, Robot, RobotObject
+from kitrobot.primitives import Catalogue, Robot, RobotObject, with_team
 from kitrobot.sim import rules
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.columns import AT, BED, FREE, LENGTH, RADIUS, ROAD, SOLID, X, Y
@@ -27,6 +27,7 @@ from kitrobot.sim.grids import cell_at, fixed
 from kitrobot.sim.settings import find_device, place_problems, read_conflicts, read_settings
 from kitrobot.sim.shared import SharedTables
 from kitrobot.sim.tables import Tables
+from kitrobot.sim.team_tables import TeamMember, TeamSetup, filled
 from kitrobot.sim.world_tables import wall_rows
 from kitrobot.text import COMMA, Help, Sentence, Series, Suggestions, Word, collection_paused, did_you_mean, shown
 from kitrobot.world import LOAD, Start, World, distance_to_stretch
@@ -67,6 +68,7 @@ class Setup:
         seed: int,
         fail_rate: float = 0.0,
         looks_only: bool = False,
+        team: TeamPlan | None = None,
     ) -> None:
         self.mission = mission
         self.world = world
@@ -75,6 +77,7 @@ class Setup:
         self.seed = seed
         self.fail_rate = fail_rate
         self._looks_only = looks_only
+        self._team = team
         self.agents: list[Agent] = []
         self.problems: list[Diagnostic] = []
         self.step_ms = 1
@@ -103,15 +106,17 @@ class Setup:
             message = Sentence("expected at most {most} agents in a run, found {count}", MAX_AGENTS, len(members))
             self.problems.append(rules.TOO_MANY(message, help=Sentence("take some out of the team")))
             return
-        robots = {name: self._robot(name) for name in dict.fromkeys(member.program for member in members)}
+        robots = {member.image_name: self._robot(member) for member in _one_of_each(members)}
         for kind in {robot.name: robot for robot in robots.values() if robot is not None}.values():
             self.problems += read_conflicts(kind)
         if self.problems:
             return
         self.step_ms = reduce(math.gcd, (robot.tick_ms for robot in robots.values() if robot is not None))
         self.tables = Tables(self.world, self.step_ms, self.seed)
+        if self._team is not None:
+            self.tables.team = TeamSetup(self._team, self.mission.team)
         for member in members:
-            robot = robots[member.program]
+            robot = robots[member.image_name]
             if robot is not None:
                 self._member(member, robot)
         houses = [house.name for house in self.world.storehouses]
@@ -127,6 +132,8 @@ class Setup:
                     self.world.name,
                 )
                 self.problems.append(rules.GOAL(message, help=did_you_mean(goal.storehouse, houses)))
+        if self.tables.team is not None:
+            self._fill_roles(self.tables.team)
         if not self.problems:
             self._nobody_overlaps()
         if self._looks_only:
@@ -134,9 +141,25 @@ class Setup:
         names = [agent.name for agent in self.agents]
         self.tables.fault_plan = fault_plan(self.mission.failures, names, self.step_ms, self.fail_rate, self.seed)
 
-    def _robot(self, program_name: str) -> Robot | None:
+    def _fill_roles(self, team: TeamSetup) -> None:
+        """Whether each role has as many robots as it needs at least."""
+        playing = Counter(filled(team.declared.roles, team.members).values())
+        for number, role in enumerate(team.declared.roles):
+            if playing[number] < role.least:
+                message = Sentence(
+                    "the role `{role}` wants {least} of the robot `{robot}`, and {found} are free for it",
+                    role.name,
+                    role.least,
+                    role.robot,
+                    playing[number],
+                )
+                help = Sentence("add agents that run the team's program on that robot, or want fewer")
+                self.problems.append(rules.ROLE(message, help=help))
+
+    def _robot(self, member: Member) -> Robot | None:
+        program_name, image_name = member.program, member.image_name
         program = self.mission.program(program_name)
-        compiled = self.images.get(program_name)
+        compiled = self.images.get(image_name)
         if program is None or compiled is None or compiled.image is None:
             what = Sentence("is not in this mission") if program is None else Sentence("has errors")
             self.problems.append(
@@ -145,6 +168,8 @@ class Setup:
                 )
             )
             return None
+        if member.robot:
+            return with_team(self.catalogue.robots[member.robot], self.mission.team.works)
         robot = self.catalogue.robots.get(program.target)
         if robot is None:
             message = Sentence(
@@ -169,11 +194,14 @@ class Setup:
             self.problems.append(rules.START(message, help=help))
             return
         tables = self.tables
-        machine = self._machine(member.program, robot)
+        machine = self._machine(member.image_name, robot)
         period = robot.tick_ms // self.step_ms
         index = tables.add_robot(self.world.start_pose(start), robot, machine, period)
         agent = Agent(index, member.name, member.program, robot, machine, period)
         self.agents.append(agent)
+        if tables.team is not None and member.robot:
+            agent.image_name = member.image_name
+            tables.team.members.append(TeamMember(index, member.name, member.robot))
         standing = self._standing(start)
         if start.road:
             tables.ints[ROAD][index] = standing.road
@@ -193,13 +221,13 @@ class Setup:
         self._kinds[agent.kind] += 1
         agent.number = self._kinds[agent.kind]
 
-    def _machine(self, program: str, robot: Robot) -> Machine:
+    def _machine(self, image_name: str, robot: Robot) -> Machine:
         """A machine at the beginning of a program; those of one program share what does not change."""
-        first = self._machines.get(program)
+        first = self._machines.get(image_name)
         if first is None:
-            image = self.images[program].image
+            image = self.images[image_name].image
             assert image is not None, "checked before"
-            first = self._machines[program] = Machine(image, robot)
+            first = self._machines[image_name] = Machine(image, robot)
         return first if self._looks_only else first.twin()
 
     def _standing(self, start: Start) -> Standing:
@@ -311,6 +339,11 @@ class Setup:
         return away < floats[RADIUS][robot] + floats[RADIUS][other]
 
 
+def _one_of_each(members: Sequence[Member]) -> list[Member]:
+    """The first agent of each image."""
+    return list({member.image_name: member for member in reversed(members)}.values())[::-1]
+
+
 def shared_by(agents: Sequence[Agent]) -> SharedTables:
     """The variables that the agents share.
 
@@ -324,11 +357,17 @@ def shared_by(agents: Sequence[Agent]) -> SharedTables:
     return shared
 
 
-def look_over(mission: Mission, world: World, images: Mapping[str, Compiled], catalogue: Catalogue) -> None:
+def look_over(
+    mission: Mission,
+    world: World,
+    images: Mapping[str, Compiled],
+    catalogue: Catalogue,
+    team: TeamPlan | None = None,
+) -> None:
     """Looks whether a mission can be run in its world, without making the run: quicker where agents are very many.
 
     Raises:
         SimulationError: it cannot; its diagnostics say everything that is in the way.
     """
     with collection_paused():
-        shared_by(Setup(mission, world, images, catalogue, 0, looks_only=True).agents)
+        shared_by(Setup(mission, world, images, catalogue, 0, looks_only=True, team=team).agents)

@@ -14,12 +14,11 @@ from __future__ import annotations
 
 import hashlib
 import math
-import zlib
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Literal
 
-from kitrobot.compiler import Compiled
+from kitrobot.compiler import Compiled, TeamPlan
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.mission import FailureKind, Mission, write_mission
 from kitrobot.primitives import Catalogue
@@ -33,9 +32,6 @@ from kitrobot.sim.columns import (
     CHANCE,
     COLLISIONS,
     EVENTS,
-    LIVING,
-    REVIVALS,
-    RUNNING,
     S_DROPOUT,
     S_FORCE,
     S_FORCED,
@@ -47,22 +43,22 @@ from kitrobot.sim.columns import (
     TICK,
 )
 from kitrobot.sim.deadlock_detection import stirred
-from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_time
+from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_team_over, say_time
 from kitrobot.sim.event_text import Event, EventText, sensor_names
 from kitrobot.sim.failures import harm_by_hand, keep_untold, room_to_tell
 from kitrobot.sim.jit_policy import JitPolicy
 from kitrobot.sim.limits import check_limits
 from kitrobot.sim.packing import Packing
-from kitrobot.sim.setup import Setup, SimulationError, shared_by
-from kitrobot.sim.state import State
-from kitrobot.sim.stepping import advance, is_reached
+from kitrobot.sim.setup import Setup, shared_by
+from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
+from kitrobot.sim.state import State, numbers
+from kitrobot.sim.stepping import advance, is_going_on, is_reached
+from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE, TEAM_OVER
+from kitrobot.sim.team_text import TeamText
 from kitrobot.text import Sentence, collection_paused
 from kitrobot.world import World, write_world
 
 Outcome = Literal["done", "failed", "stuck", "time"]
-
-SNAPSHOT_VERSION = 4
-SNAPSHOT_MARK = b"KRSNAP\n" + bytes([SNAPSHOT_VERSION])
 
 
 class Simulation:
@@ -76,6 +72,7 @@ class Simulation:
         seed: decides all chance; 0 to `MAX_SEED`.
         seconds: simulated time after which the run ends with the outcome "time", to `MAX_SECONDS`; None for no limit.
         fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
+        team: the points of the program that agents run as a team; its images have the names `Agent.image_name`.
 
     Raises:
         SimulationError: the mission cannot be run in this world; its diagnostics say everything that is in the way.
@@ -91,10 +88,11 @@ class Simulation:
         seed: int = 0,
         seconds: float | None = None,
         fail_rate: float = 0.0,
+        team: TeamPlan | None = None,
     ) -> None:
         check_limits(seconds, seed, fail_rate)
         with collection_paused():
-            setup = Setup(mission, world, images, catalogue, seed, fail_rate)
+            setup = Setup(mission, world, images, catalogue, seed, fail_rate, team=team)
         self.mission = mission
         self.world = world
         self.seed = seed
@@ -110,11 +108,13 @@ class Simulation:
         self.state = setup.tables.state(shared)
         self.stage = Stage(world, self.state)
         self._packing = Packing(self.state)
-        self._images = {agent.program: images[agent.program].image for agent in self.members}
-        self.debug = {agent.program: images[agent.program].debug for agent in self.members}
-        """Where the instructions of each program came from."""
+        self._images = {agent.image_name: images[agent.image_name].image for agent in self.members}
+        self.debug = {agent.image_name: images[agent.image_name].debug for agent in self.members}
+        """Where the instructions of each program came from; of a team's, those of each kind of robot."""
         self._variables = shared.variables
-        self._event_text = EventText(world, self.members, shared.variables, self.state)
+        groups, works = list(team.groups) if team else (), [work.name for work in mission.team.works]
+        self._event_text = EventText(world, self.members, shared.variables, self.state, groups, works)
+        self._team_text = TeamText(team, self.members)
         self._goals = Goals(self.state.docks.goals, self.stage)
         self._sensors = sensor_names(self.state, self.members)
         self._sensors_of = [[self._sensors[one.index, s] for s in one.machine.layout.sensors] for one in self.members]
@@ -180,7 +180,9 @@ class Simulation:
 
     def _look_for_an_end(self) -> None:
         clock, goals, members = self.state.clock, self._goals, self.members
-        if clock[RUNNING] == 0 or (clock[LIVING] == 0 and clock[REVIVALS] == 0):
+        if self.state.team.numbers[TEAM_OVER]:
+            self._end("failed", say_team_over(self._team_text.over(self.state), goals, members))
+        elif not clock[STUCK] and not is_going_on(self.state):
             self._end("failed", say_failed(goals, members))
         elif is_reached(self.state):
             self._end("done", say_done(goals, self.seconds, members))
@@ -188,13 +190,21 @@ class Simulation:
             assert self.seconds_limit is not None
             self._end("time", say_time(goals, self.seconds_limit, members))
         elif clock[STUCK]:
-            self._end("stuck", say_stuck(goals, members))
+            self._end("stuck", say_stuck(goals, members, self._team_text.missing(self.state)))
 
     def _end(self, outcome: Outcome, sentence: str) -> None:
         """The run is over: so, unless what was to be done is done."""
-        if self._goals.hold() if self._goals else all(agent.ended for agent in self.members):
+        if self._goals.hold() if self._goals else self._have_all_ended():
             outcome, sentence = "done", say_done(self._goals, self.seconds, self.members)
         self.outcome, self.sentence = outcome, sentence
+
+    def _have_all_ended(self) -> bool:
+        """Whether all programs have ended, but those of robots without which a team came to the end of its own."""
+        team = self.state.team
+        links, roles = team.robots[T_ACTUATOR], team.robots[T_ROLE]
+        return not team.numbers[TEAM_OVER] and all(
+            agent.ended or (len(roles) > 0 and links[agent.index] >= 0 > roles[agent.index]) for agent in self.members
+        )
 
     def watch_programs(self) -> None:
         """From the first step on, `machine.seen` of each member says which instructions ran in its last tick.
@@ -237,10 +247,12 @@ class Simulation:
         forced = self.state.sensors.ints[S_FORCED]
         return [name for name in member.machine.layout.sensors if forced[self._sensors[member.index, name]]]
 
-    def forced_bits(self, index: int) -> int:
-        """The same of the agent at that place in the team: a bit for each sensor of its robot, the first lowest."""
-        forced = self.state.sensors.ints[S_FORCED]
-        return sum(1 << bit for bit, k in enumerate(self._sensors_of[index]) if forced[k])
+    def forced_bits(self) -> list[int]:
+        """The same of every agent, in team order: a bit for each sensor of its robot, the first lowest."""
+        forced = numbers(self.state.sensors.ints[S_FORCED])
+        if not any(forced):
+            return [0] * len(self.members)
+        return [sum(1 << bit for bit, k in enumerate(own) if forced[k]) for own in self._sensors_of]
 
     def set_variable(self, agent: str, variable: str, value: int) -> None:
         """Sets an agent's variable between two steps, within its range; a shared one spreads with the next step.
@@ -314,8 +326,7 @@ class Simulation:
         The bytes hold no wall clock and no address: another process, with or without Numba, continues identically. They
         are trusted: what they say of programs is not verified again.
         """
-        body = self._packing.pack(self.state)
-        return SNAPSHOT_MARK + self.identity + zlib.crc32(body).to_bytes(4, "little") + body
+        return sealed(self._packing.pack(self.state), self.identity)
 
     def restore(self, snapshot: bytes) -> None:
         """Goes to a state of this very run, forward or back; `events` and `outcome` are what they were then.
@@ -323,23 +334,11 @@ class Simulation:
         Raises:
             SimulationError: the bytes are damaged, or of another run; then nothing was changed.
         """
-        mark, at = len(SNAPSHOT_MARK), len(SNAPSHOT_MARK) + 36
-        body = snapshot[at:]
-        if snapshot[:mark] != SNAPSHOT_MARK or zlib.crc32(body).to_bytes(4, "little") != snapshot[at - 4 : at]:
-            raise SimulationError(
-                Sentence("this is not a whole snapshot of a run"), Sentence("take one with `snapshot()`")
-            )
-        if snapshot[mark : at - 4] != self.identity:
-            raise SimulationError(
-                Sentence("this snapshot is of another run"),
-                Sentence("its mission, world, programs, seed or time limit were others"),
-            )
+        body = unsealed(snapshot, self.identity)
         try:
             self._packing.unpack(self.state, body)
         except ValueError as error:
-            raise SimulationError(
-                Sentence("this is not a whole snapshot of a run"), Sentence("take one with `snapshot()`")
-            ) from error
+            raise damaged() from error
         self.outcome, self.sentence = None, ""
         self.events = [event for event in self._event_text.events(self.state) if event.tick < self.tick]
         self._look_for_an_end()

@@ -106,6 +106,33 @@ class Shared:
 
 
 @dataclass(frozen=True, slots=True)
+class Team:
+    """The points of the team's program and its robots (see meetings, substitution, team_columns); empty without one."""
+
+    numbers: Ints
+    points: IntRows
+    robots: IntRows
+    set_first: Ints
+    names: IntRows
+    members: IntRows
+    groups: IntRows
+    within: IntRows
+    failure: Ints
+    emptied: Ints
+    since: IntRows
+    works: IntRows
+    holds: IntRows
+    until: IntRows
+    waits: IntRows
+    halts: Ints
+    first_cells: IntRows
+    first_threads: IntRows
+    first_pars: IntRows
+    kept: IntRows
+    kept_passes: Ints
+
+
+@dataclass(frozen=True, slots=True)
 class Faults:
     """The schedule of failures, and of each robot the keys of its chance to fail."""
 
@@ -192,6 +219,7 @@ class State:
     sensors: Sensors
     actuators: Actuators
     shared: Shared
+    team: Team
     faults: Faults
     roads: Roads
     docks: Docks

@@ -1,8 +1,9 @@
 """The step of a whole run, machines and world, for all robots at once: one source, run by CPython or compiled by Numba.
 
-In this order: robots fail or are revived; sensors measure; every machine whose tick it is is given what they read, then
-all of these react, in team order; devices take the commands and move; robots move, and what touches is parted; shared
-variables spread; and when nothing stirs, it is asked whether anything ever will.
+In this order: robots fail or are revived, and a team finds out whom it misses; sensors measure; every machine whose
+tick it is is given what they read, then all of these react, in team order; devices take the commands and move; a team
+agrees at its points; robots move, and what touches is parted; shared variables spread; and when nothing stirs, it is
+asked whether anything ever will.
 
 Everything here and in what it calls is in the part of Python that Numba takes: loops over rows of numbers, whole
 numbers that fit 64 bits, no division by zero, no function of the C library but the square root. So both give the same
@@ -15,6 +16,7 @@ from __future__ import annotations
 from kitrobot.sim.actuation import busy, deliver
 from kitrobot.sim.columns import (
     A_FRESH,
+    A_KIND,
     DT,
     EVENT,
     EVENTS,
@@ -40,7 +42,7 @@ from kitrobot.sim.deadlock_detection import (
     remember,
     stirred,
 )
-from kitrobot.sim.dispatch import advance_all, sense_all
+from kitrobot.sim.dispatch import AGREES, advance_all, sense_all
 from kitrobot.sim.execution import react
 from kitrobot.sim.faults import harm_by_chance, harm_on_schedule
 from kitrobot.sim.grids import fill
@@ -48,6 +50,8 @@ from kitrobot.sim.physics import move_robots
 from kitrobot.sim.sensing import sample, sample_done
 from kitrobot.sim.sharing import exchange
 from kitrobot.sim.state import State
+from kitrobot.sim.substitution import look_for_silent, settle
+from kitrobot.sim.team_columns import TEAM_LEASED, TEAM_OVER, TEAM_PENDING
 
 
 def advance(state: State, steps: int) -> int:
@@ -60,10 +64,11 @@ def advance(state: State, steps: int) -> int:
     clock = state.clock
     fixed = state.fixed
     fixed_floats = state.fixed_floats
+    has_team = len(state.team.set_first) > 0
     planned = len(state.faults.plan[0])
     room = len(state.events) // EVENT - fixed[MOST_EVENTS]
     done = 0
-    while done < steps and clock[EVENTS] <= room and is_going_on(clock) and not is_reached(state):
+    while done < steps and clock[EVENTS] <= room and is_going_on(state) and not is_reached(state):
         step = clock[TICK]
         events_before = clock[EVENTS]
         looks = may_be_held(step, state)
@@ -74,6 +79,9 @@ def advance(state: State, steps: int) -> int:
             harm_on_schedule(step, state)
         if fixed_floats[FAILS] > 0.0:
             harm_by_chance(step, state)
+
+        if has_team:
+            look_for_silent(step, state)
 
         if fixed[SEES] and clock[MOVED]:
             clock[MOVED] = 0
@@ -87,6 +95,8 @@ def advance(state: State, steps: int) -> int:
         if len(state.actuators.late) > 0:
             deliver(step, state)
         advance_all(fixed_floats[DT], state)
+        if has_team:
+            settle(state)
         move_robots(state)
         if len(state.shared.mine) > 0 and ran > 0:
             exchange(step, state)
@@ -97,16 +107,27 @@ def advance(state: State, steps: int) -> int:
             stirs = is_stirring(step, state)
         else:
             stirs = not looks or is_at_work(step, state) or not is_held(state)
-        if stirs or clock[EVENTS] > events_before:
+        if stirs or clock[EVENTS] > events_before or is_waited_for(state.team.numbers):
             stirred(clock)
         elif clock[RUNNING] > 0:
             detect_deadlock(state)
     return done
 
 
-def is_going_on(clock: list[int]) -> bool:
-    """Whether the run has not come to its end: somebody goes on, or failed and is to be revived."""
-    return clock[STUCK] == 0 and clock[RUNNING] > 0 and (clock[LIVING] > 0 or clock[REVIVALS] > 0)
+def is_waited_for(team: list[int]) -> bool:
+    """Whether a team waits for a time to be over: that of a silent robot, or of a unit of work that somebody has."""
+    return team[TEAM_PENDING] > 0 or team[TEAM_LEASED] > 0
+
+
+def is_going_on(state: State) -> bool:
+    """Whether the run has not come to its end: somebody goes on, or failed and is to be revived, or the team does not
+    know yet that it is to go on without somebody.
+    """
+    clock = state.clock
+    team = state.team.numbers
+    if clock[STUCK] > 0 or clock[RUNNING] == 0 or team[TEAM_OVER] > 0:
+        return False
+    return clock[LIVING] > 0 or clock[REVIVALS] > 0 or team[TEAM_PENDING] > 0
 
 
 def is_reached(state: State) -> bool:
@@ -127,8 +148,9 @@ def is_reached(state: State) -> bool:
 def is_stirring(step: int, state: State) -> bool:
     """Whether a device was told something new in this step, or has something to do."""
     fresh = state.actuators.ints[A_FRESH]
+    kinds = state.actuators.ints[A_KIND]
     count = len(fresh)
     k = 0
-    while k < count and fresh[k] != step + 1 and not busy(k, state):
+    while k < count and (fresh[k] != step + 1 or AGREES[kinds[k]]) and not busy(k, state):
         k += 1
     return k < count

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from kitrobot.image import Machine
-from kitrobot.primitives import Robot, RobotObject
+from kitrobot.primitives import TEAM, Robot, RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.actuation import QUEUE
 from kitrobot.sim.angles import direction
@@ -33,7 +33,9 @@ from kitrobot.sim.state import (
     Robots,
     Sensors,
     State,
+    Team,
 )
+from kitrobot.sim.team_tables import Beginnings, TeamSetup, no_team, team_tables
 from kitrobot.sim.world_tables import dock_tables, floor_tables, line_tables, road_tables, wall_tables
 from kitrobot.world import Pose, World
 
@@ -83,6 +85,8 @@ class Tables:
         self._turning: set[int] = set()
         self.fault_plan = FaultPlan()
         """What is to befall the robots; set before `state`."""
+        self.team: TeamSetup | None = None
+        """The team that some of the robots are of, where they run its program; set before `state`."""
         self.goals: list[list[int]] = [[], []]
         """The storehouses of goals, and how many boxes each is to hold; set before `state`."""
 
@@ -175,6 +179,8 @@ class Tables:
         variables = len(shared.variables)
         most_events = count + pairs + len(free_solid) + 2 * len(self._actuators) + variables
         most_events += self.fault_plan.most_events(count, variables)
+        if self.team is not None:
+            most_events += self.team.most_events
         clock = [0] * c.CLOCKS
         clock[c.RUNNING] = clock[c.LIVING] = clock[c.SOUND] = count
         clock[c.REVIVALS] = self.fault_plan.revivals
@@ -216,6 +222,7 @@ class Tables:
                 queue=[0] * actuator.room,
             ),
             shared=shared.tables,
+            team=self._team(actuator),
             faults=Faults(self.fault_plan.plan, self.fault_plan.keys),
             roads=road_tables(self.world),
             docks=dock_tables(self.world, self.goals),
@@ -232,6 +239,21 @@ class Tables:
         if guided:
             arrange(state.robots, state.roads)
         return state
+
+    def _team(self, actuator: _DeviceTables) -> Team:
+        if self.team is None:
+            return no_team()
+        links = {one.robot: k for k, one in enumerate(actuator.fitted) if one.part.name == TEAM}
+        self.team.members = [replace(one, actuator=links[one.robot]) for one in self.team.members]
+        first = {program: n for n, program in reversed(list(enumerate(self.ints[c.PROGRAM])))}
+        machines = [self.machines[first[program]] for program in range(len(self._code))]
+        beginnings = Beginnings(
+            [list(machine.cells) for machine in machines],
+            [list(machine.threads) for machine in machines],
+            [list(machine.pars) for machine in machines],
+            [_halt(one) for one in actuator.fitted],
+        )
+        return team_tables(self.team, len(self.machines), self.dt * 1000, beginnings)
 
     def _machine_tables(self) -> Machines:
         machines = self.machines
@@ -319,6 +341,15 @@ class Tables:
             assert issubclass(item.device, Actuator)
             made.outputs.append([0] * item.device.outputs)
         return made
+
+
+def _halt(fitted: Fitted) -> int:
+    """The number by which a device knows the procedure that stops it; -1 for none."""
+    assert issubclass(fitted.device, Actuator)
+    methods = {method.name: method for method in fitted.part.methods}
+    stops = [methods[method.stop] for method in fitted.part.methods if method.stop in methods]
+    found = next((method for method in stops if not method.parameters), None)
+    return -1 if found is None else fitted.device.procedure_number(fitted.part, found, fitted.values)
 
 
 class _DeviceTables:

@@ -57,8 +57,10 @@ class Sentence(str):
 
     @classmethod
     def _made(cls, template: str, plural: str, english: str, values: dict[str, object]) -> Self:
-        made = super().__new__(cls, english)
-        made.template, made.plural, made.values = template, plural, values
+        made = str.__new__(cls, english)
+        made.template = template
+        made.plural = plural
+        made.values = values
         return made
 
 
@@ -104,6 +106,11 @@ Help = Sentence | Literal[""]
 
 COMMA = Sentence(", ")
 SEMICOLON = Sentence("; ")
+
+
+def clipped(text: str, most: int) -> str:
+    """The first letters of a text, at most so many; one that is short enough as it is, a sentence with its template."""
+    return text if len(text) <= most else text[:most]
 
 
 def filled(template: str, values: dict[str, object]) -> str:

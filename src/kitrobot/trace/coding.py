@@ -14,7 +14,7 @@ apart, so that all events of a long run are found without unpacking its records;
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from kitrobot.text import Recorded, Sentence
 from kitrobot.trace.model import Threads, TickRecord, TraceCommand, TraceError, TraceEvent
@@ -157,10 +157,15 @@ class _Bytes:
         self.at = 0
 
     def number(self) -> int:
+        at = self.at
+        self.at = at + 1
+        value = self.data[at]
+        return value if value < 128 else self._longer(value & 127)
+
+    def _longer(self, value: int) -> int:
+        """A number of which `value` was the first byte."""
         data, at = self.data, self.at
-        byte = data[at]
-        at += 1
-        value, shift = byte & 127, 7
+        shift, byte = 7, 128
         while byte > 127:
             if shift > MOST_BITS:
                 raise ValueError(Sentence("a number without end"))
@@ -183,10 +188,11 @@ class _Bytes:
 
     def text(self) -> str:
         length = self.number()
-        if length > len(self.data) - self.at:
+        at = self.at
+        self.at = end = at + length
+        if end > len(self.data):
             raise ValueError(Sentence("a text longer than its chunk"))
-        self.at += length
-        return self.data[self.at - length : self.at].decode()
+        return self.data[at:end].decode()
 
 
 def decode(data: bytes, first_tick: int, records: int, columns: int, agents: int) -> Iterator[TickRecord]:
@@ -234,8 +240,10 @@ def decode(data: bytes, first_tick: int, records: int, columns: int, agents: int
         ) from error
 
 
-def decode_events(data: bytes, first_tick: int, last_tick: int, agents: int) -> Iterator[tuple[int, TraceEvent]]:
-    """(tick of its record, event) of one chunk, in order.
+def decode_events(
+    data: bytes, first_tick: int, last_tick: int, agents: int, recorded: Callable[[str], Recorded] = Recorded
+) -> Iterator[tuple[int, TraceEvent]]:
+    """(tick of its record, event) of one chunk, in order; `recorded` makes the sentence of a text.
 
     Raises:
         TraceError: the bytes are not the events of such a chunk.
@@ -250,7 +258,7 @@ def decode_events(data: bytes, first_tick: int, last_tick: int, agents: int) -> 
                 raise ValueError("tick")
             before = later
             kind, agent, text, cause = source.text(), source.number(), source.text(), source.text()
-            yield tick, TraceEvent(tick - ago, kind, _one_of(agent, agents + 1) - 1, Recorded(text), cause)
+            yield tick, TraceEvent(tick - ago, kind, _one_of(agent, agents + 1) - 1, recorded(text), cause)
     except (IndexError, ValueError) as error:
         raise TraceError(
             Sentence("the trace is damaged after tick {tick}: its events do not make sense", first_tick)

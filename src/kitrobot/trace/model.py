@@ -71,7 +71,8 @@ class TraceHeader:
         tick_ms: simulated time of a step.
         agents: who takes part, in team order.
         columns: the meaning of the numbers of each record.
-        vertices: for each program the vertex of each of its instructions, None where one comes from none.
+        vertices: for each program the vertex of each of its instructions, None where one comes from none; of a team's
+            program, by its name and that of each kind of robot (see `vertices_of`).
         parts: XML files that the mission needs besides.
         total: all boxes there are.
         fail_rate: the probability that an agent fails by chance within a minute.
@@ -88,6 +89,15 @@ class TraceHeader:
     total: int = 0
     fail_rate: float = 0.0
 
+    def vertices_of(self, agent: TraceAgent) -> tuple[str | None, ...]:
+        """The vertex of each instruction of what an agent runs."""
+        return self.vertices.get(self.image_name(agent), ())
+
+    def image_name(self, agent: TraceAgent) -> str:
+        """What `vertices` calls what an agent runs: its program, and its kind of robot where that is a team's."""
+        name = f"{agent.program}\n{agent.robot}"
+        return name if name in self.vertices else agent.program
+
     @cached_property
     def unplaced(self) -> frozenset[str]:
         """The agents that nobody knows the place of: real robots."""
@@ -100,7 +110,7 @@ class TraceHeader:
         return 0 < len(self.agents) == len(self.unplaced)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class TraceCommand:
     """A command that a device took: which agent (its index), which procedure, with what."""
 
@@ -110,7 +120,7 @@ class TraceCommand:
     arguments: tuple[int, ...] = ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class TraceEvent:
     """What happened: load, unload, message, collision, end, outside, …; `agent` is -1 for the whole team.
 

@@ -11,14 +11,14 @@ import json
 import zlib
 from bisect import bisect_right
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
+from functools import cached_property, lru_cache
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, NamedTuple
 
 from kitrobot.diagnostics import open_regular
-from kitrobot.text import Sentence, Word
+from kitrobot.text import Recorded, Sentence, Word
 from kitrobot.trace import layout
 from kitrobot.trace.coding import decode, decode_events
 from kitrobot.trace.header import header_from_json
@@ -28,8 +28,7 @@ MOST_EVENTS = 100_000
 """Events that are kept of a trace: those that happened last."""
 
 
-@dataclass(frozen=True)
-class _Packed:
+class _Packed(NamedTuple):
     """A stretch of the file that zlib packed."""
 
     offset: int
@@ -38,8 +37,7 @@ class _Packed:
     crc: int
 
 
-@dataclass(frozen=True)
-class _Chunk:
+class _Chunk(NamedTuple):
     """Which ticks a chunk holds, and where."""
 
     first_tick: int
@@ -82,6 +80,8 @@ class TraceReader:
             self._file.close()
             raise
         self._firsts = [chunk.first_tick for chunk in self._chunks]
+        # Events of a run say few different things.
+        self._recorded = lru_cache(1000)(Recorded)
 
     def _damaged(self, what: str) -> TraceError:
         return TraceError(Sentence("the trace {path} is damaged: {what}", self.path.name, what))
@@ -234,7 +234,7 @@ class TraceReader:
 
     def _events_of(self, chunk: _Chunk) -> Iterator[tuple[int, TraceEvent]]:
         data = self._unpacked(chunk.events, lambda: Sentence("what happened in {ticks}", chunk.ticks))
-        return decode_events(data, chunk.first_tick, chunk.last_tick, len(self.header.agents))
+        return decode_events(data, chunk.first_tick, chunk.last_tick, len(self.header.agents), self._recorded)
 
     def _records(self, chunk: _Chunk) -> Iterator[TickRecord]:
         header = self.header

@@ -162,7 +162,9 @@ def _programs(before: Mission, after: Mission) -> Iterator[Difference]:
         if old is None:
             yield Difference(
                 "program-added",
-                Sentence("the program {program} added, for the robot {robot}", program.name, program.target),
+                Sentence("the program {program} added, for the robot {robot}", program.name, program.target)
+                if not program.level.is_team
+                else Sentence("the program {program} added, of the level {level}", program.name, Word(program.level)),
             )
             continue
         if old.name != program.name:
@@ -177,7 +179,10 @@ def _programs(before: Mission, after: Mission) -> Iterator[Difference]:
 
 def _program(before: Program, after: Program) -> Iterator[Difference]:
     name = after.name
-    if before.target != after.target:
+    if before.level != after.level:
+        words = Sentence("the level: {before} → {after}", Word(before.level), Word(after.level))
+        yield Difference("level", words, name)
+    elif before.target != after.target:
         yield Difference("robot", Sentence("the robot: {before} → {after}", before.target, after.target), name)
     old, new = Outline(before), Outline(after)
     told = False

@@ -96,7 +96,11 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission) -> Merged:
         if field.name not in ("programs", "team", "world_href", "own_world", *own)
     }
     href, own["own_world"] = merge_places(base, ours, theirs, _by_name, choose)
-    mission = Mission(programs=programs, team=Team(agents, goals), world_href=href, **own, **rest)
+    team = Team(agents, goals)
+    for what, word in (("roles", "the role"), ("groups", "the group"), ("works", "the work")):
+        old, mine, other = (getattr(side.team, what) for side in (base, ours, theirs))
+        setattr(team, what, _by_name(old, mine, other, _declared, word, choose))
+    mission = Mission(programs=programs, team=team, world_href=href, **own, **rest)
     return Merged(mission, tuple(conflicts))
 
 
@@ -131,6 +135,11 @@ def _agent_name(agent: Agent) -> Hashable:
 
 def _goal_name(goal: Goal) -> Hashable:
     return goal.storehouse
+
+
+def _declared(declaration: Any) -> Hashable:
+    name: str = declaration.name
+    return name
 
 
 def _breakpoint_name(breakpoint: Breakpoint) -> Hashable:
@@ -191,7 +200,7 @@ def _programs(base: Mission, ours: Mission, theirs: Mission, conflicts: list[str
     for name in _order(old, mine, other):
         one, two, three = old.get(name), mine.get(name), other.get(name)
         if two is not None and three is not None:
-            merged = _program(one or Program(two.name, two.target), two, three, conflicts)
+            merged = _program(one or Program(two.name, two.target, level=two.level), two, three, conflicts)
             found.append(replace(merged, name=_side(name, two.name, three.name)))
         elif two is not None and (one is None or three != one):
             if one is not None and two != one:
@@ -268,7 +277,7 @@ class _ProgramMerge:
 
     def whole(self) -> Program | None:
         """The merged program; None when it would not hang together."""
-        base, ours, theirs = self.sides
+        _, ours, theirs = self.sides
         ports = [_ports(program) for program in self.sides]
         if any(found is None for found in ports):
             return None
@@ -279,8 +288,8 @@ class _ProgramMerge:
         arcs = self.arcs([found or {} for found in ports], known)
         if arcs is None:
             return None
-        robot = self.choose("the robot", base.target, ours.target, theirs.target)
-        merged = Program(ours.name, robot, vertices, arcs)
+        robot, level = self.choose("the robot", *((side.target, side.level) for side in self.sides))
+        merged = Program(ours.name, robot, vertices, arcs, level)
         return merged if _hangs_together(merged, ours, theirs) else None
 
     def vertices(self) -> list[Vertex] | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
 
+from kitrobot.lll import print_declaration
 from kitrobot.mission import Agent, Goal, Team
 from kitrobot.text import Sentence, Word
 
@@ -13,6 +14,7 @@ def team_differences(before: Team, after: Team) -> Iterator[tuple[str, Sentence]
     """The kind of each difference, and its words."""
     yield from _agents(before.agents, after.agents)
     yield from _goals(before.goals, after.goals)
+    yield from _declarations(before, after)
 
 
 def _agents(before: Sequence[Agent], after: Sequence[Agent]) -> Iterator[tuple[str, Sentence]]:
@@ -55,3 +57,24 @@ def _goals(before: Sequence[Goal], after: Sequence[Goal]) -> Iterator[tuple[str,
             yield ("goal-added", Sentence("the goals: {storehouse} holds {stock} added", goal.storehouse, goal.stock))
     if list(before) != list(after) and had == has:
         yield ("order", Sentence("the goals stand in another order"))
+
+
+def _declarations(before: Team, after: Team) -> Iterator[tuple[str, Sentence]]:
+    """Roles, groups and works: each as the line that a team's program declares it by."""
+    for what in ("roles", "groups", "works"):
+        rows = [{one.name: one for one in getattr(team, what)} for team in (before, after)]
+        old, new = rows
+        for name in old:
+            if name not in new:
+                yield ("declaration-removed", Sentence("the team: `{line}` removed", print_declaration(old[name])))
+        for name, one in new.items():
+            if name not in old:
+                yield ("declaration-added", Sentence("the team: `{line}` added", print_declaration(one)))
+            elif one != old[name]:
+                lines = print_declaration(old[name]), print_declaration(one)
+                if lines[0] == lines[1]:
+                    yield ("note", Sentence("the team: the comment of `{line}` changed", lines[0]))
+                else:
+                    yield ("declaration", Sentence("the team: `{before}` → `{after}`", *lines))
+        if old == new and list(old) != list(new):
+            yield ("order", Sentence("the team: its {parts} stand in another order", Word(what)))

@@ -6,8 +6,9 @@ the simulator.
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
     from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
@@ -37,37 +38,40 @@ if TYPE_CHECKING:
     from kitrobot.workspace.tutorials import FoundTutorial, Tutorials, watched
     from kitrobot.workspace.variables import VariableError, WantedVariable, make_variable
     from kitrobot.workspace.worlds import FoundWorld, read_world_file, worlds_at_hand
-
-_ROOMS = {
-    "adding": ("AddedParts", "PartsFileError", "add_parts"),
-    "checking": ("FileReport", "check_file"),
-    "conversion": ("ConversionError", "Converted", "convert"),
-    "executables": ("Executable", "load_executable"),
-    "execution": ("Executed", "execute"),
-    "inputs": ("Change", "Inputs", "read_inputs"),
-    "compile_cache": ("KeptPrograms",),
-    "opening": (
-        "NoProgramError",
-        "OpenMission",
-        "Report",
-        "new_mission",
-        "open_mission",
-        "read_mission_data",
-        "with_mission",
-    ),
-    "program_report": ("ProgramReport", "Span"),
-    "replay": ("state_at", "summary_of"),
-    "robot_programs": ("board_program", "load_board_program", "look_at_boards", "send_program"),
-    "robots": ("find_robot",),
-    "run_hints": ("advice",),
-    "search_path": ("SearchPath",),
-    "running": ("PreparedRun", "Run", "RunOptions", "Timing"),
-    "variables": ("VariableError", "WantedVariable", "make_variable"),
-    "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
-    "traces": ("OpenTrace", "is_trace", "open_trace", "parts_of", "unpack"),
-    "tutorials": ("FoundTutorial", "Tutorials", "watched"),
-}
-_ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names}
+else:
+    # Hidden from mypy, which would take every name for one that there is.
+    __getattr__ = lazy_names(
+        __name__,
+        {
+            "adding": ("AddedParts", "PartsFileError", "add_parts"),
+            "checking": ("FileReport", "check_file"),
+            "conversion": ("ConversionError", "Converted", "convert"),
+            "executables": ("Executable", "load_executable"),
+            "execution": ("Executed", "execute"),
+            "inputs": ("Change", "Inputs", "read_inputs"),
+            "compile_cache": ("KeptPrograms",),
+            "opening": (
+                "NoProgramError",
+                "OpenMission",
+                "Report",
+                "new_mission",
+                "open_mission",
+                "read_mission_data",
+                "with_mission",
+            ),
+            "program_report": ("ProgramReport", "Span"),
+            "replay": ("state_at", "summary_of"),
+            "robot_programs": ("board_program", "load_board_program", "look_at_boards", "send_program"),
+            "robots": ("find_robot",),
+            "run_hints": ("advice",),
+            "search_path": ("SearchPath",),
+            "running": ("PreparedRun", "Run", "RunOptions", "Timing"),
+            "variables": ("VariableError", "WantedVariable", "make_variable"),
+            "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
+            "traces": ("OpenTrace", "is_trace", "open_trace", "parts_of", "unpack"),
+            "tutorials": ("FoundTutorial", "Tutorials", "watched"),
+        },
+    )
 
 __all__ = [
     "AddedParts",
@@ -123,10 +127,3 @@ __all__ = [
     "with_mission",
     "worlds_at_hand",
 ]
-
-
-def __getattr__(name: str) -> Any:
-    room = _ROOM_OF.get(name)
-    if room is None:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{room}"), name)

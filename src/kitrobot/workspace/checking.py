@@ -14,7 +14,7 @@ from pathlib import Path
 from kitrobot.compiler import compile_text
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
 from kitrobot.files import FileError, decode, read_bytes
-from kitrobot.lll import parse
+from kitrobot.lll import parse_any
 from kitrobot.primitives import Robot, load_catalogue, read_constructors, read_robot
 from kitrobot.text import Sentence
 from kitrobot.tutorial import read_tutorial
@@ -102,7 +102,7 @@ def _text(path: Path, robot: Robot | None) -> FileReport:
     if robot is not None:
         return FileReport(path, tuple(compile_text(source.text, robot, source.name).diagnostics), (source,))
     note = Sentence("{path}: only the syntax was checked; what its names mean depends on the robot (--robot)", path)
-    return FileReport(path, tuple(parse(source.text, source.name).diagnostics), (source,), (note,))
+    return FileReport(path, tuple(parse_any(source.text, source.name).diagnostics), (source,), (note,))
 
 
 def _image(path: Path) -> FileReport:

@@ -19,7 +19,7 @@ from functools import cached_property
 
 from kitrobot.compiler import Compiled, Translation, compile_program, graph_to_lll
 from kitrobot.graph import Program
-from kitrobot.primitives import Catalogue, Constructor, OwnVariable
+from kitrobot.primitives import Catalogue, Constructor, Crew, OwnVariable
 from kitrobot.workspace.program_report import ProgramReport, program_report
 
 MOST_VERTICES = 20_000
@@ -68,10 +68,18 @@ class _Extended:
     common: Catalogue
     constructors: tuple[Constructor, ...]
     variables: tuple[OwnVariable, ...]
+    crew: Crew | None
     catalogue: Catalogue
 
-    def is_of(self, common: Catalogue, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]) -> bool:
-        return self.common is common and _same(self.constructors, constructors) and _same(self.variables, variables)
+    def is_of(
+        self,
+        common: Catalogue,
+        constructors: Sequence[Constructor],
+        variables: Sequence[OwnVariable],
+        crew: Crew | None,
+    ) -> bool:
+        same = _same(self.constructors, constructors) and _same(self.variables, variables)
+        return self.common is common and same and self.crew == crew
 
 
 class KeptPrograms:
@@ -91,17 +99,21 @@ class KeptPrograms:
         self._catalogues: list[_Extended] = []
 
     def catalogue(
-        self, common: Catalogue, constructors: Sequence[Constructor], variables: Sequence[OwnVariable]
+        self,
+        common: Catalogue,
+        constructors: Sequence[Constructor],
+        variables: Sequence[OwnVariable],
+        crew: Crew | None = None,
     ) -> Catalogue:
         """`common.extended(…)`: the same object for the same parts."""
         with self._lock:
             for kept in self._catalogues:
-                if kept.is_of(common, constructors, variables):
+                if kept.is_of(common, constructors, variables, crew):
                     return kept.catalogue
-        made = common.extended(constructors, variables)
+        made = common.extended(constructors, variables, crew)
         with self._lock:
             del self._catalogues[: -MOST_CATALOGUES + 1]
-            self._catalogues.append(_Extended(common, tuple(constructors), tuple(variables), made))
+            self._catalogues.append(_Extended(common, tuple(constructors), tuple(variables), crew, made))
         return made
 
     def of(
@@ -141,7 +153,8 @@ class KeptPrograms:
 
     def reports(self, programs: Sequence[Program], catalogue: Catalogue) -> list[ProgramReport]:
         """What is shown of each program, with the names of those that can be found again."""
-        kept = [self.of(one, catalogue) if one.target in catalogue.robots else None for one in programs]
+        known = [one.level.is_team or one.target in catalogue.robots for one in programs]
+        kept = [self.of(one, catalogue) if is_known else None for one, is_known in zip(programs, known, strict=True)]
         made = [
             program_report(one.name, None) if found is None else found.report
             for one, found in zip(programs, kept, strict=True)
@@ -170,6 +183,7 @@ def _all_of(program: Program) -> object:
     return (
         program.name,
         program.target,
+        program.level,
         tuple(
             [
                 (

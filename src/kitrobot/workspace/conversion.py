@@ -14,17 +14,29 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.compiler import check, compile_program, compile_text, graph_to_lll, lll_to_graph, target_of
+from kitrobot.compiler import (
+    check,
+    check_program,
+    compile_program,
+    compile_text,
+    graph_to_lll,
+    lll_to_graph,
+    print_for,
+    robot_of,
+    target_of,
+)
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.files import Form, form_of, is_picture, read_text, same_file, saving_in, write_atomic
+from kitrobot.graph import Program
 from kitrobot.image import Image, disassemble
-from kitrobot.lll import is_name, parse, print_program
+from kitrobot.lll import is_name, parse
 from kitrobot.mission import Mission, save
 from kitrobot.primitives import Robot, load_catalogue
 from kitrobot.text import Sentence
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
-from kitrobot.workspace.opening import mission_of, open_mission
+from kitrobot.workspace.opening import OpenMission, mission_of, open_mission, put_on
 from kitrobot.workspace.robots import find_robot
+from kitrobot.workspace.team_programs import for_kind
 
 UNSAFE = rule(
     "image-unsafe",
@@ -81,6 +93,7 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
         program: which program of a mission with several; or what to call the one that is made for a mission. A mission
             that is taken out of a picture keeps them all.
         robot: the robot's name or file; needed for an LLL text, and in place of the mission's own otherwise.
+            Of a program of a team, the kind of robot for which it is wanted.
 
     Raises:
         FormError: an ending that is not known.
@@ -134,22 +147,38 @@ def _out_of_picture(source: Path) -> _Made:
 
 
 def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | None) -> _Made:
-    opened = open_mission(source, robot=robot)
+    opened = open_mission(source)
     found = list(opened.diagnostics)
     if any(item.is_error for item in found):
         return _Made(None, found, opened.sources)
     program = opened.program(name)
+    if program.level.is_team and robot is not None:
+        return _for_kind(opened, program, robot, wanted)
+    if robot is not None:
+        put_on(opened, find_robot(robot, source.parent))
     if wanted is Form.TEXT:
-        translation = graph_to_lll(program, opened.catalogue)
-        text = Source(f"{program.name}.lll", print_program(translation.program))
+        target, translation = target_of(program, opened.catalogue), graph_to_lll(program, opened.catalogue)
+        text = Source(f"{program.name}.lll", print_for(translation.program, target, opened.catalogue.crew))
         found += translation.diagnostics
-        found += check(translation.program, target_of(program, opened.catalogue), text, program.name)
+        found += check_program(translation.program, target, opened.catalogue.crew, text, program.name)
         data = text.text.encode() if translation.ok else None
     else:
+        robot_of(program, opened.catalogue)
         compiled = compile_program(program, opened.catalogue)
         found += compiled.diagnostics
         data = _image_data(compiled.image, wanted)
     return _Made(data, opened.placed(found), opened.sources)
+
+
+def _for_kind(opened: OpenMission, program: Program, robot: str, wanted: Form) -> _Made:
+    """What a team's program is for a kind of robot."""
+    made = for_kind(opened, program, robot)
+    found = [*opened.diagnostics, *opened.placed(made.diagnostics)]
+    if made.compiled is None:
+        return _Made(None, found, opened.sources)
+    if wanted is Form.TEXT:
+        return _Made(made.compiled.source.text.encode(), found, opened.sources)
+    return _Made(_image_data(made.compiled.image, wanted), found, opened.sources)
 
 
 def _from_text(source: Path, target: Path, wanted: Form, name: str | None, word: str | None) -> _Made:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from kitrobot.compiler import compile_program, compile_text, target_of
+from kitrobot.compiler import compile_program, compile_text, robot_of
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Source
 from kitrobot.files import Form, form_of, is_picture, read_text
 from kitrobot.image import Image, Machine
@@ -13,8 +13,9 @@ from kitrobot.primitives import Robot
 from kitrobot.text import Sentence
 from kitrobot.workspace.images import read_image
 from kitrobot.workspace.inputs import Inputs, read_inputs
-from kitrobot.workspace.opening import open_mission
+from kitrobot.workspace.opening import open_mission, put_on
 from kitrobot.workspace.robots import find_robot
+from kitrobot.workspace.team_programs import for_kind
 
 FORMS = (Form.TEXT, Form.IMAGE, Form.MISSION)
 
@@ -74,12 +75,21 @@ def load_executable(
 
 
 def _mission(path: Path, robot: str | None, name: str | None) -> _Loaded:
-    opened = open_mission(path, robot=robot)
+    opened = open_mission(path)
     program = opened.program(name)
+    if program.level.is_team and robot is not None:
+        made = for_kind(opened, program, robot)
+        found = [*opened.diagnostics, *opened.placed(made.diagnostics)]
+        sound = made.compiled is not None and not any(item.is_error for item in opened.diagnostics)
+        image = made.compiled.image if sound and made.compiled is not None else None
+        return _Loaded(made.robot, image, found, opened.sources)
+    if robot is not None:
+        put_on(opened, find_robot(robot, path.parent))
+    runs = robot_of(program, opened.catalogue)
     compiled = compile_program(program, opened.catalogue)
     found = opened.placed([*opened.diagnostics, *compiled.diagnostics])
     image = None if any(item.is_error for item in opened.diagnostics) else compiled.image
-    return _Loaded(target_of(program, opened.catalogue), image, found, opened.sources)
+    return _Loaded(runs, image, found, opened.sources)
 
 
 def _text(path: Path, robot: Robot) -> _Loaded:

@@ -15,17 +15,18 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitrobot.compiler import Compiled, compile_program
+from kitrobot.compiler import Compiled, CompiledTeam, compile_program, program_circles
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
 from kitrobot.files import Places, read_bytes, read_carried
 from kitrobot.graph import Program, empty_program
-from kitrobot.mission import Agent, Mission, Team, read_mission
-from kitrobot.primitives import Catalogue
+from kitrobot.mission import Agent, Mission, Team, image_name, read_mission
+from kitrobot.primitives import Catalogue, Robot
 from kitrobot.text import COMMA, Sentence, Series
 from kitrobot.workspace.program_report import ProgramReport, program_report
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
 from kitrobot.workspace.team import team_problems
+from kitrobot.workspace.team_programs import team_of
 from kitrobot.world import World, check_plan, read_world
 
 if TYPE_CHECKING:
@@ -129,8 +130,21 @@ class OpenMission:
             if self.kept is None
             else self.kept.of(program, self.catalogue).compiled
             for program in self.mission.programs
-            if program.target in robots
+            if program.level.is_team or program.target in robots
         }
+
+    @cached_property
+    def team(self) -> CompiledTeam | None:
+        """The program that agents run as a team, for each of their kinds of robots; None where none can be."""
+        social = self.mission.social
+        kinds = dict.fromkeys(one.robot for one in self.mission.team.agents if one.program == social)
+        return team_of(self, social, kinds) if kinds else None
+
+    @property
+    def images(self) -> Mapping[str, Compiled]:
+        """What agents run, by `Agent.image_name`."""
+        team = self.team.kinds if self.team is not None else {}
+        return {**self.compiled, **{image_name(self.mission.social, kind): one for kind, one in team.items()}}
 
     def check(self) -> Report:
         """Looks everything through: the files, the programs, and whether the parts fit together."""
@@ -147,7 +161,7 @@ class OpenMission:
     @property
     def all_sources(self) -> tuple[Source, ...]:
         """The texts of its files and of its programs."""
-        return (*self.sources, *(compiled.source for compiled in self.compiled.values()))
+        return (*self.sources, *(compiled.source for compiled in self.images.values()))
 
     @cached_property
     def before_setup(self) -> tuple[Diagnostic, ...]:
@@ -158,6 +172,10 @@ class OpenMission:
         found += team_problems(self.mission, self.catalogue, place, self.places)
         for compiled in self.compiled.values():
             found += self.placed(compiled.diagnostics)
+        teams = {one.name: self.compiled[one.name].program for one in self.mission.programs if one.level.is_team}
+        found += self.placed(program_circles(teams))
+        if self.team is not None and not any(item.is_error for item in found):
+            found += self.placed(self.team.diagnostics)
         return tuple(found)
 
     def _stage_problems(self) -> tuple[Diagnostic, ...]:
@@ -234,11 +252,15 @@ def open_mission(path: Path, *, robot: str | None = None) -> OpenMission:
     opened = read_mission_data(read_carried(path), str(path), SearchPath(path.parent))
     opened = replace(opened, path=path)
     if robot is not None:
-        meant = find_robot(robot, path.parent)
-        opened.catalogue.robots[meant.name] = meant
-        for program in opened.mission.programs:
-            program.target = meant.name
+        put_on(opened, find_robot(robot, path.parent))
     return opened
+
+
+def put_on(opened: OpenMission, robot: Robot) -> None:
+    """Puts a robot in the place of the ones that programs are for; before anything of them was asked."""
+    opened.catalogue.robots[robot.name] = robot
+    for program in opened.mission.programs:
+        program.target = program.target and robot.name
 
 
 def read_mission_data(data: bytes, name: str, search: SearchPath) -> OpenMission:
@@ -278,7 +300,7 @@ def _open(
 ) -> OpenMission:
     common = search.catalogue()
     extended = common.extended if kept is None else partial(kept.catalogue, common)
-    known = extended(mission.constructors, mission.variables)
+    known = extended(mission.constructors, mission.variables, mission.crew)
     own = tuple(known.problems[len(common.problems) :])
     if mission.own_world is not None:
         world, told = check_plan(mission.own_world)

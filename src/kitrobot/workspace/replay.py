@@ -75,7 +75,7 @@ def state_at(trace: OpenTrace, seconds: float) -> dict[str, Any]:
 
 def _agent(trace: OpenTrace, record: TickRecord, index: int, values: dict[str, float]) -> dict[str, Any]:
     header = trace.reader.header
-    vertices = header.vertices.get(header.agents[index].program, ())
+    vertices = header.vertices_of(header.agents[index])
     stands = [vertices[one] for _, one in record.active[index] if one < len(vertices)]
     program = trace.mission.program(header.agents[index].program)
     elements = {vertex.id: vertex.element for vertex in program.vertices} if program is not None else {}

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from kitrobot import robots
-from kitrobot.compiler import Compiled, compile_program, compile_text
+from kitrobot.compiler import Compiled, compile_program, compile_text, robot_of
 from kitrobot.diagnostics import Diagnostic, ProblemsError, Source
 from kitrobot.files import Form, form_of, is_picture, read_text
 from kitrobot.primitives import Robot
@@ -67,7 +67,7 @@ def board_program(opened: OpenMission, program: str | None = None, folder: Path 
     """
     meant = opened.program(program)
     compiled = opened.compiled.get(meant.name) or compile_program(meant, opened.catalogue)
-    robot = opened.catalogue.robot(meant.target)
+    robot = robot_of(meant, opened.catalogue)
     shared = warn_of_sharing(meant.name, robot, compiled)
     found = tuple(opened.placed([*opened.diagnostics, *compiled.diagnostics, *shared]))
     beside = folder or (opened.path.parent if opened.path is not None else None)

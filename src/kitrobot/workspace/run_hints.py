@@ -19,7 +19,7 @@ def advice(opened: OpenMission, simulation: Simulation) -> list[Diagnostic]:
     """For a run whose programs all ended at once: one hint for each of them; else none."""
     if not simulation.ended_at_once:
         return []
-    programs = dict.fromkeys(agent.program for agent in simulation.members)
+    programs = dict.fromkeys(agent.program for agent in simulation.members if agent.program == agent.image_name)
     return [_pause_before_the_end(opened, simulation, name) for name in programs]
 
 

@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
+from kitrobot.compiler import TeamPlan
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Source
 from kitrobot.files import same_file
 from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, simulate
@@ -169,14 +170,19 @@ def _set_up(opened: OpenMission, options: RunOptions) -> Simulation:
         return Simulation(
             opened.mission,
             opened.world,
-            opened.compiled,
+            opened.images,
             opened.catalogue,
             options.seed,
             options.seconds,
             options.fail_rate,
+            _plan(opened),
         )
     except SimulationError as error:
         raise _refused(opened, error) from None
+
+
+def _plan(opened: OpenMission) -> TeamPlan | None:
+    return opened.team.plan if opened.team is not None else None
 
 
 def look_whether_it_runs(opened: OpenMission) -> None:
@@ -187,7 +193,7 @@ def look_whether_it_runs(opened: OpenMission) -> None:
     """
     assert opened.world is not None, "a mission without its world has an error"
     try:
-        look_over(opened.mission, opened.world, opened.compiled, opened.catalogue)
+        look_over(opened.mission, opened.world, opened.images, opened.catalogue, _plan(opened))
     except SimulationError as error:
         raise _refused(opened, error) from None
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
+from kitrobot.compiler import check_declarations
 from kitrobot.diagnostics import Diagnostic, Place, Severity, rule
 from kitrobot.files import Places
-from kitrobot.mission import NO_PROGRAM, Mission
-from kitrobot.primitives import Catalogue
+from kitrobot.lll import AnyDeclaration
+from kitrobot.mission import AGENT_ROBOT, NO_PROGRAM, Agent, Mission
+from kitrobot.primitives import Catalogue, Crew, Level, has_team
 from kitrobot.sim import free_start
 from kitrobot.text import Help, Sentence, Suggestions, listed
 from kitrobot.world import World
@@ -44,7 +46,7 @@ def team_problems(
 ) -> list[Diagnostic]:
     """What is wrong between the parts of a mission; without a world nothing is said about places in it."""
     look = _Look(mission, catalogue, world, places)
-    return [*look.programs(), *look.agents(), *look.goals()]
+    return [*look.programs(), *look.agents(), *look.goals(), *look.declarations()]
 
 
 class _Look:
@@ -54,6 +56,8 @@ class _Look:
         self.world = world
         self.places = places
         self.suggestions = Suggestions()
+        self.social = mission.social
+        self.levels = {program.name: program.level for program in reversed(mission.programs)}
 
     def programs(self) -> Iterable[Diagnostic]:
         names = Counter(program.name for program in self.mission.programs)
@@ -67,7 +71,7 @@ class _Look:
             )
         robots = self.catalogue.robots
         for program in self.mission.programs:
-            if program.target not in robots:
+            if not program.level.is_team and program.target not in robots:
                 message = Sentence(
                     "the program `{program}` is for the robot `{robot}`, which is not at hand",
                     program.name,
@@ -99,6 +103,7 @@ class _Look:
                     "its programs: {names}", listed(programs) or "none"
                 )
                 yield NO_PROGRAM(message, help=help)
+            yield from self._robot(agent)
             if self.world is not None and agent.start_name not in known:
                 message = Sentence(
                     "`{agent}` would start at `{start}`, which the world `{world}` has not",
@@ -108,6 +113,59 @@ class _Look:
                 )
                 start = free_start(agent.start_name, free, self.suggestions)
                 yield NO_START(message, self._agent(agent.name), help=start)
+
+    def _robot(self, agent: Agent) -> Iterable[Diagnostic]:
+        """Whether it is clear of which kind an agent is."""
+        level = self.levels.get(agent.program)
+        told: tuple[Sentence, Help] | None = None
+        if level is Level.GROUP:
+            told = (
+                Sentence("`{agent}` runs `{program}`, which is the program of a group", agent.name, agent.program),
+                Sentence("let it run one of the level social, which names the other with PROGRAM"),
+            )
+        elif level is Level.SOCIAL and agent.program != self.social:
+            told = (
+                Sentence(
+                    "`{agent}` runs `{program}`, and others run `{other}`, which is for the whole team too",
+                    agent.name,
+                    agent.program,
+                    self.social,
+                ),
+                Sentence("let all of them run one program, which names others with PROGRAM"),
+            )
+        elif level is Level.SOCIAL and not agent.robot:
+            kinds = dict.fromkeys(role.robot for role in self.mission.team.roles)
+            told = (
+                Sentence(
+                    "`{agent}` runs `{program}`, which is for the whole team, and does not say which robot it is",
+                    agent.name,
+                    agent.program,
+                ),
+                Sentence('write robot="…" on it: {robots}', listed(kinds or self.catalogue.robots)),
+            )
+        elif level is Level.SOCIAL and agent.robot not in self.catalogue.robots:
+            message = Sentence("`{agent}` is the robot `{robot}`, which is not at hand", agent.name, agent.robot)
+            help = self._help(agent.robot, self.catalogue.robots)
+            robots = Sentence("robots at hand: {robots}", listed(self.catalogue.robots))
+            yield NO_ROBOT(message, self._agent(agent.name), help=help or robots)
+        elif level is Level.SOCIAL and has_team(self.catalogue.robots[agent.robot], self.mission.team.works):
+            told = (
+                Sentence(
+                    "the robot `{robot}` has a part called Team, or as a work, and the team needs that name",
+                    agent.robot,
+                ),
+                Sentence("give its part another name"),
+            )
+        elif level is Level.AGENT and agent.robot:
+            told = (
+                Sentence("`{agent}` says which robot it is, and its program says that already", agent.name),
+                Sentence('take robot="{robot}" away', agent.robot),
+            )
+        if told is not None:
+            yield AGENT_ROBOT(told[0], self._agent(agent.name), help=told[1])
+
+    def declarations(self) -> Iterable[Diagnostic]:
+        return check_declarations(self.mission.crew or Crew(), self.catalogue.robots, self._declaration)
 
     def goals(self) -> Iterable[Diagnostic]:
         if self.world is None:
@@ -128,6 +186,9 @@ class _Look:
 
     def _program(self, name: str) -> Place | None:
         return self.places.program(name) if self.places else None
+
+    def _declaration(self, declaration: AnyDeclaration) -> Place | None:
+        return self.places.declaration(declaration.name) if self.places else None
 
     def _agent(self, name: str) -> Place | None:
         return self.places.agent(name) if self.places else None

@@ -53,7 +53,7 @@ lines(
     "constructors.xml",
     {
         what: (
-            '<constructors version="1"><group name="G" colour="loop">\n' + before,
+            _GROUP + before,
             one + "\n",
             after + "</group></constructors>\n",
         )

@@ -19,6 +19,11 @@ export interface Followed extends Omit<server.Followed, "program"> {
   program: Program | null;
 }
 
+/** Whether a mission declares of its team what a text declares. */
+function declares({ roles = [], groups = [], works = [] }: Mission, declared: server.Declared): boolean {
+  return JSON.stringify({ roles, groups, works }) === JSON.stringify(declared);
+}
+
 export class ApiError extends Error {
   readonly help: string;
   readonly status: number;
@@ -129,7 +134,10 @@ async function follow(mission: Mission, path: string, program: string, text: str
   const answer = await askAbout<server.Followed>("text", mission, { path, program, text });
   const before = mission.programs.find((one) => one.name === program);
   if (answer.program === null || before === undefined) return { ...answer, program: null };
-  const after = drawn(before, answer.program);
+  const same = answer.declared == null || declares(mission, answer.declared);
+  const graph = drawn(before, answer.program);
+  // A text with other declarations is another program, be its graph the same.
+  const after = graph === before && !same ? { ...before } : graph;
   const programs = mission.programs.map((one) => (one === before ? after : one));
   if (answer.report !== null) learn({ ...mission, programs }, answer.report);
   return { ...answer, program: after };

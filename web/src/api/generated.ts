@@ -33,11 +33,15 @@ export interface AgainToken {
   token: string;
 }
 
-/** A member of the team and the program it runs. It starts at the world's start `start`, or the one of its name. */
+/**
+ * A member of the team and the program it runs. It starts at the world's start `start`, or the one of its name. `robot`
+ * is its kind where its program is one of the level social, which speaks of all kinds.
+ */
 export interface Agent {
   name: string;
   program: string;
   start: string;
+  robot?: string;
 }
 
 /** What an agent does: where its threads stand, its variables and sensors, what its displays and the like show. */
@@ -219,6 +223,7 @@ export interface Catalogue {
   groups: Group[];
   robots: Robot[];
   problems: Problem[];
+  work?: RobotObject | null;
 }
 
 /** A request to look a mission through; `path` is the file it was opened from, "" for a new one. */
@@ -273,6 +278,7 @@ export interface Constructor {
   role: "instruction" | "condition" | "branch";
   adds: Adds | null;
   code: string;
+  level?: "agent" | "group" | "social";
 }
 
 /** A corner of a line; a radius rounds it off. */
@@ -280,6 +286,13 @@ export interface Corner {
   x: number;
   y: number;
   radius: number;
+}
+
+/** What the text of a team's program declares before its instructions. */
+export interface Declared {
+  roles: Role[];
+  groups: TeamGroup[];
+  works: Work[];
 }
 
 /** What is different in the mission from its file, a sentence each; `revision` is the file's. */
@@ -343,13 +356,15 @@ export interface Floor {
 
 /**
  * The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes. `problems`
- * have their places in the text that was sent. `report` is the mission looked through with that program.
+ * have their places in the text that was sent. `report` is the mission looked through with that program, and with what
+ * the text of a team's program declares: `declared`.
  */
 export interface Followed {
   program: DrawnProgram | null;
   spans: SpanEntry[];
   problems: Problem[];
   report: Report | null;
+  declared?: Declared | null;
 }
 
 /** Put a value in the place of what a sensor measures; null gives the sensor back. */
@@ -507,6 +522,9 @@ export interface Mission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   own_world?: OwnWorld | null;
+  roles?: Role[];
+  groups?: TeamGroup[];
+  works?: Work[];
 }
 
 /**
@@ -838,10 +856,11 @@ export interface ProblemsMessage {
   problems: Problem[];
 }
 
-/** A graph and the robot it is for. */
+/** A graph and the robot it is for, "" in one of a team. */
 export interface Program {
   name: string;
   robot: string;
+  level?: "agent" | "group" | "social";
   vertices: Vertex[];
   arcs: Arc[];
 }
@@ -950,6 +969,16 @@ export interface RobotsRequest {
   speed: number;
 }
 
+/** A role, the kind of robot that can play it, and how many are wanted. */
+export interface Role {
+  name: string;
+  above?: string[];
+  after?: string | null;
+  robot: string;
+  least: number;
+  most: number;
+}
+
 /** Something worth a mark on the timeline. */
 export interface RunEvent {
   tick: number;
@@ -1016,12 +1045,16 @@ export interface SentMission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   own_world?: OwnWorld | null;
+  roles?: Role[];
+  groups?: TeamGroup[];
+  works?: Work[];
 }
 
 /** A program as what became of the one that the studio knows as `of`; "" for one that is sent whole. */
 export interface SentProgram {
   name: string;
   robot: string;
+  level?: "agent" | "group" | "social";
   of?: string;
   vertices: (Vertex | [number, number])[];
   arcs: (Arc | [number, number])[];
@@ -1166,6 +1199,15 @@ export interface Storehouse {
   stock: number;
 }
 
+/** Roles, groups and agents under one name, and what happens when one of them fails. */
+export interface TeamGroup {
+  name: string;
+  above?: string[];
+  after?: string | null;
+  members: string[];
+  failure: "drop" | "substitute" | "abort";
+}
+
 /** The canonical text of a `.krt`. */
 export interface Text {
   text: string;
@@ -1273,6 +1315,15 @@ export interface WatchRequest {
   type: "watch";
   run: string;
   mission: Mission;
+}
+
+/** Units of work, and the seconds after which an unfinished one is free again. */
+export interface Work {
+  name: string;
+  above?: string[];
+  after?: string | null;
+  units: number;
+  lease?: number | null;
 }
 
 /** The place of a mission. */

@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "react";
 import { mirrored } from "../i18n/language";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
+import { TEAM_ROBOT } from "../model/team-robot";
 import { text } from "../model/texts";
 import { addProgramFor } from "../session/actions";
 import { Menu } from "../ui/Menu";
@@ -12,7 +13,8 @@ import { Tool } from "../ui/Tool";
 
 /** The robots as entries of a menu. */
 export function robotEntries(robots: readonly { name: string; label: Record<string, string> }[]): MenuEntry[] {
-  return robots.map(({ name, label }) => menuItem(`add-${name}`, text(label, name), null, () => addProgramFor(name)));
+  const kinds = robots.filter(({ name }) => name !== TEAM_ROBOT);
+  return kinds.map(({ name, label }) => menuItem(`add-${name}`, text(label, name), null, () => addProgramFor(name)));
 }
 
 export function AddProgram() {

@@ -34,7 +34,7 @@ export function NameCell({ name, label, testId, wrong, keep }: NameCellProps) {
     }
   };
   return (
-    <span className="team-name">
+    <span>
       <input
         className="field"
         data-testid={testId}
@@ -58,7 +58,7 @@ export function NameCell({ name, label, testId, wrong, keep }: NameCellProps) {
         }}
       />
       {why === "" ? null : (
-        <span className="team-wrong" id={said} role="alert">
+        <span className="field-wrong" id={said} role="alert">
           <Icon name="triangle-alert" size={14} /> {why}
         </span>
       )}

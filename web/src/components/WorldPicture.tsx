@@ -11,6 +11,8 @@ import { readStructure } from "../model/structure";
 import { useStudio } from "../model/studio";
 import type { Program, World } from "../model/types";
 
+import "./world-picture.css";
+
 const MARGIN = 24;
 /** Room above a robot's size in an open place, so that it can be seen in a small picture. */
 const ROBOT_PART = 0.075;

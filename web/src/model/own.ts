@@ -4,6 +4,7 @@
  * Both are as the server gave them, so the palette, the canvas and the inspector know no difference. They win over what is
  * there, as the server has it. Left to others: making them (the server reads their LLL), the commands that change them.
  */
+import { teamRobots } from "./team-robot";
 import type { Catalogue, Constructor, Group, Mission, OwnVariable, Robot } from "./types";
 
 /** The name of the group that the mission's own constructors are in. */
@@ -31,11 +32,12 @@ function withVariables(robot: Robot, variables: readonly OwnVariable[]): Robot {
   return { ...robot, objects: [...robot.objects.slice(0, at), ...own, ...robot.objects.slice(at)] };
 }
 
-/** The catalogue of the files with what the mission brings along; the same one when that is nothing. */
+/** The catalogue of the files with what the mission brings along and its team's robot; the same one when that is nothing. */
 export function catalogueOf(files: Catalogue, mission: Mission): Catalogue {
   const constructors = ownConstructors(mission);
   const variables = ownVariables(mission);
-  if (constructors.length === 0 && variables.length === 0) return files;
+  const team = teamRobots(files, mission);
+  if (constructors.length === 0 && variables.length === 0 && team.length === 0) return files;
   const names = new Set(constructors.map((one) => one.name));
   const groups = files.groups.map((group) => ({
     ...group,
@@ -45,6 +47,6 @@ export function catalogueOf(files: Catalogue, mission: Mission): Catalogue {
   return {
     ...files,
     groups: constructors.length === 0 ? files.groups : [...groups, own],
-    robots: files.robots.map((robot) => withVariables(robot, variables)),
+    robots: [...files.robots, ...team].map((robot) => withVariables(robot, variables)),
   };
 }

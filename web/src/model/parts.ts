@@ -5,6 +5,7 @@
  * a constructor that nobody has thought of yet is drawn, edited and read like the shipped ones. An element whose XML is
  * missing has the shape `unknown`: its ports are read off its arcs (structure.ts).
  */
+import { TEAM_ROBOT } from "./team-robot";
 import { text } from "./texts";
 import type { Catalogue, Colour, Constructor, Group, Method, Robot, RobotObject, Slot, Texts } from "./types";
 
@@ -156,6 +157,11 @@ function methodShape(object: RobotObject, method: Method): Shape {
   };
 }
 
+/** Whether a constructor can stand in programs of a robot: those of a team are made of more. */
+export function standsFor({ level = "agent" }: Constructor, robot: Robot | null | undefined): boolean {
+  return level === "agent" || robot?.name === TEAM_ROBOT;
+}
+
 function makeParts(catalogue: Catalogue, robot: Robot | null): Parts {
   const table = new Map<string, Shape>();
   const all: Shape[] = [];
@@ -164,7 +170,8 @@ function makeParts(catalogue: Catalogue, robot: Robot | null): Parts {
     table.set(shape.element, shape);
     all.push(shape);
   };
-  for (const group of catalogue.groups) for (const one of group.constructors) add(constructorShape(one));
+  for (const group of catalogue.groups)
+    for (const one of group.constructors) if (standsFor(one, robot)) add(constructorShape(one));
   for (const object of robot?.objects ?? []) for (const method of object.methods) add(methodShape(object, method));
   table.set("Start", bare("Start", "start", "start", "play"));
   table.set("Stop", bare("Stop", "stop", "stop", "square"));

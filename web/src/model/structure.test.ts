@@ -26,6 +26,11 @@ describe("structure", () => {
     expect(through(CARRIER)).toEqual(CARRIER);
   });
 
+  it("keeps what a program is besides its graph", () => {
+    const program: Program = { ...CARRIER, robot: "", level: "social" };
+    expect(through(program)).toEqual(program);
+  });
+
   it("writes back random programs, parked parts too", () => {
     for (let seed = 1; seed <= 60; seed++) {
       const program = growProgram(seed, 30, true);

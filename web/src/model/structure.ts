@@ -37,8 +37,8 @@ export interface Plugged {
 }
 
 export interface Structure {
-  name: string;
-  robot: string;
+  /** Whose structure it is: all of the program that is not its graph. */
+  of: Omit<Program, "vertices" | "arcs">;
   start: Vertex | null;
   stop: Vertex | null;
   /** From Start's `next`. */
@@ -89,7 +89,8 @@ class Reader {
       start === null ? { out: "next", chain: [], closed: false } : this.body(start.id, "next", stop?.id ?? "", "in", 0);
     const parked = this.parked();
     const strays = program.arcs.filter((arc) => !this.used.has(arc));
-    return { name: program.name, robot: program.robot, start, stop, main, parked, strays, lost: this.lost };
+    const { vertices: _vertices, arcs: _arcs, ...of } = program;
+    return { of, start, stop, main, parked, strays, lost: this.lost };
   }
 
   private body(owner: string, out: string, closer: string, at: string, depth: number): Body {
@@ -212,7 +213,7 @@ export function writeStructure(structure: Structure): Program {
     if (body.closed) arcs.push({ source, target: closer, out, at });
   };
 
-  const { start, stop, main, parked, strays, lost, name, robot } = structure;
+  const { start, stop, main, parked, strays, lost, of } = structure;
   if (start !== null) {
     vertices.push(start);
     chain(start.id, main, stop?.id ?? "", "in");
@@ -223,5 +224,5 @@ export function writeStructure(structure: Structure): Program {
     block(first);
     chain(first.vertex.id, { out: "next", chain: rest, closed: false }, "", "");
   }
-  return { name, robot, vertices: [...vertices, ...lost], arcs: [...arcs, ...strays] };
+  return { ...of, vertices: [...vertices, ...lost], arcs: [...arcs, ...strays] };
 }

@@ -11,6 +11,7 @@ import type { Command } from "./command";
 import { OWN_WORLD } from "./commands/changeWorld";
 import { type Change, follow, type History, historyOf, isUnsaved, type StepDetails } from "./history";
 import { catalogueOf } from "./own";
+import { teamKey } from "./team-robot";
 import type { Catalogue, Mission, MissionFile, Program, Report, World } from "./types";
 
 /** Joining commands further apart than this are steps of their own. */
@@ -98,7 +99,10 @@ export const useStudio = create<StudioState>((set, get) => {
   /** The catalogue for a mission; the one that is there as long as what the mission brings along is the same. */
   const partsFor = (mission: Mission): { catalogue?: Catalogue } => {
     const { mission: before, files } = get();
-    const same = before.constructors === mission.constructors && before.variables === mission.variables;
+    const same =
+      before.constructors === mission.constructors &&
+      before.variables === mission.variables &&
+      teamKey(before) === teamKey(mission);
     return same ? {} : { catalogue: catalogueOf(files, mission) };
   };
 

@@ -105,7 +105,9 @@ function take(name: string, asked: Draft, followed: Followed, mission: Mission):
   put(name, { ...answered, program, right: true });
   if (program === asked.program) return;
   const { mission: before, execute } = useStudio.getState();
-  const command = { ...replaceProgram(t("code.edit-text"), asked.program, program), joins: `text ${name}` };
+  const { label, execute: replaced } = replaceProgram(t("code.edit-text"), asked.program, program);
+  const all = (one: Mission) => ({ ...replaced(one), ...followed.declared });
+  const command = { label, execute: all, joins: `text ${name}` };
   if (before !== mission || followed.report === null) execute(command);
   else changeChecked(followed.report, () => execute(command));
 }

@@ -110,6 +110,12 @@ import X from "lucide-react/icons/x";
 import Zap from "lucide-react/icons/zap";
 import ZoomIn from "lucide-react/icons/zoom-in";
 import ZoomOut from "lucide-react/icons/zoom-out";
+import ArrowRightLeft from "lucide-react/icons/arrow-right-left";
+import FileCode from "lucide-react/icons/file-code";
+import ListOrdered from "lucide-react/icons/list-ordered";
+import Rows3 from "lucide-react/icons/rows-3";
+import UserCheck from "lucide-react/icons/user-check";
+import Vote from "lucide-react/icons/vote";
 
 export const ICONS: Readonly<Record<string, LucideIcon>> = {
   ampersand: Ampersand,
@@ -217,4 +223,10 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   zap: Zap,
   "zoom-in": ZoomIn,
   "zoom-out": ZoomOut,
+  "arrow-right-left": ArrowRightLeft,
+  "file-code": FileCode,
+  "list-ordered": ListOrdered,
+  "rows-3": Rows3,
+  "user-check": UserCheck,
+  vote: Vote,
 };

@@ -3,6 +3,8 @@ import type { ReactNode } from "react";
 
 import { Icon } from "../theme";
 
+import "./dock.css";
+
 interface DockButtonProps {
   icon: string;
   testId: string;
@@ -19,7 +21,7 @@ export function DockButton({ icon, testId, open, panel, onPress, title, busy, ch
   return (
     <button
       type="button"
-      className="problems-button"
+      className="dock-button"
       data-testid={testId}
       aria-expanded={open}
       aria-controls={panel}

@@ -9,6 +9,8 @@
  */
 import { type RefObject, useLayoutEffect, useState } from "react";
 
+import { watchLayout } from "./watch-layout";
+
 const TOLERANCE_PX = 0.5;
 
 function order(part: HTMLElement): number {
@@ -55,21 +57,7 @@ export function useFolding(row: RefObject<HTMLElement | null>): number {
   const [level, setLevel] = useState(0);
   useLayoutEffect(() => {
     const element = row.current;
-    if (element === null || typeof ResizeObserver === "undefined") return;
-    const again = () => setLevel(fold(element));
-    // The row's own size says nothing while it is as wide as its parts want: what holds it is watched too.
-    const size = new ResizeObserver(again);
-    size.observe(element);
-    if (element.parentElement !== null) size.observe(element.parentElement);
-    const content = new MutationObserver(again);
-    content.observe(element, { childList: true, characterData: true, subtree: true });
-    document.fonts.addEventListener("loadingdone", again);
-    again();
-    return () => {
-      document.fonts.removeEventListener("loadingdone", again);
-      size.disconnect();
-      content.disconnect();
-    };
+    return element === null ? undefined : watchLayout(element, () => setLevel(fold(element)));
   }, [row]);
   return level;
 }

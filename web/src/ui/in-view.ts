@@ -7,6 +7,8 @@
  */
 import { type RefObject, useLayoutEffect, useState } from "react";
 
+import { watchLayout } from "./watch-layout";
+
 const TOLERANCE_PX = 1;
 
 function showActive(row: HTMLElement): void {
@@ -40,22 +42,12 @@ export function useInView(row: RefObject<HTMLElement | null>): number {
   const [hidden, setHidden] = useState(0);
   useLayoutEffect(() => {
     const element = row.current;
-    if (element?.parentElement == null || typeof ResizeObserver === "undefined") return;
-    const again = () => setHidden(measure(element));
+    if (element === null) return;
     const scrolled = () => setHidden(mark(element));
-    const size = new ResizeObserver(again);
-    size.observe(element);
-    size.observe(element.parentElement);
-    const content = new MutationObserver(again);
-    const attributeFilter = ["aria-selected"];
-    content.observe(element, { childList: true, characterData: true, subtree: true, attributeFilter });
     element.addEventListener("scroll", scrolled, { passive: true });
-    document.fonts.addEventListener("loadingdone", again);
-    again();
+    const end = watchLayout(element, () => setHidden(measure(element)), ["aria-selected"]);
     return () => {
-      document.fonts.removeEventListener("loadingdone", again);
-      size.disconnect();
-      content.disconnect();
+      end();
       element.removeEventListener("scroll", scrolled);
     };
   }, [row]);

@@ -6,12 +6,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AliasChoices, BaseModel, Field, model_validator
 
-from kitrobot.primitives import Catalogue, Robot
+from kitrobot.primitives import Catalogue, Robot, work_object
 from kitrobot.server.shapes.problem import ProblemShape, problem_shapes
 from kitrobot.server.shapes.values import Least, Most, View
 from kitrobot.sim import Hand, Look, appearance_of, length_of
 
 Texts = dict[str, str]
+LevelName = Literal["agent", "group", "social"]
 Colour = Literal["loop", "choice", "parallel", "action", "test", "team"]
 
 
@@ -55,6 +56,7 @@ class ConstructorShape(View):
     role: Literal["instruction", "condition", "branch"]
     adds: AddsShape | None
     code: str
+    level: LevelName = "agent"
 
 
 class GroupShape(View):
@@ -129,6 +131,8 @@ class CatalogueShape(BaseModel):
     groups: list[GroupShape]
     robots: list[RobotShape]
     problems: list[ProblemShape]
+    work: RobotObjectShape | None = None
+    """What a work of a team can do and tell, without its name."""
 
 
 def catalogue_shape(catalogue: Catalogue) -> CatalogueShape:
@@ -136,6 +140,7 @@ def catalogue_shape(catalogue: Catalogue) -> CatalogueShape:
     return CatalogueShape(
         groups=[GroupShape.model_validate(group) for group in catalogue.groups],
         robots=[_robot(robot) for robot in catalogue.robots.values()],
+        work=RobotObjectShape.model_validate(work_object("", 0)),
         problems=problem_shapes(catalogue.problems),
     )
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, Field
+from pydantic import BaseModel, Field, field_validator
 
 from kitrobot.graph import Program
+from kitrobot.lll import MAX_NUMBER, GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
 from kitrobot.mission import Breakpoint, Failure, FailureKind, Mission, Team
 from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS
-from kitrobot.primitives import MOST_OWN
-from kitrobot.server.shapes.catalogue import ConstructorShape
+from kitrobot.primitives import MOST_OWN, Level
+from kitrobot.server.shapes.catalogue import ConstructorShape, LevelName
 from kitrobot.server.shapes.own import OwnVariableShape, own_constructor, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.server.shapes.values import AgentValue, ArcValue, GoalValue, VertexValue, View
@@ -19,12 +20,15 @@ MOST_VERTICES = 100_000
 MOST_AGENTS = 10_000
 MOST_PROGRAMS = 1_000
 
+Declared = Annotated[int, Field(ge=0, le=MAX_NUMBER)]
+
 
 class ProgramShape(BaseModel):
-    """A graph and the robot it is for."""
+    """A graph and the robot it is for, "" in one of a team."""
 
     name: str
     robot: str
+    level: LevelName = "agent"
     vertices: Annotated[list[VertexValue], Field(max_length=MOST_VERTICES)]
     arcs: Annotated[list[ArcValue], Field(max_length=2 * MOST_VERTICES)]
 
@@ -49,6 +53,49 @@ class ScheduledFailureShape(View):
     kind: Literal["fail", "stall", "mute", "revive"]
 
 
+class DeclarationShape(View):
+    """A name that a team declares, and the comments of its line."""
+
+    name: str
+    above: list[str] = Field(default_factory=list)
+    after: str | None = None
+
+
+class RoleShape(DeclarationShape):
+    """A role, the kind of robot that can play it, and how many are wanted."""
+
+    robot: str
+    least: Declared
+    most: Declared
+
+
+class TeamGroupShape(DeclarationShape):
+    """Roles, groups and agents under one name, and what happens when one of them fails."""
+
+    members: Annotated[list[str], Field(min_length=1, max_length=MOST_AGENTS)]
+    failure: Literal["drop", "substitute", "abort"]
+
+    @field_validator("members", mode="before")
+    @classmethod
+    def _names(cls, given: Any) -> Any:
+        return given.names if isinstance(given, Members) else given
+
+
+class WorkShape(DeclarationShape):
+    """Units of work, and the seconds after which an unfinished one is free again."""
+
+    units: Declared
+    lease: Declared | None = None
+
+
+class DeclaredShape(View):
+    """What the text of a team's program declares before its instructions."""
+
+    roles: list[RoleShape]
+    groups: list[TeamGroupShape]
+    works: list[WorkShape]
+
+
 class MissionShape(BaseModel):
     """All of a `.krt`; `world` is the name of a world's file, "" for the empty world; `own_world` counts instead.
 
@@ -69,6 +116,9 @@ class MissionShape(BaseModel):
     breakpoints: Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)] = []
     failures: Annotated[list[ScheduledFailureShape], Field(max_length=MOST_AGENTS)] = []
     own_world: OwnWorldShape | None = None
+    roles: Annotated[list[RoleShape], Field(max_length=MOST_AGENTS)] = []
+    groups: Annotated[list[TeamGroupShape], Field(max_length=MOST_AGENTS)] = []
+    works: Annotated[list[WorkShape], Field(max_length=MOST_AGENTS)] = []
 
 
 def mission_shape(mission: Mission) -> MissionShape:
@@ -87,6 +137,9 @@ def mission_shape(mission: Mission) -> MissionShape:
         breakpoints=[BreakpointShape.model_validate(one) for one in mission.breakpoints],
         failures=[ScheduledFailureShape.model_validate(one) for one in mission.failures],
         own_world=None if mission.own_world is None else own_world_shape(mission.own_world),
+        roles=[RoleShape.model_validate(one) for one in mission.team.roles],
+        groups=[TeamGroupShape.model_validate(one) for one in mission.team.groups],
+        works=[WorkShape.model_validate(one) for one in mission.team.works],
     )
 
 
@@ -105,7 +158,7 @@ def mission_from_shape(shape: MissionShape, programs: list[Program] | None = Non
     return Mission(
         shape.version,
         programs,
-        Team(shape.agents, shape.goals),
+        _team(shape),
         shape.world,
         shape.unknown,
         shape.label,
@@ -118,6 +171,20 @@ def mission_from_shape(shape: MissionShape, programs: list[Program] | None = Non
     )
 
 
+def _team(shape: MissionShape) -> Team:
+    roles = [RoleDeclaration(one.name, one.robot, one.least, one.most, **_notes(one)) for one in shape.roles]
+    groups = [
+        GroupDeclaration(one.name, Members(one.members, braced=len(one.members) != 1), one.failure, **_notes(one))
+        for one in shape.groups
+    ]
+    works = [WorkDeclaration(one.name, one.units, one.lease, **_notes(one)) for one in shape.works]
+    return Team(shape.agents, shape.goals, roles, groups, works)
+
+
+def _notes(shape: DeclarationShape) -> dict[str, Any]:
+    return {"above": shape.above, "after": shape.after}
+
+
 def breakpoint_from_shape(shape: BreakpointShape) -> Breakpoint:
     """The breakpoint that travelled."""
     agents = tuple(shape.agents)
@@ -125,8 +192,14 @@ def breakpoint_from_shape(shape: BreakpointShape) -> Breakpoint:
 
 
 def _program_shape(program: Program) -> ProgramShape:
-    return ProgramShape(name=program.name, robot=program.target, vertices=program.vertices, arcs=program.arcs)
+    return ProgramShape(
+        name=program.name,
+        robot=program.target,
+        level=program.level.value,
+        vertices=program.vertices,
+        arcs=program.arcs,
+    )
 
 
 def _program(shape: ProgramShape) -> Program:
-    return Program(shape.name, shape.robot, shape.vertices, shape.arcs)
+    return Program(shape.name, shape.robot, shape.vertices, shape.arcs, Level(shape.level))

@@ -14,6 +14,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import (
     Category,
     Constructor,
+    Level,
     OwnVariable,
     RobotObject,
     Role,
@@ -99,6 +100,7 @@ def raw_constructor(shape: ConstructorShape) -> Constructor:
         shape.icon,
         shape.label,
         shape.help,
+        level=Level(shape.level),
     )
 
 

@@ -16,7 +16,9 @@ from pydantic import BaseModel, Field
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.graph import Program
 from kitrobot.mission import Mission
+from kitrobot.primitives import Level
 from kitrobot.server.list_delta import taken
+from kitrobot.server.shapes.catalogue import LevelName
 from kitrobot.server.shapes.mission import (
     MOST_PROGRAMS,
     MOST_VERTICES,
@@ -40,6 +42,7 @@ class SentProgramShape(BaseModel):
 
     name: str
     robot: str
+    level: LevelName = "agent"
     of: str = ""
     vertices: Annotated[list[VertexRow], Field(max_length=MOST_VERTICES)]
     arcs: Annotated[list[ArcRow], Field(max_length=2 * MOST_VERTICES)]
@@ -73,7 +76,8 @@ def sent_mission(shape: SentMissionShape, known: Callable[[str], Program | None]
 
 
 def _program(shape: SentProgramShape, known: Callable[[str], Program | None]) -> Program:
-    before = Program(shape.name, shape.robot)
+    level = Level(shape.level)
+    before = Program(shape.name, shape.robot, level=level)
     if shape.of:
         found = known(shape.of)
         if found is None:
@@ -84,10 +88,10 @@ def _program(shape: SentProgramShape, known: Callable[[str], Program | None]) ->
         before = found
     vertices = taken(shape.vertices, before.vertices, MOST_VERTICES)
     arcs = taken(shape.arcs, before.arcs, 2 * MOST_VERTICES)
-    same = (before.name, before.target) == (shape.name, shape.robot)
+    same = (before.name, before.target, before.level) == (shape.name, shape.robot, level)
     if same and _are(vertices, before.vertices) and _are(arcs, before.arcs):
         return before
-    return Program(shape.name, shape.robot, vertices, arcs)
+    return Program(shape.name, shape.robot, vertices, arcs, level)
 
 
 def _are(found: Sequence[object], before: Sequence[object]) -> bool:

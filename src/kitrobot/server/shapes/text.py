@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
+from kitrobot.server.shapes.mission import DeclaredShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.report import ReportShape, SpanEntryShape
 from kitrobot.server.shapes.sent import DrawnProgramShape, SentMissionShape
@@ -21,10 +22,12 @@ class TextEditShape(BaseModel):
 class FollowedShape(BaseModel):
     """The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes.
 
-    `problems` have their places in the text that was sent. `report` is the mission looked through with that program.
+    `problems` have their places in the text that was sent. `report` is the mission looked through with that program,
+    and with what the text of a team's program declares: `declared`.
     """
 
     program: DrawnProgramShape | None
     spans: list[SpanEntryShape]
     problems: list[ProblemShape]
     report: ReportShape | None
+    declared: DeclaredShape | None = None

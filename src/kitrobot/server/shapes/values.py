@@ -55,7 +55,7 @@ class Sent:
 
 VertexValue = Annotated[Vertex, Sent("unknown")]
 ArcValue = Annotated[Arc, Sent()]
-AgentValue = Annotated[Agent, Sent()]
+AgentValue = Annotated[Agent, Sent("robot")]
 GoalValue = Annotated[Goal, Sent()]
 HitValue = Annotated[Hit, Sent()]
 LeftValue = Annotated[Left, Sent()]

@@ -179,6 +179,8 @@ class Actuator(Device):
     procedures: ClassVar[tuple[str, ...]] = ()
     drives: ClassVar[bool] = False
     """Whether what it does is the motion of its robot."""
+    agrees: ClassVar[bool] = False
+    """Whether what it is told changes nothing but what the robots of a team agree on."""
     turns: ClassVar[bool] = False
     """Whether it turns a robot that may have no wheels."""
     outputs: ClassVar[int] = 0

@@ -10,6 +10,7 @@ import {
   snippetCompletion,
 } from "@codemirror/autocomplete";
 
+import { standsFor } from "../../model/parts";
 import { text as said } from "../../model/texts";
 import type { Catalogue, Constructor, Method, Robot, RobotObject } from "../../model/types";
 
@@ -96,11 +97,16 @@ function objectOptions(robot: Robot, standing: Standing): Completion[] {
   }));
 }
 
-function constructOptions(catalogue: Catalogue, standing: Standing, byCode: boolean): Completion[] {
+function constructOptions(
+  catalogue: Catalogue,
+  robot: Robot | undefined,
+  standing: Standing,
+  byCode: boolean,
+): Completion[] {
   const role = standing === "instruction" ? "instruction" : "condition";
   return catalogue.groups.flatMap((group) =>
     group.constructors
-      .filter((one) => one.role === role && one.code.trim() !== "")
+      .filter((one) => one.role === role && one.code.trim() !== "" && standsFor(one, robot))
       .map((one) => {
         const name = said(one.label, one.name);
         const snippet = role === "instruction" ? constructSnippet(one) : constructSnippet(one).replace(/;$/, "");
@@ -132,12 +138,14 @@ export function complete(
   }
   const marks = /[*[</°!]+$/u.exec(before);
   if (marks !== null && standingAt(before.slice(0, marks.index)) === "instruction") {
-    const options = constructOptions(catalogue, "instruction", true).filter((one) => one.label.startsWith(marks[0]));
+    const options = constructOptions(catalogue, robot, "instruction", true).filter((one) =>
+      one.label.startsWith(marks[0]),
+    );
     return options.length === 0 ? null : { from: marks.index, options, byCode: true };
   }
   const word = /[\p{L}_][\p{L}\p{N}_]*$/u.exec(before);
   if (word === null && !explicit) return null;
-  const constructs = standing === "parameter" ? [] : constructOptions(catalogue, standing, false);
+  const constructs = standing === "parameter" ? [] : constructOptions(catalogue, robot, standing, false);
   return { from: word?.index ?? before.length, options: [...objectOptions(robot, standing), ...constructs] };
 }
 

@@ -26,8 +26,8 @@ export function WatchPanel() {
   const chosen = useRun((run) => watchedAgent(run, program));
   const agent = chosen ?? agents[0];
   return (
-    <section className="problem-list watch-panel" id="watch-panel" data-testid="watch" aria-label={t("debug.watch")}>
-      <header className="problem-head">
+    <section className="dock-panel watch-panel" id="watch-panel" data-testid="watch" aria-label={t("debug.watch")}>
+      <header className="dock-head">
         <h2>{t("debug.watch")}</h2>
         {agents.length < 2 || agent === undefined ? null : (
           <select
@@ -56,7 +56,7 @@ export function WatchPanel() {
           onClick={() => useWatch.getState().show(false)}
         />
       </header>
-      {agent === undefined ? <p className="problem-none">{t("debug.watch-nothing")}</p> : <Values agent={agent} />}
+      {agent === undefined ? <p className="dock-none">{t("debug.watch-nothing")}</p> : <Values agent={agent} />}
     </section>
   );
 }

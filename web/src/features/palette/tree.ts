@@ -5,6 +5,7 @@
  */
 import { type Key, t } from "../../i18n/words";
 import { type Parts, type Shape, shortTitle, title } from "../../model/parts";
+import { TEAM_ROBOT } from "../../model/team-robot";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
 
@@ -47,10 +48,11 @@ export function rowsOf(parts: Parts, query: string, folded: Folded): Row[] {
   const constructors = constructorRows(parts, shown, wanted !== "", folded);
   const objects = robotRows(parts, shown, wanted !== "", folded);
   const heading = (key: string, label: Key, aside: string): Row => ({ kind: "heading", key, label: t(label), aside });
+  const ofTeam = parts.robot?.name === TEAM_ROBOT;
   const name = parts.robot === null ? "" : text(parts.robot.label, parts.robot.name);
   return [
     ...(constructors.length > 0 ? [heading("constructors", "parts.constructors", ""), ...constructors] : []),
-    ...(objects.length > 0 ? [heading("robot", "parts.robot", name), ...objects] : []),
+    ...(objects.length > 0 ? [heading("robot", ofTeam ? "team.tab" : "parts.robot", name), ...objects] : []),
   ];
 }
 
@@ -100,7 +102,7 @@ function robotRows(parts: Parts, shown: Shape[], searching: boolean, folded: Fol
     });
     // New ones are made where the others are, and where there is none yet.
     const fresh: Row[] =
-      category === "variable" && !searching && parts.robot !== null
+      category === "variable" && !searching && parts.robot !== null && parts.robot.name !== TEAM_ROBOT
         ? [{ kind: "new", key: "new variable", level: 2, label: t("variable.new") }]
         : [];
     if (inside.length + fresh.length === 0) return [];

@@ -83,7 +83,7 @@ export function ProblemList() {
   const left = problems.length - count;
   return (
     <>
-      <header className="problem-head">
+      <header className="dock-head">
         <h2>{problems.length === 0 ? t("problems.title") : t("problems.count", { count: problems.length })}</h2>
         <Tool
           small
@@ -94,7 +94,7 @@ export function ProblemList() {
         />
       </header>
       {problems.length === 0 ? (
-        <p className="problem-none">{t("problems.none")}</p>
+        <p className="dock-none">{t("problems.none")}</p>
       ) : (
         <ol>
           {problems.slice(0, count).map((problem, index) => (

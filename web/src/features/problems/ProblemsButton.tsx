@@ -13,7 +13,7 @@ export function ProblemList() {
   const open = useProblemList((list) => list.open);
   if (!open) return null;
   return (
-    <section className="problem-list" id="problem-list" aria-label={t("problems.title")}>
+    <section className="dock-panel" id="problem-list" aria-label={t("problems.title")}>
       <Open />
     </section>
   );

@@ -11,6 +11,7 @@ import type { Mission } from "../../model/types";
 import { isLive, type RunStatus as Status, useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
+import { watchLayout } from "../../ui/watch-layout";
 
 const SHAPES: Record<Status, AgentActivity> = {
   idle: "idle",
@@ -36,17 +37,8 @@ function useCut(words: RefObject<HTMLElement | null>): boolean {
   const [cut, setCut] = useState(false);
   useLayoutEffect(() => {
     const element = words.current;
-    if (element === null || typeof ResizeObserver === "undefined") return;
-    const again = () => setCut(element.scrollHeight > element.clientHeight + 1);
-    const size = new ResizeObserver(again);
-    size.observe(element);
-    const content = new MutationObserver(again);
-    content.observe(element, { childList: true, characterData: true, subtree: true });
-    again();
-    return () => {
-      size.disconnect();
-      content.disconnect();
-    };
+    if (element === null) return;
+    return watchLayout(element, () => setCut(element.scrollHeight > element.clientHeight + 1));
   }, [words]);
   return cut;
 }

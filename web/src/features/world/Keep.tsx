@@ -56,7 +56,7 @@ export function Keep() {
         <span dir="ltr">.world.xml</span>
       </span>
       {why === "" ? null : (
-        <p className="team-wrong" id="world-file-why" role="alert">
+        <p className="field-wrong" id="world-file-why" role="alert">
           {why}
         </p>
       )}

@@ -1,0 +1,53 @@
+"""A team's program for each kind of robot: projected, checked and compiled for a robot that has `Team`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from kitrobot.compiler.compilation import Compiled, compile_lll
+from kitrobot.compiler.projection import project
+from kitrobot.compiler.team_points import TeamPlan
+from kitrobot.diagnostics import Diagnostic, Source
+from kitrobot.lll import Call, Seq, print_program
+from kitrobot.primitives import Catalogue, Level, with_team
+
+
+@dataclass(frozen=True)
+class CompiledTeam:
+    """What became of a team's program: of each kind of robot its program, the points, and what is wrong with it."""
+
+    kinds: Mapping[str, Compiled]
+    plan: TeamPlan
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+
+def compile_team(
+    name: str, programs: Mapping[str, Compiled], catalogue: Catalogue, kinds: Iterable[str]
+) -> CompiledTeam:
+    """A team's program, compiled for kinds of robots.
+
+    Args:
+        name: which of the programs it is.
+        programs: the mission's programs by name; none has an error.
+        catalogue: the robots at hand, and the team.
+        kinds: the kinds of robots of those that run it.
+    """
+    whole = programs[name]
+    others = {other: compiled.program for other, compiled in programs.items()}
+    known = catalogue.teams[Level.SOCIAL].calls
+
+    def shared(call: Call) -> bool:
+        meaning = known.get((call.object, call.method))
+        return meaning is not None and meaning[0].shared
+
+    projection = project(whole.program, catalogue.crew, others, whole.source, name, shared)
+    found = list(projection.diagnostics)
+    made: dict[str, Compiled] = {}
+    if not any(item.is_error for item in found):
+        for kind in kinds:
+            seq = projection.programs.get(kind, Seq([]))
+            source = Source(f"{name}.{kind}.lll", print_program(seq))
+            made[kind] = compile_lll(seq, with_team(catalogue.robots[kind], catalogue.crew.works), source, name)
+            found += [item for item in made[kind].diagnostics if item.is_error]
+    return CompiledTeam(made, projection.plan, found)

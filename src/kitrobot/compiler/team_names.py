@@ -1,0 +1,155 @@
+"""Who the names of a team stand for: roles, groups and agents, resolved to roles and agents.
+
+A set is resolved to its *atoms*: the roles and the agents that are named, those of groups among them. Which agents play
+a role shows only while a team runs. Where a name is that of a role or a group and of an agent, the former counts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
+from typing import NamedTuple, TypeAlias
+
+from kitrobot.compiler import team_rules as rules
+from kitrobot.diagnostics import Diagnostic, Place
+from kitrobot.lll import AnyDeclaration, RoleDeclaration
+from kitrobot.primitives import Crew, Robot
+from kitrobot.text import Help, Sentence, Suggestions, listed
+
+
+class Atom(NamedTuple):
+    """A role (`is_role`) or an agent, and the kind of robot that it is ("" where that is not known)."""
+
+    is_role: bool
+    name: str
+    kind: str
+
+
+Atoms: TypeAlias = frozenset[Atom]
+PlaceOf: TypeAlias = Callable[[AnyDeclaration], Place | None]
+
+
+class Names:
+    """The names of a team."""
+
+    def __init__(self, crew: Crew) -> None:
+        self.crew = crew
+        self.roles = {role.name: role for role in reversed(crew.roles)}
+        self.groups = {group.name: group for group in reversed(crew.groups)}
+        self.works = {work.name: work for work in reversed(crew.works)}
+        self.kinds = dict(crew.agents)
+        self.programs = {program.name: program for program in reversed(crew.programs)}
+        self.suggestions = Suggestions()
+        self.known: dict[str, Atoms] = {}
+
+    @cached_property
+    def members(self) -> list[str]:
+        """Every name that a set may hold."""
+        return list(dict.fromkeys([*self.roles, *self.groups, *self.kinds]))
+
+    def atom(self, name: str) -> Atoms:
+        """A role or an agent as a set; empty where there is none of that name."""
+        if name in self.roles:
+            return frozenset((Atom(True, name, self.roles[name].robot),))
+        return frozenset((Atom(False, name, self.kinds[name]),)) if name in self.kinds else frozenset()
+
+    def atoms(self, names: Iterable[str]) -> Atoms:
+        """The roles and agents that a set stands for; unknown names stand for nobody."""
+        return frozenset(atom for name in names for atom in self._atoms(name))
+
+    def _atoms(self, name: str) -> Atoms:
+        found = self.known.get(name)
+        if found is None:
+            waiting, seen, atoms = [name], {name}, set[Atom]()
+            while waiting:
+                one = waiting.pop()
+                inside = self.groups[one].members.names if one in self.groups and one not in self.roles else ()
+                atoms |= self.atom(one) if not inside else frozenset()
+                waiting += [member for member in inside if member not in seen]
+                seen.update(inside)
+            found = self.known[name] = frozenset(atoms)
+        return found
+
+    def fewest(self, name: str) -> int:
+        """How many members a role or a group has at least."""
+        return sum(self.roles[one.name].least if one.is_role else 1 for one in self.atoms((name,)))
+
+    def unknown(self, name: str) -> tuple[Sentence, Help] | None:
+        """What is wrong with a name in a set, and a way out; None where it is right."""
+        if name in self.roles or name in self.groups or name in self.kinds:
+            return None
+        if name in self.works:
+            return (
+                Sentence("`{name}` is work, and a set holds roles, groups and agents", name),
+                Sentence("ask the work itself, as in {work}.IsEmpty()", name),
+            )
+        near = self.suggestions.did_you_mean(name, self.members)
+        declare = Sentence("declare it: role {name}: …", name)
+        known = Sentence("there is {known}", listed(self.members)) if self.members else declare
+        return Sentence("the team has no role, no group and no agent `{name}`", name), near or known
+
+    def circle(self, group: str) -> bool:
+        """Whether a group holds itself."""
+        waiting, seen = [*self.groups[group].members.names], set[str]()
+        while waiting:
+            name = waiting.pop()
+            if name == group:
+                return True
+            if name in self.groups and name not in seen:
+                seen.add(name)
+                waiting += self.groups[name].members.names
+        return False
+
+
+def check_declarations(crew: Crew, robots: Mapping[str, Robot], place_of: PlaceOf) -> list[Diagnostic]:
+    """What is wrong with what a team declares; `place_of` says where a declaration stands."""
+    names = Names(crew)
+    found: list[Diagnostic] = []
+    seen: set[str] = set()
+    declarations: list[AnyDeclaration] = [*crew.roles, *crew.groups, *crew.works]
+    for declaration in declarations:
+        if declaration.name in seen:
+            message = Sentence("`{name}` is declared already", declaration.name)
+            found.append(rules.SAME_NAME(message, place_of(declaration), help=Sentence("choose another name")))
+        seen.add(declaration.name)
+    for role in crew.roles:
+        if (told := _unplayed(role, crew, robots, names.suggestions)) is not None:
+            found.append(rules.UNPLAYED(told[0], place_of(role), help=told[1]))
+    for group in crew.groups:
+        for name in group.members.names:
+            if (told := names.unknown(name)) is not None:
+                found.append(rules.UNKNOWN_MEMBER(told[0], place_of(group), help=told[1]))
+        if names.circle(group.name):
+            message = Sentence("the group `{group}` holds itself", group.name)
+            help = Sentence("take it out of its members, or of theirs")
+            found.append(rules.GROUP_CIRCLE(message, place_of(group), help=help))
+        elif all(names.unknown(name) is None for name in group.members.names) and not names.fewest(group.name):
+            message = Sentence("the group `{group}` may have no member", group.name)
+            help = Sentence("let a role of it want at least one robot, or name an agent")
+            found.append(rules.GROUP_EMPTY(message, place_of(group), help=help))
+    return found
+
+
+def _unplayed(
+    role: RoleDeclaration, crew: Crew, robots: Mapping[str, Robot], suggestions: Suggestions
+) -> tuple[Sentence, Help] | None:
+    """Why nobody can play a role, and a way out; None where somebody can."""
+    if role.robot not in robots:
+        return (
+            Sentence("the role `{role}` is for the robot `{robot}`, which is not at hand", role.name, role.robot),
+            suggestions.did_you_mean(role.robot, robots)
+            or Sentence("robots at hand: {robots}", listed(robots) if robots else "—"),
+        )
+    able = sum(kind in ("", role.robot) for _, kind in crew.agents)
+    if able >= max(role.least, 1):
+        return None
+    return (
+        Sentence(
+            "the role `{role}` wants {least} of the robot `{robot}`, and the team has {found}",
+            role.name,
+            max(role.least, 1),
+            role.robot,
+            able,
+        ),
+        Sentence("add agents whose program is for that robot, or want fewer"),
+    )

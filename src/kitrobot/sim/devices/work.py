@@ -1,0 +1,48 @@
+"""Takes units of a work of the team, and says that they are done (see sim.work)."""
+
+from __future__ import annotations
+
+from kitrobot.primitives import RobotObject
+from kitrobot.sim.columns import A_DONE, A_P, A_ROBOT
+from kitrobot.sim.devices.base import LATENCY, LOST_COMMANDS, Actuator, Command, Discrete, Setting, Values
+from kitrobot.sim.state import State
+from kitrobot.sim.team_columns import T_ACTUATOR
+from kitrobot.sim.work import finish_unit, take_unit
+from kitrobot.text import Sentence
+
+TAKE = 0
+
+NUMBER = Setting("number", 0.0, Sentence("which work of the team"), "", 0.0, 65_535.0)
+
+
+class WorkLink(Actuator):
+    """Takes part in a work. On a robot that is not of the team it is done at once."""
+
+    name = "work"
+    settings = (LATENCY, LOST_COMMANDS, NUMBER)
+    procedures = ("Take", "Done")
+    discrete = Discrete.BUSY
+    agrees = True
+
+    @classmethod
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+        return (values.number("number"),)
+
+
+def start(k: int, command: Command, deviate: float, state: State) -> None:
+    """Takes a unit of work P, or says that it is done."""
+    i = state.actuators.ints[A_ROBOT][k]
+    w = int(state.actuators.floats[A_P][k])
+    team = state.team
+    if w >= len(team.holds) or team.robots[T_ACTUATOR][i] < 0:
+        return
+    if command.procedure == TAKE:
+        take_unit(i, w, k, state)
+    else:
+        finish_unit(i, w, state)
+        state.actuators.ints[A_DONE][k] = 1
+
+
+def is_busy(k: int, state: State) -> bool:
+    """Never: whoever waits for a unit goes on only when others do."""
+    return False

@@ -1,0 +1,32 @@
+"""Reads how many units of a work of the team are not done."""
+
+from __future__ import annotations
+
+from kitrobot.primitives import RobotObject
+from kitrobot.sim.columns import S_P, S_VALUE
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor, Values
+from kitrobot.sim.devices.work import NUMBER
+from kitrobot.sim.state import State
+from kitrobot.sim.team_columns import W_LEFT
+
+
+class WorkLeft(Sensor):
+    """The units of a work that are not done."""
+
+    name = "work"
+    settings = (LATENCY, LOST_READINGS, NUMBER)
+
+    @classmethod
+    def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
+        return (values.number("number"),)
+
+
+def sense(first: int, last: int, step: int, state: State) -> None:
+    """Measures with the devices `first` … `last` - 1; P is the number of the work."""
+    sensor = state.sensors.ints
+    works = state.sensors.floats[S_P]
+    left = state.team.works[W_LEFT]
+    for k in range(first, last):
+        w = int(works[k])
+        if w < len(left):
+            sensor[S_VALUE][k] = left[w]

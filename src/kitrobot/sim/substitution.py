@@ -1,0 +1,256 @@
+"""What a team does about robots that fail, stall or lose their radio, in a step.
+
+Such a robot is silent: until it is missed, a second later, meetings wait for it. What happens then, the groups say that
+it is in, in this order: *abort*: the team cannot go on. *substitute*: the first spare robot of its kind that is well
+takes its role and groups over; its program, which waits in its first line, is led to where the role was lost
+(`compiler.team_points`). *drop*, which also holds where no spare one is left: the others go on without it.
+
+A robot that is missed plays no role any more. One that has only lost its radio knows that by itself, and begins its
+program anew at once, as a spare one; any other does so when it is revived. Its devices are told to stop before.
+"""
+
+from __future__ import annotations
+
+from kitrobot.sim.columns import (
+    A_DONE,
+    A_QUEUED,
+    A_QUEUED_LATER,
+    A_TAKEN,
+    ACTUATOR_INDEX,
+    ASLEEP,
+    BACK,
+    DOWN,
+    ENDED,
+    MISSED,
+    MUTED,
+    PROGRAM,
+    S_LAST,
+    S_ROBOT,
+    TAKEN_OVER,
+    WELL,
+    tell,
+)
+from kitrobot.sim.devices.base import Command
+from kitrobot.sim.dispatch import start
+from kitrobot.sim.meetings import agree, find_members, in_group, stay_away
+from kitrobot.sim.program_ends import end_program
+from kitrobot.sim.rows import copy_row
+from kitrobot.sim.sharing import APART_VALUE, SHARED_VALUE
+from kitrobot.sim.state import State, Team
+from kitrobot.sim.team_columns import (
+    ABORT,
+    DROP,
+    NO_UNIT,
+    OVER_ABORT,
+    OVER_NOBODY,
+    SUBSTITUTE,
+    T_ACTUATOR,
+    T_ANCHOR,
+    T_ANCHOR_ANSWER,
+    T_ANCHORED,
+    T_ANSWER,
+    T_HOLDER,
+    T_LED,
+    T_MISSED,
+    T_ROLE,
+    T_SEAT,
+    T_SILENT,
+    T_SINCE,
+    T_TELL,
+    T_TOLD,
+    TEAM_FRESH,
+    TEAM_LEASE,
+    TEAM_OVER,
+    TEAM_OVER_GROUP,
+    TEAM_OVER_WHO,
+    TEAM_PENDING,
+)
+from kitrobot.sim.work import end_leases, lose_units, share_out
+
+UNKNOWN = -(1 << 40)
+"""What no sensor reads: the machine was given nothing yet."""
+
+
+def settle(state: State) -> None:
+    """After the devices of a step: what is agreed at points, and whether spare robots are needed any more."""
+    if state.team.numbers[TEAM_FRESH]:
+        agree(state)
+    if len(state.team.holds) > 0:
+        share_out(state)
+    end_spares(state)
+
+
+def look_for_silent(step: int, state: State) -> None:
+    """Before the programs of a step: who is silent, who is missed, who takes over, and who is back."""
+    team = state.team
+    robots = team.robots
+    ints = state.robots.ints
+    pending = 0
+    end_leases(step, team)
+    for i in range(len(robots[T_SILENT])):
+        if robots[T_ACTUATOR][i] < 0 or ints[ENDED][i]:
+            continue
+        begins_anew = False
+        if ints[DOWN][i] == WELL and ints[MUTED][i] == 0:
+            if robots[T_SILENT][i] >= 0:
+                robots[T_SILENT][i] = -1
+                team.numbers[TEAM_FRESH] = 1
+                if robots[T_MISSED][i]:
+                    robots[T_MISSED][i] = 0
+                    begins_anew = True
+                    tell(state.events, state.clock, BACK, i, 0, 0)
+        else:
+            if robots[T_SILENT][i] < 0:
+                robots[T_SILENT][i] = step
+            if robots[T_ROLE][i] >= 0 and step - robots[T_SILENT][i] >= team.numbers[TEAM_LEASE]:
+                miss(i, state)
+                begins_anew = ints[DOWN][i] == WELL
+            elif robots[T_ROLE][i] >= 0:
+                pending += 1
+        if begins_anew:
+            begin_anew(i, state)
+    team.numbers[TEAM_PENDING] = pending
+
+
+def miss(i: int, state: State) -> None:
+    """Robot i is missed: its role is another's now, or nobody's, or the team cannot go on."""
+    team = state.team
+    robots = team.robots
+    rule = DROP
+    group = -1
+    for g in range(len(team.failure)):
+        if team.failure[g] > rule and in_group(i, g, team):
+            rule = team.failure[g]
+            group = g
+    robots[T_MISSED][i] = 1
+    stay_away(i, team)
+    lose_units(i, team)
+    tell(state.events, state.clock, MISSED, i, 0, 0)
+    if rule == ABORT:
+        team.numbers[TEAM_OVER] = OVER_ABORT
+        team.numbers[TEAM_OVER_WHO] = i
+        team.numbers[TEAM_OVER_GROUP] = group
+    spare = first_spare(i, state) if rule == SUBSTITUTE else -1
+    if spare >= 0:
+        take_over(spare, i, state)
+    else:
+        drop(i, team)
+    robots[T_ROLE][i] = -1
+    robots[T_SEAT][i] = i
+    find_members(team)
+
+
+def first_spare(lost: int, state: State) -> int:
+    """The first robot of the same kind that has no role and is well; -1 where there is none, or none could be led."""
+    robots = state.team.robots
+    ints = state.robots.ints
+    if robots[T_SINCE][lost] > len(state.team.since[lost]):
+        return -1
+    for i in range(len(robots[T_ROLE])):
+        if (
+            robots[T_ACTUATOR][i] >= 0
+            and robots[T_ROLE][i] < 0
+            and robots[T_SILENT][i] < 0
+            and ints[ENDED][i] == 0
+            and ints[PROGRAM][i] == ints[PROGRAM][lost]
+        ):
+            return i
+    return -1
+
+
+def take_over(spare: int, lost: int, state: State) -> None:
+    """A spare robot plays the role of one that is missed, in its groups; it is led to where that was."""
+    team = state.team
+    robots = team.robots
+    seat = robots[T_SEAT][lost]
+    robots[T_HOLDER][seat] = spare
+    robots[T_SEAT][spare] = seat
+    robots[T_ROLE][spare] = robots[T_ROLE][lost]
+    for g in range(len(team.groups)):
+        team.groups[g][spare] = team.groups[g][lost]
+        team.groups[g][lost] = 0
+    robots[T_ANCHOR][spare] = robots[T_ANCHOR][lost]
+    robots[T_ANCHORED][spare] = robots[T_ANCHORED][lost]
+    robots[T_ANCHOR_ANSWER][spare] = robots[T_ANCHOR_ANSWER][lost]
+    robots[T_SINCE][spare] = robots[T_SINCE][lost]
+    copy_row(team.since[spare], team.since[lost])
+    robots[T_LED][spare] = robots[T_ANCHOR][lost]
+    robots[T_TOLD][spare] = 0
+    robots[T_TELL][spare] = robots[T_SINCE][lost]
+    state.actuators.ints[A_DONE][robots[T_ACTUATOR][spare]] = 1
+    tell(state.events, state.clock, TAKEN_OVER, spare, lost, 0)
+
+
+def drop(lost: int, team: Team) -> None:
+    """The others go on without a robot; which sets are empty for that reason is kept."""
+    robots = team.robots
+    robots[T_HOLDER][robots[T_SEAT][lost]] = -1
+    for g in range(len(team.groups)):
+        team.groups[g][lost] = 0
+    for chosen in range(len(team.members)):
+        if team.members[chosen][lost]:
+            team.emptied[chosen] = 1
+
+
+def begin_anew(i: int, state: State) -> None:
+    """The program of robot i begins anew, and its devices are told to stop. What is shared stays as it is known."""
+    team = state.team
+    robots = team.robots
+    ints = state.robots.ints
+    p = ints[PROGRAM][i]
+    cells = state.machines.cells[i]
+    copy_row(cells, team.first_cells[p])
+    copy_row(state.machines.threads[i], team.first_threads[p])
+    copy_row(state.machines.pars[i], team.first_pars[p])
+    shared = state.shared
+    for k in range(shared.mine_first[i], shared.mine_first[i + 1]):
+        if ints[MUTED][i]:
+            cells[shared.mine_cell[k]] = shared.apart[APART_VALUE][k]
+        else:
+            cells[shared.mine_cell[k]] = shared.ints[SHARED_VALUE][shared.mine[k]]
+    ints[ASLEEP][i] = 0
+    sensor = state.sensors.ints
+    for k in range(len(sensor[S_ROBOT])):
+        if sensor[S_ROBOT][k] == i:
+            sensor[S_LAST][k] = UNKNOWN
+    actuator = state.actuators.ints
+    for n in range(state.machines.parts[p]):
+        k = state.actuators.actuator_index[ints[ACTUATOR_INDEX][i] + n]
+        actuator[A_TAKEN][k] = -1
+        actuator[A_QUEUED][k] = 0
+        actuator[A_QUEUED_LATER][k] = 0
+        if team.halts[k] >= 0:
+            start(k, Command(team.halts[k], 0, 0, 0, 0), 0.0, state)
+    stay_away(i, team)
+    for w in range(len(team.holds)):
+        team.holds[w][i] = NO_UNIT
+    actuator[A_DONE][robots[T_ACTUATOR][i]] = 1
+    robots[T_ANSWER][i] = 0
+    robots[T_LED][i] = -1
+    robots[T_ANCHOR][i] = -1
+    robots[T_SINCE][i] = 0
+    robots[T_TOLD][i] = 0
+    robots[T_TELL][i] = 0
+
+
+def end_spares(state: State) -> None:
+    """Ends the programs of spare robots when nobody is left whose role they could take over.
+
+    When nobody who had a role has come to the end of its program, the team cannot go on.
+    """
+    team = state.team
+    robots = team.robots
+    ended = state.robots.ints[ENDED]
+    arrived = 0
+    for i in range(len(ended)):
+        if robots[T_ACTUATOR][i] >= 0 and robots[T_ROLE][i] >= 0:
+            if ended[i] == 0:
+                return
+            arrived += 1
+    if arrived == 0:
+        if team.numbers[TEAM_OVER] == 0:
+            team.numbers[TEAM_OVER] = OVER_NOBODY
+        return
+    for i in range(len(ended)):
+        if robots[T_ACTUATOR][i] >= 0 and ended[i] == 0 and robots[T_SILENT][i] < 0:
+            end_program(i, state)

@@ -1,0 +1,64 @@
+"""What is said of a team: who waits at which point for whom."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kitrobot.compiler import TeamPlan
+from kitrobot.sim import team_columns as c
+from kitrobot.sim.agents import Agent
+from kitrobot.sim.endings import names_listed
+from kitrobot.sim.state import State
+from kitrobot.text import Recorded
+
+
+class TeamText:
+    """Words for the state of a team; without a `plan` there is nothing to say."""
+
+    def __init__(self, plan: TeamPlan | None, members: Sequence[Agent]) -> None:
+        self._plan = plan
+        self._members = members
+
+    def over(self, state: State) -> str:
+        """Why the team cannot go on."""
+        numbers = state.team.numbers
+        assert self._plan is not None
+        who = numbers[c.TEAM_OVER_WHO]
+        if numbers[c.TEAM_OVER] == c.OVER_ABORT:
+            group = list(self._plan.groups)[numbers[c.TEAM_OVER_GROUP]]
+            return Recorded("{agent} is missed, without whom {group} does not go on", self._members[who].name, group)
+        if numbers[c.TEAM_OVER] == c.OVER_NOBODY:
+            return Recorded("nobody is left of it")
+        point = self._plan.points[who]
+        names = names_listed(sorted(point.members))
+        return Recorded("nobody is left of {names} at {place}", names, point.vertex or point.program)
+
+    def missing(self, state: State) -> list[str]:
+        """Of each point at which robots wait, who waits there and who is missing."""
+        if self._plan is None:
+            return []
+        team = state.team
+        waiting = sorted({int(p) for p in team.robots[c.T_AT] if p >= 0})
+        found = [self._missing(p, state) for p in waiting]
+        return [words for words in found if words]
+
+    def _missing(self, p: int, state: State) -> str:
+        team = state.team
+        at, inside = team.robots[c.T_AT], team.members[team.points[c.P_MEMBERS][p]]
+        here = [one.name for one in self._members if at[one.index] == p]
+        absent = [one.name for one in self._members if inside[one.index] and at[one.index] != p]
+        if not absent:
+            return ""
+        assert self._plan is not None
+        point = self._plan.points[p]
+        if point.vertex is None:
+            return Recorded(
+                "{waiting}: waiting in {program} for {missing}", names_listed(here), point.program, names_listed(absent)
+            )
+        return Recorded(
+            "{waiting}: waiting at {vertex} of {program} for {missing}",
+            names_listed(here),
+            point.vertex,
+            point.program,
+            names_listed(absent),
+        )

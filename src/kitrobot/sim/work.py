@@ -1,0 +1,113 @@
+"""The works of a team in a step: who takes a unit, who has one done, and which are free again.
+
+Units are alike, so they are counted: `works` says how many are left and how many of these somebody has, `holds` which
+robots have one. A unit whose holder is missed, or whose lease is over, is free again; that holder cannot say any more
+that it is done. A robot that waits for a unit waits in vain while all who have one wait for others at points of the
+team, so then it goes on without.
+"""
+
+from __future__ import annotations
+
+from kitrobot.sim.columns import A_DONE, TICK, UNIT_LOST, tell
+from kitrobot.sim.state import State, Team
+from kitrobot.sim.team_columns import (
+    HAS_UNIT,
+    LOST_UNIT,
+    NO_UNIT,
+    T_AT,
+    T_SILENT,
+    TEAM_LEASED,
+    W_LEASE,
+    W_LEFT,
+    W_TAKEN,
+    W_WAITING,
+)
+
+
+def take_unit(i: int, w: int, k: int, state: State) -> None:
+    """Robot i wants a unit of work w, by its actuator k; it goes on when it has one, or when none is left."""
+    team = state.team
+    state.actuators.ints[A_DONE][k] = 1
+    if team.holds[w][i] == HAS_UNIT or team.works[W_LEFT][w] == 0:
+        return
+    if team.works[W_TAKEN][w] < team.works[W_LEFT][w]:
+        give_unit(i, w, state)
+        return
+    state.actuators.ints[A_DONE][k] = 0
+    team.waits[w][i] = k
+    team.works[W_WAITING][w] += 1
+
+
+def give_unit(i: int, w: int, state: State) -> None:
+    """Robot i has a unit of work w from now on."""
+    team = state.team
+    team.holds[w][i] = HAS_UNIT
+    team.works[W_TAKEN][w] += 1
+    team.until[w][i] = state.clock[TICK] + team.works[W_LEASE][w]
+
+
+def finish_unit(i: int, w: int, state: State) -> None:
+    """Robot i says that its unit of work w is done; whose unit was free again meanwhile is told."""
+    team = state.team
+    if team.holds[w][i] == HAS_UNIT:
+        team.works[W_TAKEN][w] -= 1
+        team.works[W_LEFT][w] -= 1
+    elif team.holds[w][i] == LOST_UNIT:
+        tell(state.events, state.clock, UNIT_LOST, i, w, 0)
+    team.holds[w][i] = NO_UNIT
+
+
+def lose_units(i: int, team: Team) -> None:
+    """All units of robot i are free again, and it waits for none."""
+    for w in range(len(team.holds)):
+        if team.holds[w][i] == HAS_UNIT:
+            team.works[W_TAKEN][w] -= 1
+            team.holds[w][i] = LOST_UNIT
+        if team.waits[w][i] >= 0:
+            team.waits[w][i] = -1
+            team.works[W_WAITING][w] -= 1
+
+
+def end_leases(step: int, team: Team) -> None:
+    """Units whose lease is over are free again."""
+    for w in range(len(team.holds)):
+        if team.works[W_LEASE][w] > 0 and team.works[W_TAKEN][w] > 0:
+            holds = team.holds[w]
+            for i in range(len(holds)):
+                if holds[i] == HAS_UNIT and step >= team.until[w][i]:
+                    holds[i] = LOST_UNIT
+                    team.works[W_TAKEN][w] -= 1
+
+
+def share_out(state: State) -> None:
+    """Robots that wait for a unit have one, in team order, as far as there are free ones."""
+    team = state.team
+    leased = 0
+    for w in range(len(team.holds)):
+        if team.works[W_WAITING][w] == 0:
+            continue
+        vain = team.works[W_LEFT][w] == 0 or is_in_vain(w, team)
+        waits = team.waits[w]
+        for i in range(len(waits)):
+            if waits[i] < 0 or team.robots[T_SILENT][i] >= 0:
+                continue
+            free = team.works[W_TAKEN][w] < team.works[W_LEFT][w]
+            if free:
+                give_unit(i, w, state)
+            if free or vain:
+                state.actuators.ints[A_DONE][waits[i]] = 1
+                waits[i] = -1
+                team.works[W_WAITING][w] -= 1
+        if team.works[W_WAITING][w] > 0 and team.works[W_LEASE][w] > 0:
+            leased += team.works[W_TAKEN][w]
+    team.numbers[TEAM_LEASED] = leased
+
+
+def is_in_vain(w: int, team: Team) -> bool:
+    """Whether all who have a unit of work w wait for others at points of the team."""
+    holds = team.holds[w]
+    at = team.robots[T_AT]
+    i = 0
+    while i < len(holds) and (holds[i] != HAS_UNIT or at[i] >= 0):
+        i += 1
+    return i == len(holds)

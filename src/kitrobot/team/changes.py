@@ -1,0 +1,90 @@
+"""What a member tells its host; those made of the log are told by all members, in the same order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kitrobot.team.messages import Sending
+from kitrobot.team.tables import View
+from kitrobot.text import Sentence
+
+
+@dataclass(frozen=True, slots=True)
+class Passed:
+    """This occurrence of a meeting that the member stands at is over, with the answer of all of them (0 or 1)."""
+
+    meeting: int
+    occurrence: int
+    answer: int
+
+
+@dataclass(frozen=True, slots=True)
+class Late:
+    """This occurrence was over so long ago that its answer is forgotten: begin the block anew."""
+
+    meeting: int
+    occurrence: int
+
+
+@dataclass(frozen=True, slots=True)
+class Granted:
+    """The member holds a unit, under this number; unit -1: all are done, none will come."""
+
+    member: int
+    work: int
+    unit: int
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Counted:
+    """A unit was done; it is counted this once."""
+
+    member: int
+    work: int
+    unit: int
+
+
+@dataclass(frozen=True, slots=True)
+class NotCounted:
+    """What the member said of a unit was refused: it had been done, or taken from it."""
+
+    member: int
+    work: int
+    unit: int
+
+
+@dataclass(frozen=True, slots=True)
+class Viewed:
+    """There is a new view; groups and players of roles may be others."""
+
+    view: View
+
+
+@dataclass(frozen=True, slots=True)
+class Quorum:
+    """Whether the member hears enough of the view to decide; without, stop at the next meeting and wait."""
+
+    heard: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A shared variable has another value here."""
+
+    variable: int
+    value: int
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """A message of this member was refused."""
+
+    member: int
+    why: Sentence
+
+
+Change = Passed | Late | Granted | Counted | NotCounted | Viewed | Quorum | Written | Refused
+
+Outgoing = tuple[Sending, ...]
+Told = tuple[Change, ...]

@@ -1,0 +1,268 @@
+"""`Log`: one decision after the other. The voters of a slot are the view that the slots before it made.
+
+So a change of the view is a decision like any other, and no two views ever decide the same slot. Members send
+their commands to the first of the view, which proposes what it has as one batch; when nothing is decided for some time
+anyone with a command tries a ballot of its own. Patience grows with the rank and with each attempt, and begins anew
+when another one tries: of several that try, the first in rank is left alone. (Lamport's multi-decree synod with the
+reconfiguration of its section on choosing a new legislature, with no slots in parallel.)
+
+A member that missed decisions asks whoever knows more. Only the last `KEPT` are kept; before them, tables are sent.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from kitrobot.team import decision as synod
+from kitrobot.team.applying import applied
+from kitrobot.team.changes import Change, Refused
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Batch, Body, Command, Seat, ViewChange
+from kitrobot.team.decision import FIRST, NO_BALLOT, Decision, SynodMessage
+from kitrobot.team.messages import (
+    Behind,
+    Chosen,
+    History,
+    Prepare,
+    Promise,
+    Propose,
+    Request,
+    Sending,
+    Snapshot,
+)
+from kitrobot.team.tables import Tables, first_tables
+from kitrobot.text import Sentence
+
+KEPT = 32
+MOST_COMMANDS = 64
+"""Commands in a batch."""
+MOST_PENDING = 16
+"""Commands of one member that are not decided yet."""
+
+LogMessage = SynodMessage | Request | Behind | History | Snapshot
+
+
+@dataclass(slots=True)
+class Out:
+    """What a step sends and tells, while it is made."""
+
+    messages: list[Sending] = field(default_factory=list)
+    changes: list[Change] = field(default_factory=list)
+
+    def refuse(self, member: int, why: Sentence) -> None:
+        self.changes.append(Refused(member, why))
+
+
+@dataclass(frozen=True, slots=True)
+class Log:
+    """A member's copy.
+
+    Attributes:
+        decision: the slot that is open; its number is how many are decided.
+        kept: what the last slots decided.
+        pending: own commands that have no effect yet; `given` is the number of the last one.
+        asked: for each member, the commands it asked for.
+        retry_at: when to try a ballot, 0: nothing to try; attempts: how often that was done for this slot.
+    """
+
+    tables: Tables
+    decision: Decision
+    kept: tuple[Batch, ...]
+    pending: Batch
+    given: int
+    asked: tuple[Batch, ...]
+    retry_at: int = 0
+    attempts: int = 0
+
+    @property
+    def slot(self) -> int:
+        """How many slots are decided."""
+        return self.decision.slot
+
+
+def first_log(charter: Charter, seat: Seat) -> Log:
+    """The log of a member that knows of no decision."""
+    tables = first_tables(charter)
+    return Log(tables, Decision(seat, 0, tables.view.seats), (), (), 0, ((),) * charter.members)
+
+
+def ordered(log: Log, body: Body) -> Log | None:
+    """The log with one more own command; None when there are too many. One that is pending is not given twice."""
+    if any(command.body == body for command in log.pending):
+        return log
+    if len(log.pending) >= MOST_PENDING:
+        return None
+    command = Command(log.decision.seat, log.given + 1, body)
+    return replace(log, pending=(*log.pending, command), given=command.number)
+
+
+def is_firm(charter: Charter, log: Log) -> bool:
+    """Whether it has voted for no change of the view in the open slot."""
+    value = log.decision.value
+    moves = any(rule.moves for rule in charter.meetings)
+    if not moves and not any(isinstance(command.body, ViewChange) for command in value):
+        return True
+    return applied(charter, log.tables, log.decision.value)[0].view == log.tables.view
+
+
+def request(log: Log, to: int) -> Sending:
+    """Asks for the own commands to be decided."""
+    return Sending(to, Request(log.decision.seat, log.pending))
+
+
+def received(charter: Charter, log: Log, message: LogMessage, now: int, out: Out) -> Log:
+    """Takes in a message about the log."""
+    seat, sender = log.decision.seat, message.sender
+    if isinstance(message, Request):
+        own = all(command.seat == sender for command in message.commands)
+        if not own or len(message.commands) > MOST_PENDING:
+            out.refuse(sender.member, Sentence("member {member} asked for what it may not ask for", sender.member))
+            return log
+        known = log.asked[sender.member]
+        if known and message.commands and _newest(message.commands) < _newest(known):
+            return log
+        asked = (*log.asked[: sender.member], message.commands, *log.asked[sender.member + 1 :])
+        return replace(log, asked=asked)
+    if isinstance(message, Behind):
+        if message.slot < log.slot:
+            out.messages.append(Sending(sender.member, _what_follows(log, message.slot)))
+            out.messages.extend(synod.asked(log.decision, sender.member))
+        return log
+    if isinstance(message, Snapshot):
+        return _from_snapshot(charter, log, message, out)
+    if isinstance(message, History):
+        for slot, value in enumerate(message.values, message.slot):
+            log = received(charter, log, Chosen(sender, slot, value), now, out)
+        return log
+    if message.slot > log.slot:
+        if not isinstance(message, Chosen):
+            out.messages.append(Sending(sender.member, Behind(seat, log.slot)))
+        return log
+    if message.slot < log.slot:
+        index = len(log.kept) - (log.slot - message.slot)
+        if index < 0:
+            return log
+        if isinstance(message, Chosen) and message.value != log.kept[index]:
+            out.refuse(sender.member, synod.contradiction(sender))
+        if isinstance(message, Prepare | Propose):
+            out.messages.append(Sending(sender.member, Chosen(seat, message.slot, log.kept[index])))
+        return log
+    if isinstance(message, Propose | Chosen | Promise) and len(message.value) > MOST_COMMANDS:
+        out.refuse(sender.member, Sentence("member {member} asked for what it may not ask for", sender.member))
+        return log
+    before = log.decision.promised
+    after, sent, why = synod.receive(log.decision, message)
+    out.messages.extend(sent)
+    if why:
+        out.refuse(sender.member, why)
+    log = replace(log, decision=after)
+    if after.promised > before and log.retry_at:
+        log = replace(log, retry_at=now + _patience(charter, log))
+    return _progress(charter, log, out)
+
+
+def advance(charter: Charter, log: Log, now: int, out: Out) -> Log:
+    """Proposes what there is to decide: the first of the view at once, others when their patience has run out."""
+    while True:
+        state, batch = log.decision, _batch(log)
+        free = state.rank == 0 and state.promised == FIRST and state.ballot == NO_BALLOT
+        if state.rank < 0 or not (batch or state.accepted != NO_BALLOT or state.ballot != NO_BALLOT):
+            return replace(log, retry_at=0) if log.retry_at else log
+        if not (free and batch):
+            if not log.retry_at:
+                return replace(log, retry_at=now + _patience(charter, log))
+            if now < log.retry_at:
+                return log
+        after, sent = synod.attempt(state, batch)
+        out.messages.extend(sent)
+        log = replace(log, decision=after, attempts=log.attempts + 1)
+        log = _progress(charter, replace(log, retry_at=now + _patience(charter, log)), out)
+        if log.slot == state.slot:
+            return log
+
+
+def _progress(charter: Charter, log: Log, out: Out) -> Log:
+    """Goes on to the next slot where this one is decided."""
+    value = log.decision.chosen
+    if value is None:
+        return log
+    tables, told = applied(charter, log.tables, value)
+    out.changes.extend(told)
+    return _opened(replace(log, tables=tables, kept=(*log.kept, value)[-KEPT:]), log.slot + 1)
+
+
+def _opened(log: Log, slot: int) -> Log:
+    """The slot after what is known, without the commands that have taken effect."""
+    life, count = log.tables.applied[log.decision.seat.member]
+    seat = log.decision.seat
+    pending = tuple(command for command in log.pending if seat.life > life or command.number > count)
+    return replace(
+        log,
+        decision=Decision(seat, slot, log.tables.view.seats),
+        pending=pending,
+        asked=tuple(
+            tuple(c for c in asked if c.seat.life > log.tables.applied[member].life or c.number > count_of)
+            for member, (asked, (_, count_of)) in enumerate(zip(log.asked, log.tables.applied, strict=True))
+        ),
+        retry_at=0,
+        attempts=0,
+    )
+
+
+def _batch(log: Log) -> Batch:
+    """Commands that can take effect next, of each seat in its order; whose come first changes from slot to slot."""
+    seats = log.tables.view.seats
+    batch: list[Command] = []
+    for place in range(len(seats)):
+        seat = seats[(place + log.slot) % len(seats)]
+        count = log.tables.applied[seat.member].last
+        own = log.pending if seat == log.decision.seat else log.asked[seat.member]
+        for command in own:
+            if command.seat == seat and command.number == count + 1 and len(batch) < MOST_COMMANDS:
+                batch.append(command)
+                count += 1
+    return tuple(batch)
+
+
+def _newest(commands: Batch) -> tuple[int, int]:
+    """Life and number of the last command: those that came late are told from it."""
+    return commands[-1].seat.life, commands[-1].number
+
+
+def _patience(charter: Charter, log: Log) -> int:
+    """Ms to wait before the next attempt."""
+    return charter.lease // 4 * (1 + max(0, log.decision.rank) + min(log.attempts, 8))
+
+
+def _what_follows(log: Log, slot: int) -> History | Snapshot:
+    """What was decided from a slot on, or the tables where that is forgotten."""
+    index = len(log.kept) - (log.slot - slot)
+    if index < 0 or slot < 0:
+        return Snapshot(log.decision.seat, log.slot, log.tables)
+    return History(log.decision.seat, slot, log.kept[index:])
+
+
+def _from_snapshot(charter: Charter, log: Log, message: Snapshot, out: Out) -> Log:
+    """The log with the tables of another member, if it knows more and they are tables of this team."""
+    if message.slot <= log.slot:
+        return log
+    if not fits(charter, message.tables):
+        out.refuse(message.sender.member, Sentence("member {member} is of another team", message.sender.member))
+        return log
+    return _opened(replace(log, tables=message.tables, kept=()), message.slot)
+
+
+def fits(charter: Charter, tables: Tables) -> bool:
+    """Whether the tables have the shape of the charter's, and name only members that it has."""
+    mine = first_tables(charter)
+    rows = ("applied", "groups", "players", "meetings", "works")
+    members = [m for row in (*tables.groups, *tables.players) for m in row]
+    members += [said.member for meeting in tables.meetings for said in meeting.announced]
+    members += [m for work in tables.works for m in (*work.waiting, *(u.holder for u in work.units if u.holder != -1))]
+    members += [seat.member for seat in tables.view.seats]
+    return (
+        all(len(getattr(tables, row)) == len(getattr(mine, row)) for row in rows)
+        and all(len(a.units) == len(b.units) for a, b in zip(tables.works, mine.works, strict=True))
+        and all(0 <= m < charter.members for m in members)
+        and 0 < len(tables.view.seats) == len({seat.member for seat in tables.view.seats})
+    )

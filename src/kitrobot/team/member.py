@@ -1,0 +1,237 @@
+"""`Member`: the whole of one member of a team, as a pure state machine: time and an event in, messages and changes out.
+
+`step` has no clock, no socket, no thread and no randomness of its own; the same events give the same bytes. A host
+brings what it received, the time in ms at least every `Charter.beat` (`Time`), and what its robot's program does; it
+sends the messages and acts on the changes. What it must ask before a robot acts in a role is `may_act`.
+
+What a message can do is bounded: it has at most two answers, each member has a budget of messages for each beat, and
+all rows of the state are as long as the charter or a constant. Crashes, pauses, lost, doubled, late and reordered
+messages are tolerated; lies of members that hold the team's key are not, but are told where they are seen (`Refused`).
+
+What differs from a usual replicated state machine, and why: docs/team-protocol.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from kitrobot.team import log as logs
+from kitrobot.team import membership, shared
+from kitrobot.team.changes import Change, Granted, Late, Passed, Quorum, Viewed, Written
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Announce, Body, Free, Seat, ViewChange
+from kitrobot.team.events import Event, Leave, Received, Time, Write
+from kitrobot.team.log import Out
+from kitrobot.team.meeting import is_over, result_of
+from kitrobot.team.messages import EVERYONE, Behind, Compare, Heartbeat, Message, Sending, Writes
+from kitrobot.team.state import Lease, Member, Stepped
+from kitrobot.team.tables import Tables
+from kitrobot.text import Sentence
+
+BUDGET = 256
+"""Messages of one member in one beat; the rest is refused unread."""
+
+
+def step(charter: Charter, state: Member, now: int, event: Event) -> Stepped:
+    """The member after an event at a time; a time before the last one counts as that."""
+    out = Out()
+    now = max(now, state.now)
+    before = state
+    state = _rights_kept(charter, state, now)
+    if isinstance(event, Received):
+        state = _received(charter, state, now, event.message, out)
+    elif isinstance(event, Write):
+        state = _write(charter, state, event, out)
+    elif isinstance(event, Leave):
+        state = replace(state, leaving=True)
+    elif isinstance(event, Time):
+        state = _time(charter, state, now, out)
+    else:
+        state = _ordered(charter, state, event, out)
+    state = replace(state, log=logs.advance(charter, state.log, now, out))
+    if state.log.tables != before.log.tables or isinstance(event, Announce):
+        state = _followed(charter, before, state, now, out)
+    return Stepped(state, tuple(out.messages), tuple(out.changes))
+
+
+def _rights_kept(charter: Charter, state: Member, now: int) -> Member:
+    """The right lent so far is written down; one that was stopped itself gives the others a new lease to be heard."""
+    firm = logs.is_firm(charter, state.log)
+    right = membership.lent_until(state.membership, charter, state.tables.view, state.seat, now, firm)
+    since = now if now - state.now >= charter.lease // 2 else state.membership.since
+    known = state.membership
+    if (right, since) != (known.right, known.since):
+        known = replace(known, right=right, since=since)
+    return replace(state, now=now, membership=known)
+
+
+def _received(charter: Charter, state: Member, now: int, message: Message, out: Out) -> Member:
+    """Takes in a message, if its sender is another member and has not used up its budget."""
+    member = message.sender.member
+    if not 0 <= member < charter.members or member == state.seat.member:
+        out.refuse(member, Sentence("a message of member {member}, which is nobody else in this team", member))
+        return state
+    spent = state.spent[member] + 1
+    if spent > BUDGET:
+        if spent == BUDGET + 1:
+            out.refuse(member, Sentence("member {member} sends too much; the rest is left unread", member))
+            state = replace(state, spent=_with(state.spent, member, spent))
+        return replace(state, refused=_with(state.refused, member, state.refused[member] + 1))
+    state = replace(state, spent=_with(state.spent, member, spent))
+    told = len(out.changes)
+    if isinstance(message, Heartbeat):
+        state = _heard(state, now, message, out)
+    elif isinstance(message, Compare):
+        if entries := shared.later(state.store, message.stamps):
+            out.messages.append(Sending(member, Writes(state.seat, entries)))
+    elif isinstance(message, Writes):
+        store, news, refused = shared.merged(state.store, message.entries)
+        out.changes.extend(Written(entry.variable, entry.value) for entry in news)
+        if refused:
+            out.refuse(member, Sentence("member {member} wrote a shared variable in a way that cannot be", member))
+        state = replace(state, store=store)
+    else:
+        state = replace(state, log=logs.received(charter, state.log, message, now, out))
+    if any(getattr(change, "why", None) for change in out.changes[told:]):
+        state = replace(state, refused=_with(state.refused, member, state.refused[member] + 1))
+    return state
+
+
+def _heard(state: Member, now: int, message: Heartbeat, out: Out) -> Member:
+    """Takes in a heartbeat, and asks for what it shows to be missing."""
+    member = message.sender.member
+    known = membership.hear(state.membership, state.tables.view, state.seat, message, now)
+    if message.slot > state.log.slot:
+        out.messages.append(Sending(member, Behind(state.seat, state.log.slot)))
+    elif message.digest != shared.digest(state.store):
+        out.messages.append(Sending(member, Compare(state.seat, state.store.stamps)))
+    return replace(state, membership=known)
+
+
+def _write(charter: Charter, state: Member, event: Write, out: Out) -> Member:
+    if not 0 <= event.variable < charter.variables:
+        out.refuse(state.seat.member, Sentence("there is no shared variable {number}", event.variable))
+        return state
+    store, entry = shared.written(state.store, state.seat, event.variable, event.value)
+    out.messages.append(Sending(EVERYONE, Writes(state.seat, (entry,))))
+    out.changes.append(Written(entry.variable, entry.value))
+    return replace(state, store=store)
+
+
+def _ordered(charter: Charter, state: Member, body: Body, out: Out) -> Member:
+    """Asks for a command to be decided; at a meeting, waits for its end."""
+    if isinstance(body, Announce):
+        if not 0 <= body.meeting < len(charter.meetings):
+            out.refuse(state.seat.member, Sentence("there is no meeting {number}", body.meeting))
+            return state
+        state = replace(state, standing=tuple(sorted({*state.standing, (body.meeting, body.occurrence)})))
+        if is_over(state.tables.meetings[body.meeting], body.occurrence):
+            return state
+    log = logs.ordered(state.log, body)
+    if log is None:
+        out.refuse(state.seat.member, Sentence("too many commands wait to be decided; wait for some of them"))
+        return state
+    first = state.tables.view.seats[0]
+    if first != state.seat and log != state.log:
+        out.messages.append(logs.request(log, first.member))
+    return replace(state, log=log)
+
+
+def _time(charter: Charter, state: Member, now: int, out: Out) -> Member:
+    """What is due: the heartbeat, commands said again, the next view, leases of units."""
+    known, view = state.membership, state.tables.view
+    heard = membership.hears_quorum(known, charter, view, state.seat, now)
+    if heard != known.heard:
+        out.changes.append(Quorum(heard))
+        known = replace(known, heard=heard, since=now)
+        state = replace(state, membership=known)
+    if now < known.beat_at:
+        return state
+    if state.leaving and state.seat not in view.seats:
+        return state
+    beat = Heartbeat(
+        sender=state.seat,
+        stamp=now,
+        view=view.number,
+        slot=state.log.slot,
+        firm=logs.is_firm(charter, state.log),
+        digest=shared.digest(state.store),
+        echoes=(),
+    )
+    out.messages.append(Sending(EVERYONE, membership.heartbeat(known, charter, now, beat)))
+    if state.log.pending and state.seat != view.seats[0]:
+        out.messages.append(logs.request(state.log, EVERYONE))
+    state = replace(
+        state,
+        membership=replace(known, beat_at=now + charter.beat),
+        spent=(0,) * charter.members,
+    )
+    if state.leaving and len(view.seats) > 1:
+        return _ordered(charter, state, ViewChange(view.number, (state.seat.member,), ()), out)
+    change = membership.change_wanted(known, charter, view, state.seat, now)
+    if change and not any(isinstance(command.body, ViewChange) for command in state.log.pending):
+        state = _ordered(charter, state, change, out)
+    gone = membership.suspects(known, charter, view, state.seat, now)
+    if heard and membership.first_heard(view, gone) == state.seat:
+        for lease in state.leases:
+            if now >= lease.until:
+                state = _ordered(charter, state, Free(lease.work, lease.unit, lease.number), out)
+    return state
+
+
+def _followed(charter: Charter, before: Member, state: Member, now: int, out: Out) -> Member:
+    """What a member draws from new tables: its meetings, its roles, the view, the leases of units.
+
+    A role is new, and held off, also if it may have been another's in a view that was passed over.
+    """
+    tables, mine = state.tables, state.seat
+    single = tables.view.number <= before.tables.view.number + 1
+    new = [r for r in range(len(charter.roles)) if _plays(state, r) and not (single and _plays(before, r))]
+    standing = []
+    for number, occurrence in state.standing:
+        answer = result_of(tables.meetings[number], occurrence)
+        if answer is not None:
+            out.changes.append(Passed(number, occurrence, answer))
+        elif is_over(tables.meetings[number], occurrence):
+            out.changes.append(Late(number, occurrence))
+        else:
+            standing.append((number, occurrence))
+    if not state.log.kept and before.log.slot != state.log.slot:
+        out.changes.extend(_after_snapshot(tables, mine))
+    known = {lease[:3]: lease for lease in state.leases}
+    held = [
+        (number, index, unit.number, now + charter.works[number].lease)
+        for number, work in enumerate(tables.works)
+        if charter.works[number].lease
+        for index, unit in enumerate(work.units)
+        if unit.holder >= 0
+    ]
+    if tables.view != before.tables.view:
+        state = replace(state, membership=membership.in_new_view(state.membership, now))
+    return replace(
+        state,
+        standing=tuple(standing),
+        acts_from=tuple(now + charter.hold if role in new else at for role, at in enumerate(state.acts_from)),
+        leases=tuple(known.get(one[:3], Lease(*one)) for one in held),
+    )
+
+
+def _after_snapshot(tables: Tables, mine: Seat) -> list[Change]:
+    """What is told where single decisions are not known: the view, and the units that are held."""
+    return [
+        Viewed(tables.view),
+        *(
+            Granted(mine.member, number, index, unit.number)
+            for number, work in enumerate(tables.works)
+            for index, unit in enumerate(work.units)
+            if unit.holder == mine.member
+        ),
+    ]
+
+
+def _plays(state: Member, role: int) -> bool:
+    return state.seat in state.tables.view.seats and state.seat.member in state.tables.players[role]
+
+
+def _with(row: tuple[int, ...], index: int, value: int) -> tuple[int, ...]:
+    return (*row[:index], value, *row[index + 1 :])

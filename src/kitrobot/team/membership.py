@@ -1,0 +1,150 @@
+"""`Membership`: who is heard, who is suspected, and until when the right to act in a role is lent.
+
+Every member sends heartbeats with its time and echoes the times that it heard of others. A member counts as heard for a
+lease from its *own* time that came back, so both directions work and nobody's clock is compared with another's.
+
+The right to act rests on a quorum of echoes from voters that know the same view and have not voted for a change of
+it (`firm`). The quorum that decides a change shares a voter with that one, and the voter echoed before it voted:
+so a lease after the change was decided nobody acts by the old view, however long it was stopped or cut off. A member
+that gets a role waits `Charter.hold` from when it learned of it. Clocks may differ in speed by an eighth, not in more.
+(Gray and Cheriton, Leases, 1989; Lamport, Malkhi and Zhou, Vertical Paxos, 2009.)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Seat, ViewChange
+from kitrobot.team.decision import is_quorum
+from kitrobot.team.messages import Echo, Heartbeat
+from kitrobot.team.tables import View
+
+NEVER = -(1 << 52)
+
+
+@dataclass(frozen=True, slots=True)
+class Peer:
+    """What is known of another member.
+
+    Attributes:
+        life: its latest life; -1: never heard. view: the number of the view it knew.
+        stamp, heard: its latest time stamp, and when that came.
+        echoed: the latest own time that it sent back; granted: the same, where it supports the present view.
+    """
+
+    life: int = -1
+    view: int = -1
+    stamp: int = NEVER
+    heard: int = NEVER
+    echoed: int = NEVER
+    granted: int = NEVER
+
+
+@dataclass(frozen=True, slots=True)
+class Membership:
+    """What a member knows of the others.
+
+    Attributes:
+        since: from when on silence counts (its start, a pause of its own, a new view, a quorum heard again).
+        right: until when it may act in its roles, as far as views before the present one lent it.
+        heard: whether it hears a quorum.
+    """
+
+    peers: tuple[Peer, ...]
+    since: int
+    beat_at: int
+    right: int = NEVER
+    heard: bool = False
+
+
+def heartbeat(state: Membership, charter: Charter, now: int, rest: Heartbeat) -> Heartbeat:
+    """`rest` with the echoes of what was heard within a lease."""
+    echoes = (
+        Echo(member, peer.life, peer.stamp)
+        for member, peer in enumerate(state.peers)
+        if peer.life >= 0 and now - peer.heard < charter.lease
+    )
+    return replace(rest, echoes=tuple(echoes))
+
+
+def hear(state: Membership, view: View, seat: Seat, message: Heartbeat, now: int) -> Membership:
+    """Takes in a heartbeat; one of an earlier life, and echoes of times that were not, are left."""
+    sender = message.sender
+    peer = state.peers[sender.member]
+    if sender.life < peer.life:
+        return state
+    if sender.life > peer.life:
+        peer = Peer(sender.life)
+    if message.stamp >= peer.stamp:
+        peer = replace(peer, view=message.view, stamp=message.stamp, heard=now)
+    mine = max((e.stamp for e in message.echoes if (e.member, e.life) == seat and e.stamp <= now), default=NEVER)
+    supports = message.firm and message.view == view.number and sender in view.seats
+    peer = replace(peer, echoed=max(peer.echoed, mine), granted=max(peer.granted, mine) if supports else peer.granted)
+    return replace(state, peers=(*state.peers[: sender.member], peer, *state.peers[sender.member + 1 :]))
+
+
+def in_new_view(state: Membership, now: int) -> Membership:
+    """Support of the view before says nothing of this one."""
+    return replace(state, since=now, peers=tuple(replace(peer, granted=NEVER) for peer in state.peers))
+
+
+def lent_until(state: Membership, charter: Charter, view: View, seat: Seat, now: int, firm: bool) -> int:
+    """Until when a quorum of the view, as it was heard until now, lends the right to act."""
+    if seat not in view.seats or not firm:
+        return state.right
+    stamps = [now if other == seat else state.peers[other.member].granted for other in view.seats]
+    for stamp in sorted(set(stamps), reverse=True):
+        if is_quorum([rank for rank, other in enumerate(stamps) if other >= stamp], len(stamps)):
+            return max(state.right, stamp + charter.lease)
+    return state.right
+
+
+def hears_quorum(state: Membership, charter: Charter, view: View, seat: Seat, now: int) -> bool:
+    """Whether a quorum of the view, this seat in it, was heard within a lease."""
+    if seat not in view.seats:
+        return False
+    ranks = [r for r, other in enumerate(view.seats) if other == seat or _fresh(state, charter, other, now)]
+    return is_quorum(ranks, len(view.seats))
+
+
+def suspects(state: Membership, charter: Charter, view: View, seat: Seat, now: int) -> tuple[int, ...]:
+    """Members of the view that were not heard for a lease, or that began another life."""
+    return tuple(
+        other.member
+        for other in view.seats
+        if other != seat
+        and (
+            state.peers[other.member].life > other.life
+            or (not _fresh(state, charter, other, now) and now - state.since >= charter.lease)
+        )
+    )
+
+
+def change_wanted(state: Membership, charter: Charter, view: View, seat: Seat, now: int) -> ViewChange | None:
+    """The next view, if this one is wrong and it is for this member to say so (the first that is not suspected).
+
+    Who is outside joins when it is heard and knows the present view, so that it has caught up.
+    """
+    gone = suspects(state, charter, view, seat, now)
+    if first_heard(view, gone) != seat or not state.heard:
+        return None
+    joins = tuple(
+        Seat(member, peer.life)
+        for member, peer in enumerate(state.peers)
+        if peer.life >= 0
+        and peer.view == view.number
+        and _fresh(state, charter, Seat(member, peer.life), now)
+        and Seat(member, peer.life) not in view.seats
+    )
+    return ViewChange(view.number, gone, joins) if gone or joins else None
+
+
+def first_heard(view: View, gone: tuple[int, ...]) -> Seat | None:
+    """The first seat of the view that is not suspected."""
+    return next((seat for seat in view.seats if seat.member not in gone), None)
+
+
+def _fresh(state: Membership, charter: Charter, seat: Seat, now: int) -> bool:
+    peer = state.peers[seat.member]
+    return peer.life == seat.life and now - peer.echoed < charter.lease

@@ -1,0 +1,86 @@
+"""`Member`: the state of one member, and whether its robot may act by it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from kitrobot.team import log as logs
+from kitrobot.team import membership, shared
+from kitrobot.team.changes import Outgoing, Told
+from kitrobot.team.charter import Charter
+from kitrobot.team.commands import Seat
+from kitrobot.team.log import Log
+from kitrobot.team.membership import Membership, Peer
+from kitrobot.team.shared import SharedStore
+from kitrobot.team.tables import Tables
+
+
+class Lease(NamedTuple):
+    """Until when a holder of a unit may keep it, by the own clock."""
+
+    work: int
+    unit: int
+    number: int
+    until: int
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """The state of a member: frozen and hashable.
+
+    Attributes:
+        now: the latest time it was told, ms.
+        standing: (meeting, occurrence) that its program waits at.
+        acts_from: for each role, when its right to act in it begins.
+        spent: for each member, how many of its messages were read in this beat; refused: how many were ever refused.
+    """
+
+    seat: Seat
+    now: int
+    log: Log
+    membership: Membership
+    store: SharedStore
+    acts_from: tuple[int, ...]
+    spent: tuple[int, ...]
+    refused: tuple[int, ...]
+    standing: tuple[tuple[int, int], ...] = ()
+    leases: tuple[Lease, ...] = ()
+    leaving: bool = False
+
+    @property
+    def tables(self) -> Tables:
+        """What is agreed, as far as the member knows it."""
+        return self.log.tables
+
+
+class Stepped(NamedTuple):
+    """A state, what is to be sent, and what the host is told."""
+
+    state: Member
+    messages: Outgoing
+    changes: Told
+
+
+def first_state(charter: Charter, seat: Seat, now: int) -> Member:
+    """A member that starts. Its life must be larger than any it had in this run; 0 only at its first start."""
+    size = charter.members
+    return Member(
+        seat=seat,
+        now=now,
+        log=logs.first_log(charter, seat),
+        membership=Membership((Peer(),) * size, now, now),
+        store=shared.first_store(charter.variables),
+        acts_from=(now,) * len(charter.roles),
+        spent=(0,) * size,
+        refused=(0,) * size,
+    )
+
+
+def may_act(charter: Charter, state: Member, role: int, now: int) -> bool:
+    """Whether the robot may act in a role at this moment, by the host's clock of now; asked before each act."""
+    tables, member = state.tables, state.seat
+    if member not in tables.view.seats or member.member not in tables.players[role] or now < state.acts_from[role]:
+        return False
+    firm = logs.is_firm(charter, state.log)
+    return now < membership.lent_until(state.membership, charter, tables.view, member, now, firm)

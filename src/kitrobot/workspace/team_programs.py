@@ -1,0 +1,53 @@
+"""What a program of a team is for each kind of robot, in a mission that was opened."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from kitrobot.compiler import Compiled, CompiledTeam, compile_team
+from kitrobot.diagnostics import Diagnostic
+from kitrobot.graph import Program
+from kitrobot.primitives import Robot, has_team, with_team
+from kitrobot.workspace.robots import find_robot
+
+if TYPE_CHECKING:
+    from kitrobot.workspace.opening import OpenMission
+
+
+def team_of(opened: OpenMission, name: str, kinds: Collection[str]) -> CompiledTeam | None:
+    """A team's program for kinds of robots; None where one of them is not at hand or a program has errors."""
+    robots, compiled = opened.catalogue.robots, opened.compiled
+    if name not in compiled or any(item.is_error for one in compiled.values() for item in one.diagnostics):
+        return None
+    if not all(kind in robots and not has_team(robots[kind], opened.mission.team.works) for kind in kinds):
+        return None
+    return compile_team(name, compiled, opened.catalogue, kinds)
+
+
+@dataclass(frozen=True)
+class ForKind:
+    """A team's program for one kind of robot: `compiled` is None when there are errors, which `diagnostics` tell."""
+
+    robot: Robot
+    compiled: Compiled | None
+    diagnostics: list[Diagnostic]
+
+
+def for_kind(opened: OpenMission, program: Program, robot: str) -> ForKind:
+    """A team's program for a kind of robot, by its name or file.
+
+    Raises:
+        KitRobotError: there is no such robot.
+    """
+    folder = opened.path.parent if opened.path is not None else None
+    known = opened.catalogue.robots.get(robot)
+    meant = known if known is not None else find_robot(robot, folder)
+    opened.catalogue.robots.setdefault(meant.name, meant)
+    made = team_of(opened, program.name, [meant.name])
+    if made is None:
+        found = [item for one in opened.compiled.values() for item in one.diagnostics]
+        return ForKind(meant, None, found)
+    whole = opened.compiled[program.name].diagnostics
+    return ForKind(with_team(meant, opened.mission.team.works), made.kinds.get(meant.name), [*whole, *made.diagnostics])

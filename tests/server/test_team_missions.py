@@ -1,0 +1,34 @@
+"""Missions with programs of teams over the wire: nothing of them is lost; the catalogue says what they are made of."""
+
+from __future__ import annotations
+
+from kitrobot.mission import read_mission
+from kitrobot.server.shapes.mission import MissionShape, mission_from_shape, mission_shape
+from kitrobot.server.shapes.sent import SentMissionShape, sent_mission
+from tests.forms.test_written_opens import FULL
+
+
+def test_a_mission_that_travelled_is_the_mission():
+    mission, _ = read_mission(FULL.encode(), "full.krt")
+    assert mission is not None
+    text = mission_shape(mission).model_dump_json()
+    assert mission_from_shape(MissionShape.model_validate_json(text)) == mission
+    sent = SentMissionShape.model_validate_json(text)
+    assert sent_mission(sent, lambda _: None) == mission
+
+
+def test_constructors_say_of_which_level_they_are(page):
+    answer = page.get("/api/mission/new").json()["catalogue"]
+    levels = {one["name"]: one["level"] for group in answer["groups"] for one in group["constructors"]}
+    assert (levels["While"], levels["SeqOfPar"], levels["Move"]) == ("agent", "group", "social")
+
+
+def test_a_team_s_program_is_reported_with_its_text(page):
+    mission, _ = read_mission(FULL.encode(), "full.krt")
+    assert mission is not None
+    shape = mission_shape(mission).model_dump(mode="json")
+    answer = page.post("/api/check", json={"mission": shape, "path": "blink.krt"})
+    assert answer.status_code == 200, answer.text
+    [report] = [one for one in answer.json()["programs"] if one["name"] == "haul"]
+    assert report["lll"].endswith("PROGRAM p;\n")
+    assert report["spans"][0]["vertex"] == "v1"

@@ -1,0 +1,28 @@
+"""The compiled step, for the tests that are about it."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from kitrobot.sim import compiling
+
+if sys.platform != "win32":
+    import fcntl
+
+
+@pytest.fixture(scope="module")
+def with_numba() -> Iterator[None]:
+    """The step is compiled: once for these sources on a machine, by one of pytest's workers; later it is loaded."""
+    pytest.importorskip("numba")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("KITROBOT_COMPILE", "")
+        with open(Path(tempfile.gettempdir(), "kitrobot-tests-compile.lock"), "w") as lock:
+            if sys.platform != "win32":
+                fcntl.flock(lock, fcntl.LOCK_EX)
+            assert compiling.wait() is not None, "Numba is here, and does not compile the step"
+        yield

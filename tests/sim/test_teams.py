@@ -1,0 +1,263 @@
+"""Teams in the simulator: their robots do what the team's program says, and wait for one another at its points."""
+
+from __future__ import annotations
+
+import random
+
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from kitrobot.lll import parse_team
+from kitrobot.mission import Failure, FailureKind
+from kitrobot.sim import Simulation
+from kitrobot.sim.team_columns import HAS_UNIT, T_HOLDER, W_LEFT, W_TAKEN
+from tests.effort import examples
+from tests.sim.team_building import RunningTeam, random_team_program
+from tests.team_programs.hosting import TooLarge
+from tests.team_programs.making import TeamMaker
+from tests.team_programs.reference import Meaning, TooLong
+
+SEEDS = st.integers(0, 10**9)
+
+
+def team_and_meaning(seed: int, spares: int = 0) -> tuple[RunningTeam, Meaning]:
+    """A random team before its first step, and what it is to do."""
+    maker, program = random_team_program(seed, spares)
+    roles = {name: role for name, (_, role) in maker.agents.items() if role}
+    meaning = Meaning(roles, maker.sets(program), maker.programs)
+    try:
+        meaning.seq(program.seq, list(roles))
+        return RunningTeam(maker, program, seed), meaning
+    except (TooLong, TooLarge):
+        assume(False)
+        raise
+
+
+@given(SEEDS, st.integers(0, 1))
+@settings(max_examples=examples(20))
+def test_every_robot_does_its_lines_and_nobody_goes_on_before_all_are_there(seed: int, spares: int) -> None:
+    team, meaning = team_and_meaning(seed, spares)
+    team.finish()
+    assert team.run.outcome == "done", team.run.sentence
+    assert {name: lines for name, lines in team.lines.items() if name in meaning.lines} == meaning.lines
+    assert not any(lines for name, lines in team.lines.items() if name not in meaning.lines)
+    for moment in meaning.before:
+        logs = [(team.moments[name], count) for name, count in moment.items()]
+        over = [log[count - 1][1] for log, count in logs if count]
+        begun = [log[count][0] for log, count in logs if count < len(log)]
+        assert not over or not begun or max(over) <= min(begun)
+
+
+@given(SEEDS)
+@settings(max_examples=examples(8))
+def test_from_a_snapshot_another_run_goes_on_alike(seed: int) -> None:
+    team, _ = team_and_meaning(seed, 1)
+    run, other = team.run, team.anew()
+    run.advance(random.Random(seed).randrange(1, 200))
+    other.restore(run.snapshot())
+    for one in (run, other):
+        while one.outcome is None:
+            one.advance(1000)
+    assert run.snapshot() == other.snapshot()
+    assert (run.outcome, run.sentence) == (other.outcome, other.sentence)
+
+
+@given(SEEDS, st.lists(st.integers(0, 80), min_size=1, max_size=4))
+@settings(max_examples=examples(30))
+def test_a_substitute_goes_on_with_what_was_lost_and_no_role_is_held_twice(seed: int, moments: list[int]) -> None:
+    team, meaning = team_and_meaning(seed, spares=2)
+    run, chance = team.run, random.Random(seed)
+    kinds = {agent.name: agent.robot.name for agent in run.members}
+    left = {"ant": 2, "bee": 2}
+    for steps in moments:
+        for _ in range(steps):
+            if run.outcome is None:
+                team.step()
+        going = [name for name in team.playing() if left[kinds[name]]]
+        going = [name for name in going if run.view(team.names.index(name)).state not in ("failed", "stalled")]
+        if going and run.outcome is None:
+            name = chance.choice(going)
+            left[kinds[name]] -= 1
+            run.harm(name, chance.choice(("fail", "stall", "mute")))
+    while run.outcome is None:
+        team.step()
+        seats = [seat for seat in run.state.team.robots[T_HOLDER] if seat >= 0]
+        assert len(seats) == len(set(seats)) == len(team.playing())
+    assert run.outcome == "done", run.sentence
+    assert team.lines_of_roles() == meaning.lines
+
+
+@given(SEEDS, st.lists(st.integers(0, 80), min_size=1, max_size=4))
+@settings(max_examples=examples(20))
+def test_without_spare_robots_the_run_still_ends_and_says_why(seed: int, moments: list[int]) -> None:
+    team, meaning = team_and_meaning(seed)
+    run, chance = team.run, random.Random(seed)
+    for steps in moments:
+        run.advance(steps)
+        if run.outcome is None:
+            run.harm(chance.choice(team.names), chance.choice(("fail", "stall", "mute", "revive")))
+    while run.outcome is None:
+        run.advance(1000)
+    assert run.outcome != "time", run.sentence
+    assert run.seconds < 300
+    assert meaning.steps > 0
+
+
+def small(text: str, agents: dict[str, str], failures: list[Failure]) -> Simulation:
+    """A team of ants in the simulator, from the text of its program."""
+    parsed = parse_team(text)
+    assert parsed.diagnostics == []
+    maker = TeamMaker(random.Random(0))
+    maker.agents = {name: ("ant", role) for name, role in agents.items()}
+    return RunningTeam(maker, parsed.program, 1, failures).run
+
+
+PAIR = """role scout: ant 2;
+group scouts = scout on failure {failure};
+
+SeqOfPar scouts (
+  Arm.Do(1);
+  WAIT(100);
+  Arm.Do(2);
+);
+"""
+
+
+def ended(run: Simulation) -> Simulation:
+    while run.outcome is None:
+        run.advance(100)
+    return run
+
+
+def told(run: Simulation) -> list[tuple[str, str]]:
+    """Who said what, but for the ends of programs."""
+    found = []
+    while run.outcome is None:
+        run.step()
+        found += [(event.agent, event.text) for event in run.events if event.kind != "end"]
+    return found
+
+
+def test_others_go_on_without_one_that_is_dropped() -> None:
+    run = ended(small(PAIR.format(failure="drop"), {"a": "scout", "b": "scout"}, [Failure("a", 0.5)]))
+    assert run.outcome == "done"
+    assert run.sentence == "Done after 2.2 s, although a failed after 0.5 s (on schedule): every program has ended."
+
+
+def test_the_team_ends_where_a_group_says_so() -> None:
+    run = ended(small(PAIR.format(failure="abort"), {"a": "scout", "b": "scout"}, [Failure("a", 0.5)]))
+    assert (run.outcome, run.seconds) == ("failed", 1.52)
+    assert run.sentence == (
+        "The team cannot go on: a is missed, without whom scouts does not go on; a failed after 0.5 s (on schedule)."
+    )
+
+
+def test_who_is_back_begins_anew_as_a_spare_one_and_takes_over_later() -> None:
+    failures = [
+        Failure("a", 0.2, FailureKind.MUTE),
+        Failure("a", 1.5, FailureKind.REVIVE),
+        Failure("b", 1.6, FailureKind.STALL),
+    ]
+    run = small(PAIR.format(failure="substitute"), {"a": "scout", "b": "scout", "c": ""}, failures)
+    assert told(run) == [
+        ("a", "loses its radio (on schedule)"),
+        ("a", "is missed by its team"),
+        ("c", "takes over for a"),
+        ("a", "is well again (on schedule)"),
+        ("a", "begins anew, as a spare one"),
+        ("b", "stalls (on schedule)"),
+        ("b", "is missed by its team"),
+        ("a", "takes over for b"),
+    ]
+    assert run.outcome == "done"
+
+
+def test_one_that_was_silent_for_less_than_a_second_goes_on() -> None:
+    failures = [Failure("a", 0.2, FailureKind.MUTE), Failure("a", 1.1, FailureKind.REVIVE)]
+    run = small(PAIR.format(failure="substitute"), {"a": "scout", "b": "scout", "c": ""}, failures)
+    assert [text for _, text in told(run)] == ["loses its radio (on schedule)", "is well again (on schedule)"]
+    assert run.outcome == "done"
+
+
+def test_a_block_that_nobody_is_left_for_is_named() -> None:
+    text = """role scout: ant;
+role digger: ant;
+
+ParOfSeq digger (
+  WAIT(100);
+);
+ParOfSeq scout (
+  Arm.Do(1);
+);
+"""
+    run = ended(small(text, {"a": "scout", "b": "digger"}, [Failure("a", 0.2)]))
+    assert run.outcome == "failed"
+    assert run.sentence == (
+        "The team cannot go on: nobody is left of scout at team; a failed after 0.2 s (on schedule)."
+    )
+
+
+def test_a_team_of_which_nobody_is_left_has_failed() -> None:
+    run = ended(
+        small(PAIR.format(failure="drop"), {"a": "scout", "b": "scout"}, [Failure("a", 0.2), Failure("b", 0.3)])
+    )
+    assert run.outcome == "failed"
+
+
+WORK = """role scout: ant {robots};
+group scouts = scout on failure {failure};
+work Boxes = {units} lease {lease};
+
+{block} scouts (
+  {lines}
+);
+"""
+ALONE = """*[!(Boxes.IsEmpty())](
+    Boxes.Take();
+    Arm.Do(1);
+    Boxes.Done();
+  );"""
+TOGETHER = """Boxes.Take();
+  Arm.Do(1);
+  Boxes.Done();"""
+
+
+def crowd(robots: int, spares: int = 0) -> dict[str, str]:
+    return {f"a-{n}": "scout" for n in range(robots)} | {f"s-{n}": "" for n in range(spares)}
+
+
+@given(st.integers(0, 9), st.integers(1, 4), st.lists(st.tuples(st.integers(0, 60), st.integers(0, 3)), max_size=4))
+@settings(max_examples=examples(30))
+def test_every_unit_is_done_once_whoever_fails(units: int, robots: int, losses: list[tuple[int, int]]) -> None:
+    text = WORK.format(robots=robots, failure="substitute", units=units, lease=0, block="ParOfSeq", lines=ALONE)
+    run = small(text, crowd(robots, 4), [])
+    for steps, number in losses:
+        run.advance(steps)
+        if run.outcome is None:
+            run.harm(run.members[number % robots].name, "fail")
+    left, taken = list(run.state.team.works[W_LEFT]), 0
+    while run.outcome is None:
+        run.step()
+        now, taken = run.state.team.works[W_LEFT][0], run.state.team.works[W_TAKEN][0]
+        holding = sum(one == HAS_UNIT for one in run.state.team.holds[0])
+        assert 0 <= taken == holding <= now <= left[0]
+        left = [now]
+    assert run.outcome == "done", run.sentence
+    assert (left, taken) == ([0], 0)
+
+
+def test_robots_in_step_do_not_wait_for_units_of_those_who_wait_for_them() -> None:
+    text = WORK.format(robots=3, failure="drop", units=2, lease=0, block="SeqOfPar", lines=TOGETHER)
+    run = ended(small(text, crowd(3), []))
+    assert run.outcome == "done"
+    assert list(run.state.team.works[W_LEFT]) == [0]
+
+
+def test_a_unit_is_free_again_after_its_lease_and_its_old_holder_is_refused() -> None:
+    lines = "Boxes.Take();\n  WAIT(100);\n  Boxes.Done();"
+    text = WORK.format(robots=2, failure="drop", units=1, lease=1, block="ParOfSeq", lines=lines)
+    run = small(text, crowd(2), [])
+    late = "was too late: its unit of Boxes is free again, or another's"
+    assert told(run) == [("a-0", late), ("a-1", late)]
+    assert run.outcome == "done"
+    assert list(run.state.team.works[W_LEFT]) == [1]

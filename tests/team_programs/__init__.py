@@ -1,0 +1,1 @@
+"""A team's program: what its robots do with it, in all."""
