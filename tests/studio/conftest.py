@@ -137,6 +137,11 @@ class Studio:
         """The LLL beside the graph, a line break a line."""
         return "\n".join(self.page.locator('[data-testid="code"] .cm-line').all_inner_texts())
 
+    def edit_code(self) -> None:
+        """Gives the LLL the focus, once it can be edited."""
+        expect(self.at("code-editor")).to_have_attribute("data-writable", "true")
+        self.at("code").locator(".cm-content").click()
+
     def expect_code(self, text: str) -> None:
         """Waits until a stretch of text stands in the LLL."""
         expect(self.at("code")).to_contain_text(text)

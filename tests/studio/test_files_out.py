@@ -203,7 +203,7 @@ def test_ctrl_p_prints_the_sheet_too(open_studio: OpenStudio) -> None:
 
 def test_a_long_graph_is_cut_into_parts_between_its_vertices(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
-    studio.page.locator('[data-testid="code"] .cm-content').click()
+    studio.edit_code()
     studio.page.keyboard.press("Control+a")
     studio.page.keyboard.insert_text("WAIT(1);\n" * 60)
     canvas = studio.at("canvas")

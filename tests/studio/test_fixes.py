@@ -55,8 +55,7 @@ def test_a_name_in_the_graph_by_click_and_back(open_studio: OpenStudio) -> None:
 
 def test_a_slip_in_the_text_by_key(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
-    expect(studio.at("code-editor")).to_have_attribute("data-writable", "true")
-    studio.at("code").locator(".cm-content").focus()
+    studio.edit_code()
     studio.page.keyboard.press("Control+End")
     studio.page.keyboard.insert_text("\nLigth.LightOn();")
     expect(studio.at("code-state")).to_contain_text("Ligth")

@@ -93,7 +93,7 @@ def test_axe_finds_nothing_on_problems_and_on_text_with_a_mistake(
     keys.press("F8")
     expect(studio.page.locator("#problem-list")).to_be_visible()
     find_nothing(studio, "problems")
-    studio.page.locator('[data-testid="code"] .cm-content').click()
+    studio.edit_code()
     keys.press("Control+End")
     keys.type("\nWheel.")
     expect(studio.page.locator(".cm-tooltip-autocomplete")).to_be_visible()

@@ -237,8 +237,7 @@ def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) ->
 def test_later_steps_first_another_right_way_and_more_than_was_asked(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
-    editor = studio.page.locator('[data-testid="code"] .cm-content')
-    editor.click()
+    studio.edit_code()
     studio.page.keyboard.press("Control+a")
     studio.page.keyboard.insert_text(
         "Light.LightOn(); 2*(2*(Wheel.Advance(20); WAIT(5); Wheel.Stop(); Motor.AbsoluteTurn(25, 80)));"

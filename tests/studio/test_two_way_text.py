@@ -19,8 +19,7 @@ VERTICES = ".react-flow__node"
 
 def editor(studio: Studio) -> Page:
     """The page, its code editor ready to be written in, the caret at its very end."""
-    expect(studio.at("code-editor")).to_have_attribute("data-writable", "true")
-    studio.at("code").locator(".cm-content").focus()
+    studio.edit_code()
     studio.page.keyboard.press("Control+End")
     return studio.page
 

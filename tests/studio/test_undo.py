@@ -89,8 +89,7 @@ class Editor:
 
     def text(self) -> None:
         self.program()
-        code = self.page.locator('[data-testid="code"] .cm-content')
-        code.click()
+        self.studio.edit_code()
         self.page.keyboard.press("Control+Home")
         self.page.keyboard.insert_text(f"WAIT({self.dice.randrange(1, 99)});\n")
         expect(self.studio.at("code").locator('[aria-busy="true"]')).to_have_count(0)

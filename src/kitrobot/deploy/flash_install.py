@@ -43,17 +43,21 @@ def freeze(board: Receiver, one: Frozen, kept: set[int]) -> int:
         return 0
     flash.refuse_less_than(max(len(text) + _size(functions) for text, functions in one.groups) + _NAMES)
     _refuse_new_names(board, one.names)
-    # A text that lies in pieces between others would leave no run that is long enough.
-    board.remove(_TEXT)
-    flash.see_removals()
+    _remove_text(board, flash)
     flash.erase()
     dumps = [_compiled(board, text, functions) for text, functions in one.groups]
     flash.see()
+    _remove_text(board, flash)
     flash.clear(kept)
     content = laid_out(one, dumps)
     flash.write(one.sign, content)
-    board.remove(_TEXT)
     return len(content)
+
+
+def _remove_text(board: Receiver, flash: Flash) -> None:
+    """Removes the compiled text: in pieces between others, it would leave no run that is long enough for a block."""
+    board.remove(_TEXT)
+    flash.see_removals()
 
 
 def _compiled(board: Receiver, text: str, functions: Sequence[Function]) -> bytes:
