@@ -9,7 +9,7 @@ from pathlib import Path
 
 from kitrobot.compiler import Compiled, compile_program, compile_text
 from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Failure, Goal, Mission, Team, read_mission
+from kitrobot.mission import Agent, Failure, Goal, Mission, Radio, Team, read_mission
 from kitrobot.primitives import Catalogue, Robot, load_catalogue, read_robot
 from kitrobot.sim import Simulation
 from kitrobot.sim.columns import FREE, REALS, ROAD, WHOLES
@@ -93,9 +93,10 @@ def run_of(
     seconds: float | None = 60,
     failures: Sequence[Failure] = (),
     fail_rate: float = 0.0,
+    radio: Radio | None = None,
 ) -> Simulation:
     """A run in which each agent has its own robot and LLL text."""
-    mission = Mission(team=Team(goals=list(goals)), failures=list(failures))
+    mission = Mission(team=Team(goals=list(goals)), failures=list(failures), radio=radio)
     images: dict[str, Compiled] = {}
     robots = Catalogue(robots={})
     for name, (robot, text) in agents.items():

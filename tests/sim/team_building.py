@@ -9,7 +9,7 @@ from kitrobot.compiler import compile_lll, project
 from kitrobot.diagnostics import Source
 from kitrobot.graph import Program, empty_program
 from kitrobot.lll import TeamProgram, print_team_program
-from kitrobot.mission import Agent, Failure, Mission, Team, image_name
+from kitrobot.mission import Agent, Failure, Mission, Radio, Team, image_name
 from kitrobot.primitives import Catalogue, Crew, Level, Robot, declaring, read_robot, with_team
 from kitrobot.sim import Simulation
 from kitrobot.sim.team_columns import T_ANCHOR, T_ANCHORED, T_ROLE, T_SEAT
@@ -36,7 +36,12 @@ class RunningTeam:
     """A random team in the simulator: `lines` are the numbers of the lines that each robot began, in order."""
 
     def __init__(
-        self, maker: TeamMaker, program: TeamProgram, seed: int, failures: list[Failure] | None = None
+        self,
+        maker: TeamMaker,
+        program: TeamProgram,
+        seed: int,
+        failures: list[Failure] | None = None,
+        radio: Radio | None = None,
     ) -> None:
         counts = {role.name: sum(one == role.name for _, one in maker.agents.values()) for role in program.roles}
         roles = [replace(role, least=counts[role.name], most=counts[role.name]) for role in program.roles]
@@ -51,6 +56,7 @@ class RunningTeam:
                 program.works,
             ),
             failures=failures or [],
+            radio=radio,
         )
         crew = declaring(Crew(agents=tuple((name, kind) for name, (kind, _) in maker.agents.items())), program)
         source = Source("team.lll", print_team_program(program))

@@ -9,7 +9,7 @@ from functools import cache
 
 from kitrobot.compiler import Compiled, compile_text
 from kitrobot.graph import empty_program
-from kitrobot.mission import Agent, Failure, Mission, Team
+from kitrobot.mission import Agent, Failure, Mission, Radio, Team
 from kitrobot.primitives import Catalogue, Robot
 from kitrobot.sim import Simulation
 from kitrobot.world import ColouredLine, Corner, Dock, Floor, Pose, Road, Section, Start, Storehouse, Wall, World
@@ -197,7 +197,9 @@ def _body(rng: random.Random, of: Robot, depth: int) -> str:
     return " ".join(parts)
 
 
-def random_team(seed: int, robots: int, failures: Sequence[Failure] = (), fail_rate: float = 0.0) -> Simulation:
+def random_team(
+    seed: int, robots: int, failures: Sequence[Failure] = (), fail_rate: float = 0.0, radio: Radio | None = None
+) -> Simulation:
     """A run of so many robots before its first step; the same for the same numbers."""
     rng = random.Random(seed)
     side = max(4, math.ceil(math.sqrt(robots)) + 1)
@@ -210,7 +212,7 @@ def random_team(seed: int, robots: int, failures: Sequence[Failure] = (), fail_r
         x, y = rng.choice(places)
         walls.append(Wall(x + spacing / 2, y, x + spacing / 2, y + 70))
     mission, images, catalogue = (
-        Mission(team=Team(), failures=list(failures)),
+        Mission(team=Team(), failures=list(failures), radio=radio),
         dict[str, Compiled](),
         Catalogue(robots={}),
     )

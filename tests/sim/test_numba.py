@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.mission import Failure, FailureKind
+from kitrobot.mission import Failure, FailureKind, Radio
 from kitrobot.sim import Simulation, compiling, simulate
 from tests.patience import PATIENCE_S
 from tests.sim.building import transport
@@ -26,6 +26,8 @@ from tests.team_programs.hosting import TooLarge
 
 ROOT = Path(__file__).parents[2]
 
+
+RADIOS = (None, Radio(700, 40, 30), Radio(None, 0, 10))
 
 pytestmark = pytest.mark.usefixtures("with_numba")
 
@@ -42,7 +44,7 @@ def programmed_team(seed: int) -> Simulation:
     kinds, names = tuple(FailureKind), list(maker.agents)
     failures = [Failure(chance.choice(names), chance.random() * 4, chance.choice(kinds)) for _ in range(4)]
     try:
-        return RunningTeam(maker, program, seed, failures).run
+        return RunningTeam(maker, program, seed, failures, RADIOS[seed % len(RADIOS)]).run
     except TooLarge:
         hypothesis.assume(False)
         raise
@@ -61,7 +63,8 @@ def states(run: Simulation, stretches: list[int]) -> list[bytes]:
 @hypothesis.settings(max_examples=25 if hypothesis.settings().max_examples < 100 else 1000)
 def test_random_teams_run_alike_plain_and_compiled(seed: int, robots: int) -> None:
     stretches = [1, 1, 2, 30, 100, 1]
-    plain, compiled = random_team(seed, robots), hurried(random_team(seed, robots))
+    radio = RADIOS[seed % len(RADIOS)]
+    plain, compiled = random_team(seed, robots, radio=radio), hurried(random_team(seed, robots, radio=radio))
     assert states(plain, stretches) == states(compiled, stretches)
     assert plain.agents == compiled.agents
     assert plain.poses() == compiled.poses()

@@ -1,6 +1,7 @@
 """A `.krt` file as a whole: programs, team and world together."""
 
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team, image_name
+from kitrobot.mission.radio import Radio
 from kitrobot.mission.reading import read_mission
 from kitrobot.mission.rules import AGENT_ROBOT, NO_PROGRAM
 from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
@@ -17,6 +18,7 @@ __all__ = [
     "FailureKind",
     "Goal",
     "Mission",
+    "Radio",
     "SaveError",
     "Team",
     "image_name",

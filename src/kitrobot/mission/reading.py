@@ -12,6 +12,7 @@ from kitrobot.mission import rules
 from kitrobot.mission.declarations import DECLARATIONS
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
+from kitrobot.mission.radio import RADIO, Radio
 from kitrobot.mission.trial import TRIAL, Breakpoint, Failure, check_trial
 from kitrobot.primitives import OWN, Constructor, OwnVariable
 from kitrobot.text import Sentence, shown
@@ -117,6 +118,7 @@ MISSION = {
             **TEXTS,
             **OWN,
             **TRIAL,
+            **RADIO,
             "program": PROGRAM,
             "team": Tag(_team, children={"agent": _AGENT, "goal": _GOAL, **DECLARATIONS}),
             "world": _WORLD,
@@ -158,6 +160,11 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
     mission.label, mission.help = root.texts.get("label", {}), root.texts.get("help", {})
     mission.constructors, mission.variables = root.found(Constructor), root.found(OwnVariable)
     mission.breakpoints, mission.failures = root.found(Breakpoint), root.found(Failure)
+    radios = root.found_at(Radio)
+    mission.radio = radios[0][0] if radios else None
+    for _, element in radios[1:]:
+        message = Sentence("this mission has a radio already; this one is left out")
+        element.report(rules.RADIO, message, help=Sentence("take one away"))
     mission.unknown = [str(raw) for raw in root.found(_Unknown)]
     _check(mission, root)
     diagnostics = reader.diagnostics
@@ -169,7 +176,7 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
 def _check(mission: Mission, root: Element) -> None:
     """That every agent runs a program of this mission."""
     names = dict.fromkeys(program.name for program in mission.programs)
-    check_trial([agent.name for agent in mission.team.agents], root)
+    check_trial([agent.name for agent in mission.team.agents], mission.radio is not None, root)
     for _, team in root.found_at(Team):
         for agent, element in team.found_at(Agent):
             if agent.program and agent.program not in names:

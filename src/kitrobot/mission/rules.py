@@ -38,6 +38,12 @@ BREAKPOINT = rule(
 FAILURE = rule(
     "mission-failure",
     Severity.WARNING,
-    "A failure happens to nobody",
-    "A failure on schedule names an agent of the team.",
+    "A failure cannot happen",
+    "A failure on schedule names an agent of the team. Cut off from others (apart) are robots with a radio.",
+)
+RADIO = rule(
+    "mission-radio",
+    Severity.ERROR,
+    "A mission has two radios",
+    "How robots hear each other is said once, for all of them.",
 )

@@ -43,12 +43,15 @@ class Breakpoint:
 
 
 class FailureKind(StrEnum):
-    """What happens to an agent: it stops for good, misses its ticks, loses its radio, or is well again."""
+    """What happens to an agent: it stops for good, misses its ticks, loses its radio, is well again, or is cut off: it
+    hears, and is heard by, only those that are cut off too.
+    """
 
     FAIL = "fail"
     STALL = "stall"
     MUTE = "mute"
     REVIVE = "revive"
+    APART = "apart"
 
 
 @dataclass(frozen=True)
@@ -139,10 +142,13 @@ def write_failure(failure: Failure) -> str:
     return f"<failure{attributes(('agent', failure.agent), ('at', at), ('kind', failure.kind.value))}/>"
 
 
-def check_trial(agents: list[str], root: Element) -> None:
-    """That every failure happens to somebody of the team."""
+def check_trial(agents: list[str], has_radio: bool, root: Element) -> None:
+    """That every failure happens to somebody of the team, and that who is cut off has a radio."""
     names = dict.fromkeys(agents)
     for failure, element in root.found_at(Failure):
         if failure.agent not in names:
             message = Sentence("{agent}, which is to {kind}, is not in the team", shown(failure.agent), failure.kind)
             element.report(rules.FAILURE, message, "agent", element.did_you_mean(failure.agent, agents))
+        elif failure.kind is FailureKind.APART and not has_radio:
+            message = Sentence("{agent} cannot be cut off from others: this mission has no radio", shown(failure.agent))
+            element.report(rules.FAILURE, message, "kind", Sentence("write <radio/> into the mission"))

@@ -13,6 +13,7 @@ from kitrobot.files import replace_whole
 from kitrobot.graph import write_program
 from kitrobot.mission.declarations import write_declarations
 from kitrobot.mission.model import Mission, Team
+from kitrobot.mission.radio import write_radio
 from kitrobot.mission.trial import write_breakpoint, write_failure
 from kitrobot.primitives import Texts, write_constructor, write_variable
 from kitrobot.text import Sentence, Word
@@ -33,6 +34,8 @@ def write_mission(mission: Mission) -> bytes:
     lines += _team(mission.team)
     lines += [f"  {write_breakpoint(breakpoint)}" for breakpoint in mission.breakpoints]
     lines += [f"  {write_failure(failure)}" for failure in mission.failures]
+    if mission.radio is not None:
+        lines.append(f"  {write_radio(mission.radio)}")
     if mission.own_world is not None:
         lines += [f"  {line}" for line in world_lines(mission.own_world)]
     elif mission.world_href:

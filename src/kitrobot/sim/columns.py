@@ -182,7 +182,8 @@ CLOCKS = 19
     TAKEN_OVER,  # it plays a role now, what: the robot that was missed
     BACK,  # it begins anew, as a spare one
     UNIT_LOST,  # what: the work of which it had a unit
-) = range(17)
+    UNHEARD,  # what: the robot whose message, with news for this one, got lost
+) = range(18)
 EVENT = 5
 
 

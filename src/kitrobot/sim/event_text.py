@@ -114,6 +114,8 @@ class EventText:
             return "message", Recorded(
                 "was too late: its unit of {work} is free again, or another's", self._works[what]
             )
+        if kind == c.UNHEARD:
+            return "message", Recorded("did not hear {agent}: the message got lost", self._members[what].name)
         assert kind == c.WRITTEN, f"nobody says {kind}"
         variable = self._variables[what]
         boolean = variable.minimum == 0 and variable.type.value == "boolean"

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import columns as c
 from kitrobot.sim.chance import keys
-from kitrobot.sim.faults import BY_HAND, FAIL, MUTE, PLAN_ROWS, REVIVE, STALL, harm
+from kitrobot.sim.faults import APART, BY_HAND, FAIL, MUTE, PLAN_ROWS, REVIVE, STALL, harm
 from kitrobot.sim.state import State
 from kitrobot.text import Recorded
 
@@ -89,6 +89,8 @@ def said_of(kind: int, cause: int) -> str:
         return Recorded("fails ({why})", why)
     if kind == STALL:
         return Recorded("stalls ({why})", why)
+    if kind == APART:
+        return Recorded("is cut off from the others ({why})", why)
     return Recorded("loses its radio ({why})", why) if kind == MUTE else Recorded("is well again ({why})", why)
 
 

@@ -2,8 +2,9 @@
 
 *Failed*: it stops reacting for good. Its wheels brake as at `Stop()`, its other devices stand as they are, and it stays
 where it is, in everybody's way. *Stalled*: its program misses its ticks; the devices go on as they were told last.
-*Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (sharing). *Revived*: all of
-that is over; program and devices go on where they were.
+*Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (sharing). *Apart*, in a
+mission with a radio: it hears only others that are apart too. *Revived*: all of that is over; program and devices go on
+where they were.
 
 The schedule is rows of `plan`: step, robot and kind, in order of steps. By chance a robot fails with the same
 probability in every second of its own; the draws are counted by the step, so they need no state. From outside, between
@@ -37,10 +38,11 @@ from kitrobot.sim.columns import (
     tell,
 )
 from kitrobot.sim.deadlock_detection import stirred
+from kitrobot.sim.radio import SIDE, has_radio
 from kitrobot.sim.sharing import leave, rejoin
 from kitrobot.sim.state import State
 
-FAIL, STALL, MUTE, REVIVE = range(4)
+FAIL, STALL, MUTE, REVIVE, APART = range(5)
 """What befalls a robot; the order of `FailureKind`."""
 
 BY_HAND, ON_SCHEDULE, BY_CHANCE = range(3)
@@ -75,9 +77,16 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         if muted[i]:
             return
         muted[i] = 1
-    else:
-        if down[i] == WELL and muted[i] == 0:
+    elif kind == APART:
+        if not has_radio(state) or state.radio.robots[SIDE][i]:
             return
+        state.radio.robots[SIDE][i] = 1
+    else:
+        is_apart = has_radio(state) and state.radio.robots[SIDE][i] != 0
+        if down[i] == WELL and muted[i] == 0 and not is_apart:
+            return
+        if is_apart:
+            state.radio.robots[SIDE][i] = 0
         if down[i] == FAILED:
             floats[TARGET][i] = floats[TOLD][i]
             if ints[ENDED][i] == 0:
@@ -85,7 +94,7 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         down[i] = WELL
         muted[i] = 0
         ints[ASLEEP][i] = 0
-    if kind != MUTE:
+    if kind != MUTE and kind != APART:
         ints[SINCE][i] = clock[TICK]
         ints[CAUSE][i] = cause
     stirred(clock)
@@ -96,6 +105,8 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         if muted[i] == 0 and down[i] == WELL:
             clock[SOUND] += 1
     is_deaf = muted[i] != 0 or down[i] == FAILED
+    if has_radio(state):
+        return
     if is_deaf and not was_deaf:
         leave(i, state.shared)
     elif was_deaf and not is_deaf:

@@ -12,6 +12,7 @@ each set who is in it, and is worked out anew when a role or a group changes. `g
 from __future__ import annotations
 
 from kitrobot.sim.columns import A_DONE, MOVED_OVER, TICK, tell
+from kitrobot.sim.radio import has_radio, latency
 from kitrobot.sim.rows import copy_row, same
 from kitrobot.sim.state import State, Team
 from kitrobot.sim.team_columns import (
@@ -29,6 +30,7 @@ from kitrobot.sim.team_columns import (
     OVER_BLOCK,
     P_ASKED,
     P_BLOCK,
+    P_DUE,
     P_FIRST,
     P_KIND,
     P_LAST,
@@ -55,6 +57,7 @@ from kitrobot.sim.team_columns import (
     T_SINCE,
     T_TELL,
     T_TOLD,
+    TEAM_DUE,
     TEAM_FRESH,
     TEAM_OVER,
     TEAM_OVER_WHO,
@@ -170,10 +173,31 @@ def agree(state: State) -> None:
     """Lets all go on from the points at which all who come there are there."""
     team = state.team
     team.numbers[TEAM_FRESH] = 0
+    team.numbers[TEAM_DUE] = 0
     waiting = team.points[P_WAITING]
+    by_radio = has_radio(state)
     for p in range(len(waiting)):
-        if waiting[p] > 0 and are_there(p, team):
+        if waiting[p] == 0:
+            continue
+        if not are_there(p, team):
+            team.points[P_DUE][p] = 0
+        elif not by_radio or is_known(p, state):
             decide(p, state)
+
+
+def is_known(p: int, state: State) -> bool:
+    """Whether all who are at point p know by now, over the radio, that they are."""
+    team = state.team
+    due = team.points[P_DUE]
+    tick = state.clock[TICK]
+    if due[p] == 0:
+        due[p] = 1 + tick + latency(p, state)
+    if tick + 1 >= due[p]:
+        due[p] = 0
+        return True
+    team.numbers[TEAM_DUE] += 1
+    team.numbers[TEAM_FRESH] = 1
+    return False
 
 
 def are_there(p: int, team: Team) -> bool:

@@ -42,6 +42,8 @@ class Packing:
         for table in (*of_points, team.works, team.holds, team.until, team.waits):
             for row in table:
                 yield "q", row, len(row)
+        for row in (*state.radio.robots, state.radio.due, *state.radio.air, state.radio.numbers):
+            yield "q", row, len(row)
         yield "q", state.contacts.before, 2 * contacts
         yield "q", state.events, EVENT * events
         for row, length in zip(actuators.takens, self._takens, strict=True):

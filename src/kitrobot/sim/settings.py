@@ -105,12 +105,17 @@ def read_settings(part: RobotObject, device: type[Device], where: str) -> tuple[
     return Values(values), problems
 
 
-def place_problems(
-    robot: Robot, part: RobotObject, device: type[Device], values: Values, world: World
+def name_problems(
+    robot: Robot, part: RobotObject, device: type[Device], values: Values, world: World, agents: Collection[str]
 ) -> list[Diagnostic]:
-    """The settings of a device that name a place which the world does not have."""
+    """The settings of a device that name a place which the world does not have, or an agent who takes no part."""
     problems: list[Diagnostic] = []
     for setting in device.settings:
+        if setting.names_agent and values.word(setting.name) not in agents:
+            name = values.word(setting.name)
+            message = Sentence("{robot}.{part}: no agent {name} takes part", robot.name, part.name, shown(name))
+            help = did_you_mean(name, agents) or Sentence("those who do are {known}", one_of(sorted(agents)[:20]))
+            problems.append(rules.DEVICE(message, part.place, help=help))
         if setting.names_place and values.word(setting.name) not in world.places:
             name = values.word(setting.name)
             message = Sentence(

@@ -24,7 +24,7 @@ from kitrobot.sim.devices import Device, Standing, Values
 from kitrobot.sim.devices.base import COUNTS_BOXES, MOVES_BOXES
 from kitrobot.sim.failures import fault_plan
 from kitrobot.sim.grids import cell_at, fixed
-from kitrobot.sim.settings import find_device, place_problems, read_conflicts, read_settings
+from kitrobot.sim.settings import find_device, name_problems, read_conflicts, read_settings
 from kitrobot.sim.shared import SharedTables
 from kitrobot.sim.tables import Tables
 from kitrobot.sim.team_tables import TeamMember, TeamSetup, filled
@@ -113,6 +113,8 @@ class Setup:
             return
         self.step_ms = reduce(math.gcd, (robot.tick_ms for robot in robots.values() if robot is not None))
         self.tables = Tables(self.world, self.step_ms, self.seed)
+        self.tables.radio = self.mission.radio
+        self.tables.numbers = {agent.name: number for number, agent in enumerate(members)}
         if self._team is not None:
             self.tables.team = TeamSetup(self._team, self.mission.team)
         for member in members:
@@ -252,8 +254,9 @@ class Setup:
             device, problems = find_device(robot, part)
             values = None
             if device is not None:
+                names = [agent.name for agent in self.mission.team.agents]
                 values, wrong = read_settings(part, device, f"{robot.name}.{part.name}")
-                problems = problems + (wrong or place_problems(robot, part, device, values, self.world))
+                problems = problems + (wrong or name_problems(robot, part, device, values, self.world, names))
             self.problems += problems
             self._checked[key] = (None, None) if problems else (device, values)
         device, values = self._checked[key]

@@ -133,6 +133,19 @@ class Team:
 
 
 @dataclass(frozen=True, slots=True)
+class Radio:
+    """Who hears whom, and messages on their way (see radio); empty without one."""
+
+    numbers: Ints
+    floats: Floats
+    robots: IntRows
+    keys: IntRows
+    due: Ints
+    air: IntRows
+    grid: Grid
+
+
+@dataclass(frozen=True, slots=True)
 class Faults:
     """The schedule of failures, and of each robot the keys of its chance to fail."""
 
@@ -220,6 +233,7 @@ class State:
     actuators: Actuators
     shared: Shared
     team: Team
+    radio: Radio
     faults: Faults
     roads: Roads
     docks: Docks

@@ -47,11 +47,12 @@ from kitrobot.sim.execution import react
 from kitrobot.sim.faults import harm_by_chance, harm_on_schedule
 from kitrobot.sim.grids import fill
 from kitrobot.sim.physics import move_robots
+from kitrobot.sim.radio import exchange_by_radio, has_radio
 from kitrobot.sim.sensing import sample, sample_done
 from kitrobot.sim.sharing import exchange
 from kitrobot.sim.state import State
 from kitrobot.sim.substitution import look_for_silent, settle
-from kitrobot.sim.team_columns import TEAM_LEASED, TEAM_OVER, TEAM_PENDING
+from kitrobot.sim.team_columns import TEAM_DUE, TEAM_LEASED, TEAM_OVER, TEAM_PENDING
 
 
 def advance(state: State, steps: int) -> int:
@@ -65,6 +66,7 @@ def advance(state: State, steps: int) -> int:
     fixed = state.fixed
     fixed_floats = state.fixed_floats
     has_team = len(state.team.set_first) > 0
+    by_radio = has_radio(state)
     planned = len(state.faults.plan[0])
     room = len(state.events) // EVENT - fixed[MOST_EVENTS]
     done = 0
@@ -98,7 +100,9 @@ def advance(state: State, steps: int) -> int:
         if has_team:
             settle(state)
         move_robots(state)
-        if len(state.shared.mine) > 0 and ran > 0:
+        if by_radio:
+            exchange_by_radio(step, state)
+        elif len(state.shared.mine) > 0 and ran > 0:
             exchange(step, state)
         clock[TICK] = step + 1
         done += 1
@@ -115,8 +119,10 @@ def advance(state: State, steps: int) -> int:
 
 
 def is_waited_for(team: list[int]) -> bool:
-    """Whether a team waits for a time to be over: that of a silent robot, or of a unit of work that somebody has."""
-    return team[TEAM_PENDING] > 0 or team[TEAM_LEASED] > 0
+    """Whether a team waits for a time to be over: that of a silent robot, of a unit of work that somebody has, or of
+    messages on their way.
+    """
+    return team[TEAM_PENDING] > 0 or team[TEAM_LEASED] > 0 or team[TEAM_DUE] > 0
 
 
 def is_going_on(state: State) -> bool:

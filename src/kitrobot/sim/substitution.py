@@ -5,6 +5,7 @@ it is in, in this order: *abort*: the team cannot go on. *substitute*: the first
 takes its role and groups over; its program, which waits in its first line, is led to where the role was lost
 (`compiler.team_points`). *drop*, which also holds where no spare one is left: the others go on without it.
 
+With a radio, who does not hear a majority of the team is silent too, and while nobody hears one, nobody is missed.
 A robot that is missed plays no role any more. One that has only lost its radio knows that by itself, and begins its
 program anew at once, as a spare one; any other does so when it is revived. Its devices are told to stop before.
 """
@@ -34,6 +35,7 @@ from kitrobot.sim.devices.base import Command
 from kitrobot.sim.dispatch import start
 from kitrobot.sim.meetings import agree, find_members, in_group, stay_away
 from kitrobot.sim.program_ends import end_program
+from kitrobot.sim.radio import ANY_QUORUM, BEAT, QUORUM, find_quorum, has_radio
 from kitrobot.sim.rows import copy_row
 from kitrobot.sim.sharing import APART_VALUE, SHARED_VALUE
 from kitrobot.sim.state import State, Team
@@ -86,12 +88,16 @@ def look_for_silent(step: int, state: State) -> None:
     robots = team.robots
     ints = state.robots.ints
     pending = 0
+    by_radio = has_radio(state)
+    if by_radio and step % state.radio.numbers[BEAT] == 0:
+        find_quorum(state)
+    can_agree = not by_radio or state.radio.numbers[ANY_QUORUM] != 0
     end_leases(step, team)
     for i in range(len(robots[T_SILENT])):
         if robots[T_ACTUATOR][i] < 0 or ints[ENDED][i]:
             continue
         begins_anew = False
-        if ints[DOWN][i] == WELL and ints[MUTED][i] == 0:
+        if ints[DOWN][i] == WELL and ints[MUTED][i] == 0 and (not by_radio or state.radio.robots[QUORUM][i]):
             if robots[T_SILENT][i] >= 0:
                 robots[T_SILENT][i] = -1
                 team.numbers[TEAM_FRESH] = 1
@@ -102,6 +108,8 @@ def look_for_silent(step: int, state: State) -> None:
         else:
             if robots[T_SILENT][i] < 0:
                 robots[T_SILENT][i] = step
+            if not can_agree:
+                continue
             if robots[T_ROLE][i] >= 0 and step - robots[T_SILENT][i] >= team.numbers[TEAM_LEASE]:
                 miss(i, state)
                 begins_anew = ints[DOWN][i] == WELL
@@ -204,7 +212,7 @@ def begin_anew(i: int, state: State) -> None:
     copy_row(state.machines.pars[i], team.first_pars[p])
     shared = state.shared
     for k in range(shared.mine_first[i], shared.mine_first[i + 1]):
-        if ints[MUTED][i]:
+        if ints[MUTED][i] or has_radio(state):
             cells[shared.mine_cell[k]] = shared.apart[APART_VALUE][k]
         else:
             cells[shared.mine_cell[k]] = shared.ints[SHARED_VALUE][shared.mine[k]]

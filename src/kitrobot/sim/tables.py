@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.image import Machine
+from kitrobot.mission import Radio
 from kitrobot.primitives import TEAM, Robot, RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.actuation import QUEUE
@@ -22,6 +23,7 @@ from kitrobot.sim.devices import Actuator, Device, Sensor, Standing, Values, act
 from kitrobot.sim.failures import FaultPlan
 from kitrobot.sim.grids import FEW
 from kitrobot.sim.physics import arrange
+from kitrobot.sim.radio_tables import beat_steps, delay_steps, radio_tables
 from kitrobot.sim.shared import SharedTables
 from kitrobot.sim.state import (
     Actuators,
@@ -87,6 +89,10 @@ class Tables:
         """What is to befall the robots; set before `state`."""
         self.team: TeamSetup | None = None
         """The team that some of the robots are of, where they run its program; set before `state`."""
+        self.radio: Radio | None = None
+        """How the robots hear each other; set before `state`."""
+        self.numbers: dict[str, int] = {}
+        """The numbers of robots by name; set before `state`."""
         self.goals: list[list[int]] = [[], []]
         """The storehouses of goals, and how many boxes each is to hold; set before `state`."""
 
@@ -181,6 +187,8 @@ class Tables:
         most_events += self.fault_plan.most_events(count, variables)
         if self.team is not None:
             most_events += self.team.most_events
+        if self.radio is not None:
+            most_events += len(shared.tables.mine) + count
         clock = [0] * c.CLOCKS
         clock[c.RUNNING] = clock[c.LIVING] = clock[c.SOUND] = count
         clock[c.REVIVALS] = self.fault_plan.revivals
@@ -191,6 +199,10 @@ class Tables:
             (size * ints[c.PERIOD][i] for size, i in zip(sensor.ints[c.S_SIZE], sensor.ints[c.S_ROBOT], strict=True)),
             default=0,
         )
+        if self.radio is not None:
+            # Equal copies, and a majority, are found again with the next beat.
+            step_ms = self.dt * 1000
+            clock[c.PATIENCE] += 2 * beat_steps(step_ms) + delay_steps(self.radio, step_ms)
         by_hand = [item for item in sensor.fitted if issubclass(item.device, Sensor) and item.device.by_hand]
         clock[c.CHANCE] = sum(sensor.ints[c.S_RESTLESS]) + len(by_hand)
         room = max(4 * max(len(self.world.walls), FEW), 2 * in_grid) + 32
@@ -223,6 +235,7 @@ class Tables:
             ),
             shared=shared.tables,
             team=self._team(actuator),
+            radio=radio_tables(self.radio, list(self.numbers), ints[c.PERIOD], self.seed, self.dt * 1000, shared),
             faults=Faults(self.fault_plan.plan, self.fault_plan.keys),
             roads=road_tables(self.world),
             docks=dock_tables(self.world, self.goals),
@@ -308,7 +321,10 @@ class Tables:
                     c.S_RESTLESS: 1 if noise > 0 or dropout > 0 or item.device.restless else 0,
                 },
             )
-            made.put_floats(k, (noise, dropout, *item.device.initial_floats(item.part, item.values)))
+            own = item.device.initial_floats(item.part, item.values)
+            agents = [item.values.word(setting.name) for setting in item.device.settings if setting.names_agent]
+            own = (*own, *(float(self.numbers[name]) for name in agents))
+            made.put_floats(k, (noise, dropout, *own))
             made.room += size
         return made
 

@@ -12,8 +12,9 @@ from __future__ import annotations
     TEAM_OVER_WHO,  # the robot that was missed, or the point at which nobody is left
     TEAM_OVER_GROUP,  # the group that ends with it
     TEAM_LEASED,  # units that will be free again for robots that wait for one
-) = range(7)
-TEAM_NUMBERS = 7
+    TEAM_DUE,  # points at which all are there, and whose messages are on their way
+) = range(8)
+TEAM_NUMBERS = 8
 
 OVER_ABORT, OVER_BLOCK, OVER_NOBODY = range(1, 4)
 
@@ -33,8 +34,9 @@ OVER_ABORT, OVER_BLOCK, OVER_NOBODY = range(1, 4)
     P_FIRST,  # the points to which a yes leads: the first
     P_LAST,  # and the last
     P_BLOCK,  # of the meeting behind a block, its point; -1 elsewhere
-) = range(13)
-POINT_ROWS = 13
+    P_DUE,  # 1 + the step in which all who are there know so; 0 while somebody is missing
+) = range(14)
+POINT_ROWS = 14
 
 BLOCK, BRANCH, MEET, ASK, COUNT, MOVE = range(6)
 """Kinds of points, in the order of `PointKind`."""

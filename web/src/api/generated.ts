@@ -416,7 +416,7 @@ export interface Group {
 export interface HarmRequest {
   type: "harm";
   agent: string;
-  kind: "fail" | "stall" | "mute" | "revive";
+  kind: "fail" | "stall" | "mute" | "revive" | "apart";
 }
 
 /** The first message of `WS /api/watch`: the name of the page's tab. */
@@ -522,6 +522,7 @@ export interface Mission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   own_world?: OwnWorld | null;
+  radio?: Radio | null;
   roles?: Role[];
   groups?: TeamGroup[];
   works?: Work[];
@@ -878,6 +879,13 @@ export interface ProgramReport {
   known: string;
 }
 
+/** How the robots hear each other: how far (null: everywhere), how late, how many messages of a hundred get lost. */
+export interface Radio {
+  range_mm?: number | null;
+  delay_ms?: number;
+  loss?: number;
+}
+
 /**
  * A recording that was opened: its name, by which it is played, and the mission that it brought along. `cut`: its file
  * ends before its run did. `fail_rate` is the probability that an agent failed by chance within a minute. `real`: it is
@@ -1006,7 +1014,7 @@ export interface Saved {
 export interface ScheduledFailure {
   agent: string;
   at_s: number;
-  kind: "fail" | "stall" | "mute" | "revive";
+  kind: "fail" | "stall" | "mute" | "revive" | "apart";
 }
 
 /** A stretch of a road with the number its signs show. */
@@ -1045,6 +1053,7 @@ export interface SentMission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   own_world?: OwnWorld | null;
+  radio?: Radio | null;
   roles?: Role[];
   groups?: TeamGroup[];
   works?: Work[];

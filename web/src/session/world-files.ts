@@ -17,8 +17,8 @@ import type { drawnWorld } from "../model/world/drawn";
 /** Counts how often the files were read, for components that show more of them than the document has. */
 export const useFiles = create<{ read: number }>(() => ({ read: 0 }));
 
-/** The state of the files that the page holds; "" when it is unknown. */
-let held = "";
+/** The state of the files that the page holds; "" when it is unknown, null until the first mission is there. */
+let held: string | null = null;
 let asked = 0;
 /** Draws a mission's own world; fetched for the first mission that has one. */
 let draw: typeof drawnWorld | null = null;
@@ -37,7 +37,7 @@ export function holdParts(stamp: string): void {
 }
 
 export function hearOfParts({ path, parts }: News): void {
-  if (parts === "" || parts === held || path !== useStudio.getState().file.path) return;
+  if (parts === "" || held === null || parts === held || path !== useStudio.getState().file.path) return;
   void readParts();
 }
 

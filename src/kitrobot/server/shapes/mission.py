@@ -8,7 +8,8 @@ from pydantic import BaseModel, Field, field_validator
 
 from kitrobot.graph import Program
 from kitrobot.lll import MAX_NUMBER, GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
-from kitrobot.mission import Breakpoint, Failure, FailureKind, Mission, Team
+from kitrobot.mission import Breakpoint, Failure, FailureKind, Mission, Radio, Team
+from kitrobot.mission.radio import LARGEST_RANGE_MM, LONGEST_DELAY_MS
 from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS
 from kitrobot.primitives import MOST_OWN, Level
 from kitrobot.server.shapes.catalogue import ConstructorShape, LevelName
@@ -50,7 +51,15 @@ class ScheduledFailureShape(View):
 
     agent: str
     at_s: Annotated[float, Field(ge=0, le=LONGEST_S, allow_inf_nan=False)]
-    kind: Literal["fail", "stall", "mute", "revive"]
+    kind: Literal["fail", "stall", "mute", "revive", "apart"]
+
+
+class RadioShape(View):
+    """How the robots hear each other: how far (null: everywhere), how late, how many messages of a hundred get lost."""
+
+    range_mm: Annotated[float | None, Field(ge=1, le=LARGEST_RANGE_MM, allow_inf_nan=False)] = None
+    delay_ms: Annotated[int, Field(ge=0, le=LONGEST_DELAY_MS)] = 0
+    loss: Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)] = 0.0
 
 
 class DeclarationShape(View):
@@ -116,6 +125,7 @@ class MissionShape(BaseModel):
     breakpoints: Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)] = []
     failures: Annotated[list[ScheduledFailureShape], Field(max_length=MOST_AGENTS)] = []
     own_world: OwnWorldShape | None = None
+    radio: RadioShape | None = None
     roles: Annotated[list[RoleShape], Field(max_length=MOST_AGENTS)] = []
     groups: Annotated[list[TeamGroupShape], Field(max_length=MOST_AGENTS)] = []
     works: Annotated[list[WorkShape], Field(max_length=MOST_AGENTS)] = []
@@ -137,6 +147,7 @@ def mission_shape(mission: Mission) -> MissionShape:
         breakpoints=[BreakpointShape.model_validate(one) for one in mission.breakpoints],
         failures=[ScheduledFailureShape.model_validate(one) for one in mission.failures],
         own_world=None if mission.own_world is None else own_world_shape(mission.own_world),
+        radio=None if mission.radio is None else RadioShape.model_validate(mission.radio),
         roles=[RoleShape.model_validate(one) for one in mission.team.roles],
         groups=[TeamGroupShape.model_validate(one) for one in mission.team.groups],
         works=[WorkShape.model_validate(one) for one in mission.team.works],
@@ -168,6 +179,7 @@ def mission_from_shape(shape: MissionShape, programs: list[Program] | None = Non
         breakpoints,
         failures,
         None if shape.own_world is None else own_world(shape.own_world),
+        None if shape.radio is None else Radio(shape.radio.range_mm, shape.radio.delay_ms, shape.radio.loss),
     )
 
 

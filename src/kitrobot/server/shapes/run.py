@@ -121,7 +121,7 @@ class HarmRequest(BaseModel):
 
     type: Literal["harm"]
     agent: str
-    kind: Literal["fail", "stall", "mute", "revive"]
+    kind: Literal["fail", "stall", "mute", "revive", "apart"]
 
 
 class LookRequest(BaseModel):

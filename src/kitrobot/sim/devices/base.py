@@ -51,6 +51,8 @@ class Setting:
     required: bool = False
     names_place: bool = False
     """Whether it is the name of a place of the world (see `World.places`)."""
+    names_agent: bool = False
+    """Whether it is the name of an agent of the run, whose number is P."""
 
 
 LATENCY = Setting("latency", 0.0, Sentence("how much later it works, or how old what it reads is"), "ms", most=60_000.0)

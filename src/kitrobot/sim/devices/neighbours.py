@@ -1,0 +1,35 @@
+"""Counts the robots that hear it, and that it hears."""
+
+from __future__ import annotations
+
+from kitrobot.sim.columns import ENDED, PERIOD, S_LEAST, S_MOST, S_ROBOT, S_VALUE
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor
+from kitrobot.sim.radio import has_radio, is_on, neighbours
+from kitrobot.sim.state import State
+
+
+class Neighbours(Sensor):
+    """The robots in reach of its radio; all others of the run in a mission without one."""
+
+    name = "neighbours"
+    settings = (LATENCY, LOST_READINGS)
+
+
+def sense(first: int, last: int, step: int, state: State) -> None:
+    """Counts with the devices `first` … `last` - 1."""
+    sensor = state.sensors.ints
+    robots = sensor[S_ROBOT]
+    ended = state.robots.ints[ENDED]
+    period = state.robots.ints[PERIOD]
+    for k in range(first, last):
+        i = robots[k]
+        if ended[i] or step % period[i]:
+            continue
+        found = 0
+        if has_radio(state):
+            found = neighbours(i, state)
+        elif is_on(i, state):
+            for j in range(len(ended)):
+                if j != i and is_on(j, state):
+                    found += 1
+        sensor[S_VALUE][k] = max(sensor[S_LEAST][k], min(sensor[S_MOST][k], found))
