@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.columns import S_LEAST, S_MOST, S_P, S_ROBOT, S_VALUE
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor, Setting
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Sensor, Setting
 from kitrobot.sim.radio import has_radio, is_in_reach, is_on
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
@@ -16,6 +16,7 @@ class Hears(Sensor):
     settings = (
         LATENCY,
         LOST_READINGS,
+        WRONG,
         Setting(
             "of",
             "",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.columns import ENDED, PERIOD, S_LEAST, S_MOST, S_ROBOT, S_VALUE
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, SPREAD, Sensor
 from kitrobot.sim.radio import has_radio, is_on, neighbours
 from kitrobot.sim.state import State
 
@@ -12,7 +12,7 @@ class Neighbours(Sensor):
     """The robots in reach of its radio; all others of the run in a mission without one."""
 
     name = "neighbours"
-    settings = (LATENCY, LOST_READINGS)
+    settings = (LATENCY, LOST_READINGS, SPREAD)
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:
