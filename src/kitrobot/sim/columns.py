@@ -159,8 +159,9 @@ TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY = range(4)
     PLANNED,  # how much of the schedule of failures has been
     REVIVALS,  # how many revivals are still to come on schedule
     SOUND,  # programs that have not ended, of robots that have not failed, stalled or lost their radio
-) = range(19)
-CLOCKS = 19
+    PLANS,  # how long the schedule of failures is
+) = range(20)
+CLOCKS = 20
 
 # ---- what happens, as five numbers: kind, agent, what, how much, tick
 

@@ -5,9 +5,9 @@ where it is, in everybody's way. *Stalled*: its program misses its ticks; the de
 *Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (sharing). *Revived*: all of
 that is over; program and devices go on where they were.
 
-The schedule is rows of `plan`: step, robot and kind, in order of steps. By chance a robot fails with the same
-probability in every second of its own; the draws are counted by the step, so they need no state. From outside, between
-two steps, `Simulation.harm` calls `harm` here.
+The schedule is rows of `plan`: step, robot and kind, in order of steps; PLANS of them count. By chance a robot fails
+with the same probability in every second of its own; the draws are counted by the step, so they need no state. From
+outside, between two steps, `Simulation.harm` calls `harm` here.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from kitrobot.sim.columns import (
     LIVING,
     MUTED,
     PLANNED,
+    PLANS,
     REVIVALS,
     SINCE,
     SOUND,
@@ -107,7 +108,7 @@ def harm_on_schedule(step: int, state: State) -> None:
     clock = state.clock
     plan = state.faults.plan
     steps = plan[PLAN_STEP]
-    while clock[PLANNED] < len(steps) and steps[clock[PLANNED]] <= step:
+    while clock[PLANNED] < clock[PLANS] and steps[clock[PLANNED]] <= step:
         n = clock[PLANNED]
         clock[PLANNED] = n + 1
         kind = plan[PLAN_KIND][n]

@@ -25,6 +25,7 @@ from kitrobot.sim.columns import (
     MOST_EVENTS,
     MOVED,
     PLANNED,
+    PLANS,
     REVIVALS,
     ROLLING,
     RUNNING,
@@ -65,7 +66,6 @@ def advance(state: State, steps: int) -> int:
     fixed = state.fixed
     fixed_floats = state.fixed_floats
     has_team = len(state.team.set_first) > 0
-    planned = len(state.faults.plan[0])
     room = len(state.events) // EVENT - fixed[MOST_EVENTS]
     done = 0
     while done < steps and clock[EVENTS] <= room and is_going_on(state) and not is_reached(state):
@@ -75,7 +75,7 @@ def advance(state: State, steps: int) -> int:
         if looks:
             remember(state)
 
-        if clock[PLANNED] < planned:
+        if clock[PLANNED] < clock[PLANS]:
             harm_on_schedule(step, state)
         if fixed_floats[FAILS] > 0.0:
             harm_by_chance(step, state)

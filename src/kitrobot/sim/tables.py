@@ -184,6 +184,7 @@ class Tables:
         clock = [0] * c.CLOCKS
         clock[c.RUNNING] = clock[c.LIVING] = clock[c.SOUND] = count
         clock[c.REVIVALS] = self.fault_plan.revivals
+        clock[c.PLANS] = len(self.fault_plan.plan[0])
         clock[c.MOVED] = 1
         clock[c.CYCLE] = math.lcm(*ints[c.PERIOD])
         clock[c.UNTIL] = 1
@@ -223,7 +224,7 @@ class Tables:
             ),
             shared=shared.tables,
             team=self._team(actuator),
-            faults=Faults(self.fault_plan.plan, self.fault_plan.keys),
+            faults=Faults(self.fault_plan.with_room(), self.fault_plan.keys),
             roads=road_tables(self.world),
             docks=dock_tables(self.world, self.goals),
             walls=wall_tables(self.world, widest + TOUCH_MM),
