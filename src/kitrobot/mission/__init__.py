@@ -1,5 +1,6 @@
 """A `.krt` file as a whole: programs, team and world together."""
 
+from kitrobot.mission.breakdown import Breakdown, BreakdownRule
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team, image_name
 from kitrobot.mission.reading import read_mission
 from kitrobot.mission.rules import AGENT_ROBOT, NO_PROGRAM
@@ -12,6 +13,8 @@ __all__ = [
     "NO_PROGRAM",
     "VERSION",
     "Agent",
+    "Breakdown",
+    "BreakdownRule",
     "Breakpoint",
     "Failure",
     "FailureKind",

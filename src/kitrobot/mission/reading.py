@@ -9,6 +9,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import PROGRAM, Program
 from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
 from kitrobot.mission import rules
+from kitrobot.mission.breakdown import BREAKDOWN, the_breakdown
 from kitrobot.mission.declarations import DECLARATIONS
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
@@ -117,6 +118,7 @@ MISSION = {
             **TEXTS,
             **OWN,
             **TRIAL,
+            **BREAKDOWN,
             "program": PROGRAM,
             "team": Tag(_team, children={"agent": _AGENT, "goal": _GOAL, **DECLARATIONS}),
             "world": _WORLD,
@@ -158,6 +160,7 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
     mission.label, mission.help = root.texts.get("label", {}), root.texts.get("help", {})
     mission.constructors, mission.variables = root.found(Constructor), root.found(OwnVariable)
     mission.breakpoints, mission.failures = root.found(Breakpoint), root.found(Failure)
+    mission.breakdown = the_breakdown(root)
     mission.unknown = [str(raw) for raw in root.found(_Unknown)]
     _check(mission, root)
     diagnostics = reader.diagnostics

@@ -41,3 +41,10 @@ FAILURE = rule(
     "A failure happens to nobody",
     "A failure on schedule names an agent of the team.",
 )
+BREAKDOWN = rule(
+    "mission-breakdown",
+    Severity.ERROR,
+    "What becomes of a robot that fails on a road cannot be understood",
+    "A mission says it once: `stay`, `tow` with the seconds until then in `after`, or `pass`, so that others drive"
+    " round it.",
+)

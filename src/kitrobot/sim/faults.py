@@ -1,7 +1,8 @@
 """Fault injection: crash, stall, radio loss and recovery of robots, on schedule and by chance.
 
 *Failed*: it stops reacting for good. Its wheels brake as at `Stop()`, its other devices stand as they are, and it stays
-where it is, in everybody's way. *Stalled*: its program misses its ticks; the devices go on as they were told last.
+where it is, in everybody's way, unless the mission says what becomes of it on a road (breakdowns). *Stalled*: its
+program misses its ticks; the devices go on as they were told last.
 *Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (sharing). *Revived*: all of
 that is over; program and devices go on where they were.
 
@@ -12,6 +13,7 @@ outside, between two steps, `Simulation.harm` calls `harm` here.
 
 from __future__ import annotations
 
+from kitrobot.sim.breakdowns import begin_breakdown, end_breakdown, may_be_revived
 from kitrobot.sim.chance import happens
 from kitrobot.sim.columns import (
     ASLEEP,
@@ -68,6 +70,7 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         floats[TURN][i] = 0.0
         if ints[ENDED][i] == 0:
             clock[LIVING] -= 1
+        begin_breakdown(i, state)
     elif kind == STALL:
         if down[i] != WELL:
             return
@@ -77,9 +80,10 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
             return
         muted[i] = 1
     else:
-        if down[i] == WELL and muted[i] == 0:
+        if (down[i] == WELL and muted[i] == 0) or not may_be_revived(i, state):
             return
         if down[i] == FAILED:
+            end_breakdown(i, state)
             floats[TARGET][i] = floats[TOLD][i]
             if ints[ENDED][i] == 0:
                 clock[LIVING] += 1

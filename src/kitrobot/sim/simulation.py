@@ -190,6 +190,8 @@ class Simulation:
         elif self._last_tick is not None and clock[TICK] >= self._last_tick:
             assert self.seconds_limit is not None
             self._end("time", say_time(goals, self.seconds_limit, members))
+        elif clock[STUCK] and (lost := self._team_text.lost_block(self.state)):
+            self._end("failed", say_team_over(lost, goals, members))
         elif clock[STUCK]:
             self._end("stuck", say_stuck(goals, members, self._team_text.missing(self.state)))
 

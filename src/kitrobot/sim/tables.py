@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.image import Machine
+from kitrobot.mission import Breakdown, BreakdownRule
 from kitrobot.primitives import TEAM, Robot, RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.actuation import QUEUE
@@ -87,6 +88,8 @@ class Tables:
         """What is to befall the robots; set before `state`."""
         self.team: TeamSetup | None = None
         """The team that some of the robots are of, where they run its program; set before `state`."""
+        self.breakdown = Breakdown()
+        """What becomes of robots that fail on a road; set before `state`."""
         self.goals: list[list[int]] = [[], []]
         """The storehouses of goals, and how many boxes each is to hold; set before `state`."""
 
@@ -178,7 +181,7 @@ class Tables:
             buckets *= 2
         variables = len(shared.variables)
         most_events = count + pairs + len(free_solid) + 2 * len(self._actuators) + variables
-        most_events += self.fault_plan.most_events(count, variables)
+        most_events += self.fault_plan.most_events(count, variables) + len(guided)
         if self.team is not None:
             most_events += self.team.most_events
         clock = [0] * c.CLOCKS
@@ -196,7 +199,10 @@ class Tables:
         clock[c.CHANCE] = sum(sensor.ints[c.S_RESTLESS]) + len(by_hand)
         room = max(4 * max(len(self.world.walls), FEW), 2 * in_grid) + 32
         state = State(
-            fixed=[1 if together else 0, 1 if sees else 0, most_events, self.fault_plan.every],
+            fixed=[
+                *(1 if together else 0, 1 if sees else 0, most_events, self.fault_plan.every),
+                *(tuple(BreakdownRule).index(self.breakdown.rule), ticks(self.breakdown.after_s * 1000, self.dt)),
+            ],
             fixed_floats=[self.dt, widest, self.fault_plan.probability, self.world.width_mm, self.world.height_mm],
             clock=clock,
             events=[0] * (c.EVENT * (2 * most_events + BY_HAND_AT_ONCE + variables)),

@@ -8,6 +8,7 @@ from kitrobot.compiler import TeamPlan
 from kitrobot.sim import team_columns as c
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.endings import names_listed
+from kitrobot.sim.meetings import is_left_empty
 from kitrobot.sim.state import State
 from kitrobot.text import Recorded
 
@@ -29,7 +30,20 @@ class TeamText:
             return Recorded("{agent} is missed, without whom {group} does not go on", self._members[who].name, group)
         if numbers[c.TEAM_OVER] == c.OVER_NOBODY:
             return Recorded("nobody is left of it")
-        point = self._plan.points[who]
+        return self._nobody(who)
+
+    def lost_block(self, state: State) -> str:
+        """Of which block nobody is left who could end it, because those who were in it are missed; "" for none."""
+        team = state.team
+        for missed, anchor in zip(team.robots[c.T_MISSED], team.robots[c.T_ANCHOR], strict=True):
+            if missed and anchor >= 0 and team.points[c.P_KIND][anchor] == c.BLOCK:
+                if is_left_empty(int(team.points[c.P_MEMBERS][anchor]), team):
+                    return self._nobody(int(anchor))
+        return ""
+
+    def _nobody(self, number: int) -> str:
+        assert self._plan is not None
+        point = self._plan.points[number]
         names = names_listed(sorted(point.members))
         return Recorded("nobody is left of {names} at {place}", names, point.vertex or point.program)
 
