@@ -36,9 +36,9 @@ class TeamText:
         """Of which block nobody is left who could end it, because those who were in it are missed; "" for none."""
         team = state.team
         for missed, anchor in zip(team.robots[c.T_MISSED], team.robots[c.T_ANCHOR], strict=True):
-            if missed and anchor >= 0 and team.points[c.P_KIND][anchor] == c.BLOCK:
-                if is_left_empty(int(team.points[c.P_MEMBERS][anchor]), team):
-                    return self._nobody(int(anchor))
+            inside = missed and anchor >= 0 and team.points[c.P_KIND][anchor] == c.BLOCK
+            if inside and is_left_empty(int(team.points[c.P_MEMBERS][anchor]), team):
+                return self._nobody(int(anchor))
         return ""
 
     def _nobody(self, number: int) -> str:
