@@ -180,7 +180,6 @@ def take_over(spare: int, lost: int, state: State) -> None:
     robots[T_SINCE][spare] = robots[T_SINCE][lost]
     copy_row(team.since[spare], team.since[lost])
     robots[T_LED][spare] = robots[T_ANCHOR][lost]
-    robots[T_ANCHOR][lost] = -1
     robots[T_TOLD][spare] = 0
     robots[T_TELL][spare] = robots[T_SINCE][lost]
     state.actuators.ints[A_DONE][robots[T_ACTUATOR][spare]] = 1
@@ -188,14 +187,14 @@ def take_over(spare: int, lost: int, state: State) -> None:
 
 
 def drop(lost: int, team: Team) -> None:
-    """The others go on without a robot; which sets are empty for that reason is kept."""
+    """The others go on without a robot; of its sets is kept that it was dropped, as 2 + the point it last went on from."""
     robots = team.robots
     robots[T_HOLDER][robots[T_SEAT][lost]] = -1
     for g in range(len(team.groups)):
         team.groups[g][lost] = 0
     for chosen in range(len(team.members)):
         if team.members[chosen][lost]:
-            team.emptied[chosen] = 1
+            team.emptied[chosen] = robots[T_ANCHOR][lost] + 2
 
 
 def begin_anew(i: int, state: State) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.compiler import TeamPlan
+from kitrobot.compiler import PointKind, TeamPlan
 from kitrobot.sim import team_columns as c
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.endings import names_listed
@@ -33,12 +33,15 @@ class TeamText:
         return self._nobody(who)
 
     def lost_block(self, state: State) -> str:
-        """Of which block nobody is left who could end it, because those who were in it are missed; "" for none."""
+        """Which block nobody is left of who could do it: all who were in it are missed, the last of them since before
+        its end; "" for none.
+        """
+        points = self._plan.points if self._plan is not None else ()
         team = state.team
-        for missed, anchor in zip(team.robots[c.T_MISSED], team.robots[c.T_ANCHOR], strict=True):
-            inside = missed and anchor >= 0 and team.points[c.P_KIND][anchor] == c.BLOCK
-            if inside and is_left_empty(int(team.points[c.P_MEMBERS][anchor]), team):
-                return self._nobody(int(anchor))
+        for number, point in enumerate(points):
+            members = int(team.points[c.P_MEMBERS][number])
+            if point.kind is PointKind.BLOCK and is_left_empty(members, team) and team.emptied[members] - 2 <= number:
+                return self._nobody(number)
         return ""
 
     def _nobody(self, number: int) -> str:
