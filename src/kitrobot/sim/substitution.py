@@ -187,7 +187,7 @@ def take_over(spare: int, lost: int, state: State) -> None:
 
 
 def drop(lost: int, team: Team) -> None:
-    """The others go on without a robot; of its sets is kept that it was dropped, as 2 + the point it last went on from."""
+    """The others go on without a robot; its sets keep that, as 2 + the point from which it last went on."""
     robots = team.robots
     robots[T_HOLDER][robots[T_SEAT][lost]] = -1
     for g in range(len(team.groups)):
