@@ -128,6 +128,18 @@ def opens_three_times(seen: Watched) -> bool:
     return seen.run.collisions == 3 and seen.lamps_lit(0) == 3 and seen.path(1)[-1][0] < 1900
 
 
+def is_exchanged(seen: Watched) -> bool:
+    """Who is fast in both rounds drives furthest, who is slow in both least, and those who change in between."""
+    ways = [sum(math.dist(a, b) for a, b in itertools.pairwise(seen.path(k))) for k in range(4)]
+    return ways[1] > ways[0] > ways[3] and ways[1] > ways[2] > ways[3] and abs(ways[0] - ways[2]) < 50
+
+
+def is_searched(seen: Watched, room: int) -> bool:
+    """Exactly one of the two was at the back of this room."""
+    x, y = 510 + 400 * room, 914
+    return sum(seen.reached(x, y, agent) for agent in (0, 1)) == 1
+
+
 HEART = ("09090", "99999", "99999", "09990", "00900")
 SMALL_HEART = ("00000", "09090", "09990", "00900", "00000")
 LEFT_ARROW = ("00900", "09000", "99999", "09000", "00900")
@@ -190,6 +202,7 @@ ACHIEVED: dict[str, Callable[[Watched], bool]] = {
     "dice": throws,
     "door": lambda seen: seen.lamps_lit() == 5 and way(seen) == 0,
     "doorbell": opens_three_times,
+    "exchange": lambda seen: [seen.lamps_lit(k) for k in range(4)] == [1, 1, 1, 0] and is_exchanged(seen),
     "faster": lambda seen: variable(seen, "Level") == 80 and way(seen) > 500,
     "follow-the-leader": is_a_train,
     "heart": beats,
@@ -202,12 +215,14 @@ ACHIEVED: dict[str, Callable[[Watched], bool]] = {
     "red-and-green": lambda seen: seen.lamps_lit() == 1 and abs(seen.path()[-1][0] - 1900) < 120,
     "rooms": lambda seen: way(seen) > 1500,
     "search": is_found,
+    "shared-search": lambda seen: all(is_searched(seen, room) for room in range(7)),
     "square": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 30 and way(seen) > 600,
     "star": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 60 and seen.lamps_lit() == 15,
     "stripes": lambda seen: variable(seen, "Count") == 4 and 1500 < seen.path()[-1][0] < 1850,
     "sumo": is_a_match,
     "traffic-light": keeps_to_the_light,
     "transport": lambda seen: seen.run.stock == {"A": 0, "B": 12},
+    "transport-team": lambda seen: seen.run.stock == {"A": 0, "B": 12},
     "wall": lambda seen: way(seen) > 3000,
     "wall-follower": is_along_the_walls,
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -261,3 +262,34 @@ def test_a_unit_is_free_again_after_its_lease_and_its_old_holder_is_refused() ->
     assert told(run) == [("a-0", late), ("a-1", late)]
     assert run.outcome == "done"
     assert list(run.state.team.works[W_LEFT]) == [1]
+
+
+BESIDE = """role scout: ant;
+role porter: ant;
+group scouts = scout on failure substitute;
+
+//(
+  ParOfSeq scouts (
+    Arm.Do(1);
+    WAIT(100);
+  );,
+  ParOfSeq porter (
+    <Count.GreaterThan({most})>();
+  );
+);
+"""
+
+
+@pytest.mark.parametrize("moment", [0.0, 0.5])
+def test_when_others_wait_in_vain_beside_a_block_that_nobody_is_left_of_the_team_has_failed(moment: float) -> None:
+    run = ended(small(BESIDE.format(most=0), {"a": "scout", "b": "porter"}, [Failure("a", moment)]))
+    assert run.outcome == "failed"
+    assert run.sentence == (
+        f"The team cannot go on: nobody is left of scouts at team; a failed after {moment} s (on schedule)."
+    )
+
+
+def test_who_waits_in_vain_after_the_block_of_those_who_are_missed_is_stuck() -> None:
+    run = ended(small(BESIDE.format(most=0), {"a": "scout", "b": "porter"}, [Failure("a", 2.4)]))
+    assert run.outcome == "stuck"
+    assert "a failed after 2.4 s" in run.sentence

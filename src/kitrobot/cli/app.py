@@ -36,6 +36,7 @@ from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
 from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
+from kitrobot.cli.sweep import with_moments
 from kitrobot.cli.watch import watch_board
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
@@ -106,7 +107,7 @@ def main(arguments: Sequence[str] | None = None, *, studio: Studio | None = None
     use_utf8()
     begin()
     given = list(sys.argv[1:] if arguments is None else arguments)
-    words = _with_command(given)
+    words = with_moments(_with_command(given))
     failed = TROUBLE.get(words[0], FAILED)
     with _termination():
         status = _status(lambda: _obey(words, studio), failed)

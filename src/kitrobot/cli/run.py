@@ -34,10 +34,27 @@ def run_mission(
         ),
     ] = 0.0,
     as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
+    fail_sweep: Annotated[
+        int | None,
+        typer.Option(
+            min=0,
+            metavar="[N]",
+            help="Run it again for each robot and each of N moments (100; of pairs 20), at which that one fails.",
+            show_default=False,
+        ),
+    ] = None,
+    pairs: Annotated[bool, typer.Option("--pairs", help="Sweep: two robots fail in each run.")] = False,
+    jobs: Annotated[
+        int | None, typer.Option(metavar="N", min=1, help="Sweep: in so many processes; else one for each core.")
+    ] = None,
+    picture: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="MAP.svg", help="Sweep: write a heat map.")
+    ] = None,
 ) -> None:
     """Run a mission in the simulator, as fast as it goes.
 
-    The exit status is 0 when the mission was done, and 1 when it failed, got stuck, ran out of time or has errors.
+    The exit status is 0 when the mission was done, and 1 when it failed, got stuck, ran out of time or has errors. Of a
+    sweep it is 0 when it was done in every run, or with `--pairs` done or failed.
     """
     if not math.isfinite(fail_rate):
         raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
@@ -50,8 +67,20 @@ def run_mission(
     if seed > MAX_SEED:
         raise typer.BadParameter(f"a seed is a whole number from 0 to {MAX_SEED}", param_hint="'--seed'")
 
+    if fail_sweep is None and (pairs or jobs is not None or picture is not None):
+        raise typer.BadParameter("`--pairs`, `--jobs` and `--output` are of a sweep", param_hint="'--fail-sweep'")
+    if fail_sweep is not None and trace is not None:
+        raise typer.BadParameter("the many runs of a sweep are not recorded", param_hint="'--trace'")
+
     prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate, trace))
     show(prepared.problems, prepared.sources)
+    if fail_sweep is not None:
+        from kitrobot.cli.sweep import MOMENTS, MOMENTS_OF_PAIRS, sweep_mission
+        from kitrobot.workspace.sweep import SweepOptions
+
+        moments = fail_sweep or (MOMENTS_OF_PAIRS if pairs else MOMENTS)
+        sweep_mission(prepared, SweepOptions(moments, pairs, jobs), picture, as_json)
+        return
     with _progress(seconds) as progress:
         run = prepared.run(progress)
     give(json_text(run.to_json()) + "\n" if as_json else _summary(run))

@@ -1,5 +1,6 @@
 """A `.krt` file as a whole: programs, team and world together."""
 
+from kitrobot.mission.breakdown import Breakdown, BreakdownRule
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team, image_name
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.reading import read_mission
@@ -13,6 +14,8 @@ __all__ = [
     "NO_PROGRAM",
     "VERSION",
     "Agent",
+    "Breakdown",
+    "BreakdownRule",
     "Breakpoint",
     "Failure",
     "FailureKind",

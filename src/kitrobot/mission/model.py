@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from kitrobot.graph import Program
 from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
+from kitrobot.mission.breakdown import Breakdown
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Breakpoint, Failure
 from kitrobot.primitives import Constructor, Crew, CrewProgram, Level, OwnVariable, Texts
@@ -83,8 +84,8 @@ class Mission:
     `own_world` is the world that it brings along instead, as its author left it: parts of it may not fit together.
 
     `label` is its title and `help` says in a sentence what happens, each by language, "" for English. `constructors`
-    and `variables` are the parts that it brings along; `breakpoints` and `failures` say how it is tried out. Without a
-    `radio`, everybody hears everybody at once.
+    and `variables` are the parts that it brings along; `breakpoints` and `failures` say how it is tried out,
+    `breakdown` what becomes of robots that fail on a road. Without a `radio`, everybody hears everybody at once.
     """
 
     version: int = VERSION
@@ -100,6 +101,7 @@ class Mission:
     failures: list[Failure] = field(default_factory=list)
     own_world: World | None = None
     radio: Radio | None = None
+    breakdown: Breakdown = field(default_factory=Breakdown)
 
     @property
     def crew(self) -> Crew | None:

@@ -9,6 +9,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import PROGRAM, Program
 from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
 from kitrobot.mission import rules
+from kitrobot.mission.breakdown import BREAKDOWN, the_breakdown
 from kitrobot.mission.declarations import DECLARATIONS
 from kitrobot.mission.migrations import migrate
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team
@@ -119,6 +120,7 @@ MISSION = {
             **OWN,
             **TRIAL,
             **RADIO,
+            **BREAKDOWN,
             "program": PROGRAM,
             "team": Tag(_team, children={"agent": _AGENT, "goal": _GOAL, **DECLARATIONS}),
             "world": _WORLD,
@@ -165,6 +167,7 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
     for _, element in radios[1:]:
         message = Sentence("this mission has a radio already; this one is left out")
         element.report(rules.RADIO, message, help=Sentence("take one away"))
+    mission.breakdown = the_breakdown(root)
     mission.unknown = [str(raw) for raw in root.found(_Unknown)]
     _check(mission, root)
     diagnostics = reader.diagnostics

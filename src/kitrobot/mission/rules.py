@@ -47,3 +47,10 @@ RADIO = rule(
     "A mission has two radios",
     "How robots hear each other is said once, for all of them.",
 )
+BREAKDOWN = rule(
+    "mission-breakdown",
+    Severity.ERROR,
+    "What becomes of a robot that fails on a road cannot be understood",
+    "A mission says it once: `stay`, `tow` with the seconds until then in `after`, or `pass`, so that others drive"
+    " round it.",
+)

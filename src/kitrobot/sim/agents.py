@@ -18,6 +18,7 @@ from kitrobot.sim.columns import (
     HEIGHT,
     LEFT,
     MUTED,
+    ORIGIN,
     SINCE,
     TICK,
     WELL,
@@ -120,6 +121,11 @@ class Agent:
         if self.down == FAILED:
             return Recorded("{robot} failed after {seconds} s ({cause})", self.name, f"{seconds:.1f}", cause)
         return Recorded("{robot} stalled after {seconds} s ({cause})", self.name, f"{seconds:.1f}", cause)
+
+    @property
+    def lost_its_box(self) -> bool:
+        """Whether it was towed with a box for which there was no room where it came from."""
+        return bool(self.state.robots.ints[ORIGIN][self.index] < 0)
 
     @property
     def is_outside(self) -> bool:

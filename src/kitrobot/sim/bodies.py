@@ -36,14 +36,14 @@ def _names(first: str, last: str) -> dict[str, int]:
 
 
 _REAL = _names("X", "TOLD")
-_WHOLE = _names("SOLID", "LEFT")
+_WHOLE = _names("SOLID", "ORIGIN")
 
 
 class Stage:
     """What all robots of a run share: the world, its stock, and the robots themselves.
 
     `stock[h]` is the number of boxes in the storehouse h, `delivered[i]` how many boxes robot i brought. Boxes are
-    never made or lost: `total` stays the sum of all stock and all loads.
+    never made: `total` stays the sum of all stock, all loads, and boxes that were lost with a robot that was towed.
     """
 
     def __init__(self, world: World, state: State) -> None:

@@ -11,7 +11,7 @@ stand side by side (see `devices`); what P, Q, R and S mean is up to the device.
 from __future__ import annotations
 
 FREE = -1
-"""The road of a robot that moves freely."""
+"""The road of a robot that moves freely; less is that of one that was taken off a road (breakdowns)."""
 
 # ---- robots, numbers with a fraction: state.robots.floats
 
@@ -61,8 +61,9 @@ REALS = 17
     SINCE,  # the step in which DOWN became what it is
     CAUSE,  # what brought that about
     LEFT,  # 1: it was beyond the edge of the world once
-) = range(22)
-WHOLES = 22
+    ORIGIN,  # 1 + the storehouse that its last box came from; 0 before the first one, -1 when that box is lost
+) = range(23)
+WHOLES = 23
 
 SIGN_LAMP, SIGN_ALARM, SIGN_ARM = 1, 4, 8
 """Lamp on, collision sensor pressed, arm out; the bits between and above are other flags of an agent (simulation)."""
@@ -135,7 +136,7 @@ CLOSED, FIRST, LAST, CUT_FIRST, CUT_LAST = range(5)
 # ---- what does not change in a run: state.fixed_real and state.fixed
 
 DT, WIDEST, FAILS, WIDTH, HEIGHT = range(5)
-TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY = range(4)
+TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY, RULE, TOW_AFTER = range(6)
 
 # ---- the run as a whole: state.clock
 
@@ -159,8 +160,10 @@ TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY = range(4)
     PLANNED,  # how much of the schedule of failures has been
     REVIVALS,  # how many revivals are still to come on schedule
     SOUND,  # programs that have not ended, of robots that have not failed, stalled or lost their radio
-) = range(19)
-CLOCKS = 19
+    PLANS,  # how long the schedule of failures is
+    OFF_ROADS,  # robots that failed on a road and are to be taken off it
+) = range(21)
+CLOCKS = 21
 
 # ---- what happens, as five numbers: kind, agent, what, how much, tick
 
@@ -183,7 +186,8 @@ CLOCKS = 19
     BACK,  # it begins anew, as a spare one
     UNIT_LOST,  # what: the work of which it had a unit
     UNHEARD,  # what: the robot whose message, with news for this one, got lost
-) = range(18)
+    TOWED,  # it is off its road, what: the storehouse that its box came from, how much: what became of that
+) = range(19)
 EVENT = 5
 
 

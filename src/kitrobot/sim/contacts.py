@@ -71,7 +71,7 @@ def measure_gaps(robots: Robots, roads: Roads) -> None:
             ahead[i] = math.inf
             leader[i] = -1
             behind[i] = math.inf
-        if end - start > 1:
+        if end - start > 1 and r >= 0:
             for k in range(start, end):
                 i = order[k]
                 if k + 1 < end:

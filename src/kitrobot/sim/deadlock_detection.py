@@ -33,6 +33,7 @@ from kitrobot.sim.columns import (
     KEPT,
     PATIENCE,
     PLANNED,
+    PLANS,
     QUIET,
     REVIVALS,
     ROLLING,
@@ -66,7 +67,7 @@ def may_be_held(step: int, state: State) -> bool:
     Never while a robot may still fail on schedule or by chance: who is held, and fails, lets go.
     """
     clock = state.clock
-    if clock[ROLLING] == 0 or clock[PLANNED] < len(state.faults.plan[0]):
+    if clock[ROLLING] == 0 or clock[PLANNED] < clock[PLANS]:
         return False
     if state.fixed_floats[FAILS] > 0.0 or clock[CHANCE] > 0:
         return False

@@ -73,7 +73,7 @@ class Goals:
 def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """All goals hold; or there are none, and every program has ended."""
     ending = goals.say() or (_at_once(agents) if is_at_once(seconds, agents) else Recorded("every program has ended"))
-    what = _joined(ending, _driving(agents), _left(agents))
+    what = _joined(ending, _lost_boxes(agents), _driving(agents), _left(agents))
     lost = _casualties(agents)
     if not lost and not all(agent.ended for agent in agents):
         lost = _unfinished(agents)
@@ -86,7 +86,7 @@ def say_done(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
 
 def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
     """Every program that could has ended, and some goal does not hold or somebody failed."""
-    why = _joined(_casualties(agents), goals.say(), goals.say_full(agents), _left(agents))
+    why = _joined(_casualties(agents), goals.say(), goals.say_full(agents), _lost_boxes(agents), _left(agents))
     if all(agent.ended for agent in agents):
         return Recorded("Every program has ended, but {why}.", _joined(why, _driving(agents)))
     if any(agent.ended for agent in agents):
@@ -96,12 +96,18 @@ def say_failed(goals: Goals, agents: Sequence[Agent]) -> str:
 
 def say_team_over(why: str, goals: Goals, agents: Sequence[Agent]) -> str:
     """The team cannot go on; `why` says for what reason."""
-    return Recorded("The team cannot go on: {why}.", _joined(why, _casualties(agents), goals.say(), _left(agents)))
+    return Recorded(
+        "The team cannot go on: {why}.",
+        _joined(why, _casualties(agents), goals.say(), _lost_boxes(agents), _left(agents)),
+    )
 
 
 def say_time(goals: Goals, seconds: float, agents: Sequence[Agent]) -> str:
     """The time ran out."""
-    why = (goals.say() or _unfinished(agents), _casualties(agents), goals.say_full(agents), _left(agents))
+    why = (
+        *(goals.say() or _unfinished(agents), _casualties(agents), goals.say_full(agents)),
+        *(_lost_boxes(agents), _left(agents)),
+    )
     return Recorded("The time of {seconds} s ran out: {why}.", f"{seconds:g}", _joined(*why))
 
 
@@ -116,7 +122,7 @@ def say_stuck(goals: Goals, agents: Sequence[Agent], missing: Sequence[str] = ()
         waiting = Recorded("{name} waits for something that will not come", names[0])
     else:
         waiting = Recorded("{names} wait for something that will not come", names_listed(names))
-    why = (waiting, goals.say_full(agents), _casualties(agents), goals.say(), _left(agents))
+    why = (waiting, goals.say_full(agents), _casualties(agents), goals.say(), _lost_boxes(agents), _left(agents))
     return Recorded("Nothing can change any more: {why}.", _joined(*why))
 
 
@@ -158,6 +164,14 @@ def _left(agents: Sequence[Agent]) -> str:
     """Who is beyond the edge of the world; "" for nobody."""
     names = [agent.name for agent in agents if agent.is_outside]
     return Recorded("{names} left the world, which has no wall there", names_listed(names)) if names else ""
+
+
+def _lost_boxes(agents: Sequence[Agent]) -> str:
+    """Whose boxes are lost; "" for nobody's."""
+    names = [agent.name for agent in agents if agent.lost_its_box]
+    if len(names) == 1:
+        return Recorded("the box of {name} is lost", names[0])
+    return Recorded("the boxes of {names} are lost", names_listed(names)) if names else ""
 
 
 def _joined(*clauses: str) -> str:

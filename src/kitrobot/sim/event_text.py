@@ -9,6 +9,7 @@ from typing import Literal
 from kitrobot.primitives import RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.agents import Agent
+from kitrobot.sim.breakdowns import BOX_BACK, BOX_LOST, PASSED
 from kitrobot.sim.failures import said_of
 from kitrobot.sim.faults import REVIVE
 from kitrobot.sim.state import State, numbers
@@ -116,10 +117,21 @@ class EventText:
             )
         if kind == c.UNHEARD:
             return "message", Recorded("did not hear {agent}: the message got lost", self._members[what].name)
+        if kind == c.TOWED:
+            return "message", self._say_towed(what, much)
         assert kind == c.WRITTEN, f"nobody says {kind}"
         variable = self._variables[what]
         boolean = variable.minimum == 0 and variable.type.value == "boolean"
         return "message", f"{variable.name} = {('false', 'true')[much] if boolean else much}"
+
+    def _say_towed(self, house: int, much: int) -> str:
+        if much == BOX_BACK:
+            return Recorded("is towed away; its box is back in {storehouse}", self._houses[house])
+        if much == BOX_LOST and house >= 0:
+            return Recorded("is towed away; its box is lost: {storehouse} is full", self._houses[house])
+        if much == BOX_LOST:
+            return Recorded("is towed away; its box is lost: it came from no storehouse")
+        return Recorded("is off its road: others drive round it") if much == PASSED else Recorded("is towed away")
 
 
 def sensor_names(state: State, members: Sequence[Agent]) -> dict[tuple[int, str], int]:

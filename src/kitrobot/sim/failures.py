@@ -21,6 +21,8 @@ CAUSES = (Recorded("by hand"), Recorded("on schedule"), Recorded("by chance"))
 """How it comes about, in the order of their numbers in `faults`."""
 
 MINUTE_MS = 60_000
+MORE_PLANNED = 2
+"""So many failures can be put on the schedule of a run that is set up."""
 TURN_MS = 1000
 """How often each robot may fail by chance, in simulated time."""
 
@@ -46,9 +48,13 @@ class FaultPlan:
         """How many revivals are on the schedule."""
         return self.plan[2].count(REVIVE)
 
+    def with_room(self) -> list[list[int]]:
+        """The rows of the schedule, longer than it is."""
+        return [row + [0] * MORE_PLANNED for row in self.plan]
+
     def most_events(self, robots: int, variables: int) -> int:
         """The most that can be told of failures in one step: who comes back tells its shared variables too."""
-        at_once = max(Counter(self.plan[0]).values(), default=0)
+        at_once = max(Counter(self.plan[0]).values(), default=0) + MORE_PLANNED
         return at_once * (1 + variables) + (robots if self.probability else 0)
 
 
@@ -80,6 +86,19 @@ def fault_plan(
         drawn = [keys(seed, name, "failure") for name in names]
         made.keys = [[one for one, _ in drawn], [other for _, other in drawn]]
     return made
+
+
+def plan_more(plan: FaultPlan, more: Sequence[tuple[int, int]], state: State) -> None:
+    """Puts these failures, (step, robot), behind what a run's schedule says of their steps, in the place of those that
+    were put there before; they must not be before now.
+    """
+    assert len(more) <= MORE_PLANNED, "there is room for them"
+    rows = [*zip(*plan.plan, strict=True), *((step, robot, FAIL) for step, robot in more)]
+    rows.sort(key=lambda row: row[0])
+    for column, table in enumerate(state.faults.plan):
+        for number, row in enumerate(rows):
+            table[number] = row[column]
+    state.clock[c.PLANS] = len(rows)
 
 
 def said_of(kind: int, cause: int) -> str:

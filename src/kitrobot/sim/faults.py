@@ -1,18 +1,20 @@
 """Fault injection: crash, stall, radio loss and recovery of robots, on schedule and by chance.
 
 *Failed*: it stops reacting for good. Its wheels brake as at `Stop()`, its other devices stand as they are, and it stays
-where it is, in everybody's way. *Stalled*: its program misses its ticks; the devices go on as they were told last.
+where it is, in everybody's way, unless the mission says what becomes of it on a road (breakdowns). *Stalled*: its
+program misses its ticks; the devices go on as they were told last.
 *Muted*: it has lost its radio, as a failed one has: shared variables neither come nor go (sharing). *Apart*, in a
 mission with a radio: it hears only others that are apart too. *Revived*: all of that is over; program and devices go on
 where they were.
 
-The schedule is rows of `plan`: step, robot and kind, in order of steps. By chance a robot fails with the same
-probability in every second of its own; the draws are counted by the step, so they need no state. From outside, between
-two steps, `Simulation.harm` calls `harm` here.
+The schedule is rows of `plan`: step, robot and kind, in order of steps; PLANS of them count. By chance a robot fails
+with the same probability in every second of its own; the draws are counted by the step, so they need no state. From
+outside, between two steps, `Simulation.harm` calls `harm` here.
 """
 
 from __future__ import annotations
 
+from kitrobot.sim.breakdowns import begin_breakdown, end_breakdown, may_be_revived
 from kitrobot.sim.chance import happens
 from kitrobot.sim.columns import (
     ASLEEP,
@@ -26,6 +28,7 @@ from kitrobot.sim.columns import (
     LIVING,
     MUTED,
     PLANNED,
+    PLANS,
     REVIVALS,
     SINCE,
     SOUND,
@@ -69,6 +72,7 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         floats[TURN][i] = 0.0
         if ints[ENDED][i] == 0:
             clock[LIVING] -= 1
+        begin_breakdown(i, state)
     elif kind == STALL:
         if down[i] != WELL:
             return
@@ -83,11 +87,12 @@ def harm(i: int, kind: int, cause: int, state: State) -> None:
         state.radio.robots[SIDE][i] = 1
     else:
         is_apart = has_radio(state) and state.radio.robots[SIDE][i] != 0
-        if down[i] == WELL and muted[i] == 0 and not is_apart:
+        if (down[i] == WELL and muted[i] == 0 and not is_apart) or not may_be_revived(i, state):
             return
         if is_apart:
             state.radio.robots[SIDE][i] = 0
         if down[i] == FAILED:
+            end_breakdown(i, state)
             floats[TARGET][i] = floats[TOLD][i]
             if ints[ENDED][i] == 0:
                 clock[LIVING] += 1
@@ -118,7 +123,7 @@ def harm_on_schedule(step: int, state: State) -> None:
     clock = state.clock
     plan = state.faults.plan
     steps = plan[PLAN_STEP]
-    while clock[PLANNED] < len(steps) and steps[clock[PLANNED]] <= step:
+    while clock[PLANNED] < clock[PLANS] and steps[clock[PLANNED]] <= step:
         n = clock[PLANNED]
         clock[PLANNED] = n + 1
         kind = plan[PLAN_KIND][n]

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from kitrobot.sim.columns import LOW_X, LOW_Y, RADIUS, X, Y
+from kitrobot.sim.columns import FREE, LOW_X, LOW_Y, RADIUS, ROAD, X, Y
 from kitrobot.sim.state import Grid, Rays, Robots
 
 FEW = 40
@@ -71,7 +71,7 @@ def cell_at(x: float, y: float, grid: Grid) -> int:
 
 def fill(robots: Robots, widest: float, grid: Grid) -> None:
     """Puts the discs of the robots with wheels into a grid, each into every cell it reaches into: four at most, since a
-    cell is as wide as the widest disc.
+    cell is as wide as the widest disc. Who was taken off its road is left out.
 
     `starts` has room for 2 cells a disc and 8 more, `items` for 4 entries a disc. LOW_X and LOW_Y of a robot become the
     first column and row that its disc reaches into.
@@ -84,6 +84,7 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
     ints = robots.ints
     low_x = ints[LOW_X]
     low_y = ints[LOW_Y]
+    road = ints[ROAD]
     starts = grid.starts
     items = grid.items
     count = len(who)
@@ -96,6 +97,8 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
     high = -math.inf
     for k in range(count):
         i = who[k]
+        if road[i] < FREE:
+            continue
         if x[i] < left:
             left = x[i]
         if x[i] > right:
@@ -104,6 +107,8 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
             low = y[i]
         if y[i] > high:
             high = y[i]
+    if right < left:
+        left = right = low = high = 0.0
     left -= reach
     low -= reach
     width = right + reach - left
@@ -123,17 +128,22 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
     grid.shape[0] = columns
     grid.shape[1] = rows
     if columns * rows == 1:
+        found = 0
         for k in range(count):
             low_x[who[k]] = 0
             low_y[who[k]] = 0
-            items[k] = who[k]
+            if road[who[k]] >= FREE:
+                items[found] = who[k]
+                found += 1
         starts[0] = 0
-        starts[1] = count
+        starts[1] = found
         return
     for c in range(columns * rows + 1):
         starts[c] = 0
     for k in range(count):
         i = who[k]
+        if road[i] < FREE:
+            continue
         r = radius[i] + SLACK_MM
         low_x[i] = int((x[i] - r - left) / size)
         low_y[i] = int((y[i] - r - low) / size)
@@ -148,6 +158,8 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
     # From the back, so that each list is ascending and each start ends where its cell begins.
     for back in range(count):
         i = who[count - 1 - back]
+        if road[i] < FREE:
+            continue
         r = radius[i] + SLACK_MM
         for row in range(low_y[i], min(rows - 1, int((y[i] + r - low) / size)) + 1):
             for column in range(low_x[i], min(columns - 1, int((x[i] + r - left) / size)) + 1):

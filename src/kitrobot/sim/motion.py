@@ -80,7 +80,7 @@ def follow(robots: Robots, roads: Roads) -> None:
     closed = roads.ints[CLOSED]
     for k in range(len(who)):
         i = who[k]
-        if way[i] == 0.0:
+        if way[i] == 0.0 or road[i] < 0:
             continue
         r = road[i]
         s = at[i] + way[i]
@@ -123,6 +123,8 @@ def place(robots: Robots, roads: Roads) -> None:
     for n in range(len(who)):
         i = who[n]
         r = road[i]
+        if r < 0:
+            continue
         s = at[i]
         k = stretch[i]
         first = firsts[r]

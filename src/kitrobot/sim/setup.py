@@ -89,6 +89,7 @@ class Setup:
         self._free_starts = mission.team.free(self._starts)
         self._suggestions = Suggestions()
         self._kinds: Counter[str] = Counter()
+        self._places: dict[tuple[int, int], int] = {}
         self._build()
         if self.problems:
             first = self.problems[0]
@@ -140,6 +141,7 @@ class Setup:
             self._nobody_overlaps()
         if self._looks_only:
             return
+        self.tables.breakdown = self.mission.breakdown
         names = [agent.name for agent in self.agents]
         self.tables.fault_plan = fault_plan(self.mission.failures, names, self.step_ms, self.fail_rate, self.seed)
 
@@ -201,9 +203,6 @@ class Setup:
         index = tables.add_robot(self.world.start_pose(start), robot, machine, period)
         agent = Agent(index, member.name, member.program, robot, machine, period)
         self.agents.append(agent)
-        if tables.team is not None and member.robot:
-            agent.image_name = member.image_name
-            tables.team.members.append(TeamMember(index, member.name, member.robot))
         standing = self._standing(start)
         if start.road:
             tables.ints[ROAD][index] = standing.road
@@ -219,9 +218,20 @@ class Setup:
                     device.fit(index, tables.floats, tables.ints, values)
                 else:
                     tables.add_device(index, number, part, device, values, standing, agent.name)
+        if tables.team is not None and member.robot:
+            agent.image_name = member.image_name
+            place = self._place(standing, handles)
+            tables.team.members.append(TeamMember(index, member.name, member.robot, place=place))
         agent.kind = self._kind(index, handles, standing)
         self._kinds[agent.kind] += 1
         agent.number = self._kinds[agent.kind]
+
+    def _place(self, standing: Standing, handles: Collection[str]) -> int:
+        """A number for where a robot stands for good: its storehouse, and the road there that its arm serves."""
+        if standing.storehouse < 0:
+            return -1
+        key = standing.storehouse, standing.road if MOVES_BOXES in handles else -1
+        return self._places.setdefault(key, len(self._places))
 
     def _machine(self, image_name: str, robot: Robot) -> Machine:
         """A machine at the beginning of a program; those of one program share what does not change."""

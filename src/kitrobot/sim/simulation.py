@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Literal
 
@@ -45,7 +45,7 @@ from kitrobot.sim.columns import (
 from kitrobot.sim.deadlock_detection import stirred
 from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_team_over, say_time
 from kitrobot.sim.event_text import Event, EventText, sensor_names
-from kitrobot.sim.failures import harm_by_hand, keep_untold, room_to_tell
+from kitrobot.sim.failures import harm_by_hand, keep_untold, plan_more, room_to_tell
 from kitrobot.sim.jit_policy import JitPolicy
 from kitrobot.sim.limits import check_limits
 from kitrobot.sim.packing import Packing
@@ -114,6 +114,7 @@ class Simulation:
         self._variables = shared.variables
         groups, works = list(team.groups) if team else (), [work.name for work in mission.team.works]
         self._event_text = EventText(world, self.members, shared.variables, self.state, groups, works)
+        self._fault_plan = setup.tables.fault_plan
         self._team_text = TeamText(team, self.members)
         self._goals = Goals(self.state.docks.goals, self.stage)
         self._sensors = sensor_names(self.state, self.members)
@@ -189,6 +190,8 @@ class Simulation:
         elif self._last_tick is not None and clock[TICK] >= self._last_tick:
             assert self.seconds_limit is not None
             self._end("time", say_time(goals, self.seconds_limit, members))
+        elif clock[STUCK] and (lost := self._team_text.lost_block(self.state)):
+            self._end("failed", say_team_over(lost, goals, members))
         elif clock[STUCK]:
             self._end("stuck", say_stuck(goals, members, self._team_text.missing(self.state)))
 
@@ -294,6 +297,14 @@ class Simulation:
         self.outcome, self.sentence = None, ""
         self._look_for_an_end()
         return True
+
+    def plan_failures(self, failures: Sequence[tuple[int, int]]) -> None:
+        """Puts up to two failures, (step, agent's place in the team), on the schedule, as if the mission had them too.
+
+        They take the place of those that were put there before, and must not be before this step. A snapshot does not
+        keep them.
+        """
+        plan_more(self._fault_plan, failures, self.state)
 
     @property
     def untold(self) -> list[Event]:

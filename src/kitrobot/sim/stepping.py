@@ -1,9 +1,9 @@
 """The step of a whole run, machines and world, for all robots at once: one source, run by CPython or compiled by Numba.
 
-In this order: robots fail or are revived, and a team finds out whom it misses; sensors measure; every machine whose
-tick it is is given what they read, then all of these react, in team order; devices take the commands and move; a team
-agrees at its points; robots move, and what touches is parted; shared variables spread; and when nothing stirs, it is
-asked whether anything ever will.
+In this order: robots fail, are revived or towed, and a team finds out whom it misses; sensors measure; every machine
+whose tick it is is given what they read, then all of these react, in team order; devices take the commands and move; a
+team agrees at its points; robots move, and what touches is parted; shared variables spread; and when nothing stirs, it
+is asked whether anything ever will.
 
 Everything here and in what it calls is in the part of Python that Numba takes: loops over rows of numbers, whole
 numbers that fit 64 bits, no division by zero, no function of the C library but the square root. So both give the same
@@ -14,6 +14,7 @@ Numba. Nothing is allocated: the state has room for everything.
 from __future__ import annotations
 
 from kitrobot.sim.actuation import busy, deliver
+from kitrobot.sim.breakdowns import clear_roads
 from kitrobot.sim.columns import (
     A_FRESH,
     A_KIND,
@@ -24,7 +25,9 @@ from kitrobot.sim.columns import (
     LIVING,
     MOST_EVENTS,
     MOVED,
+    OFF_ROADS,
     PLANNED,
+    PLANS,
     REVIVALS,
     ROLLING,
     RUNNING,
@@ -65,9 +68,9 @@ def advance(state: State, steps: int) -> int:
     clock = state.clock
     fixed = state.fixed
     fixed_floats = state.fixed_floats
+    team = state.team.numbers
     has_team = len(state.team.set_first) > 0
     by_radio = has_radio(state)
-    planned = len(state.faults.plan[0])
     room = len(state.events) // EVENT - fixed[MOST_EVENTS]
     done = 0
     while done < steps and clock[EVENTS] <= room and is_going_on(state) and not is_reached(state):
@@ -77,10 +80,12 @@ def advance(state: State, steps: int) -> int:
         if looks:
             remember(state)
 
-        if clock[PLANNED] < planned:
+        if clock[PLANNED] < clock[PLANS]:
             harm_on_schedule(step, state)
         if fixed_floats[FAILS] > 0.0:
             harm_by_chance(step, state)
+        if clock[OFF_ROADS] > 0:
+            clear_roads(step, state)
 
         if has_team:
             look_for_silent(step, state)
@@ -111,7 +116,7 @@ def advance(state: State, steps: int) -> int:
             stirs = is_stirring(step, state)
         else:
             stirs = not looks or is_at_work(step, state) or not is_held(state)
-        if stirs or clock[EVENTS] > events_before or is_waited_for(state.team.numbers):
+        if stirs or clock[EVENTS] > events_before or clock[OFF_ROADS] > 0 or is_waited_for(team):
             stirred(clock)
         elif clock[RUNNING] > 0:
             detect_deadlock(state)
@@ -126,14 +131,14 @@ def is_waited_for(team: list[int]) -> bool:
 
 
 def is_going_on(state: State) -> bool:
-    """Whether the run has not come to its end: somebody goes on, or failed and is to be revived, or the team does not
-    know yet that it is to go on without somebody.
+    """Whether the run has not come to its end: somebody goes on, or failed and is to be revived or towed, or the team
+    does not know yet that it is to go on without somebody.
     """
     clock = state.clock
     team = state.team.numbers
     if clock[STUCK] > 0 or clock[RUNNING] == 0 or team[TEAM_OVER] > 0:
         return False
-    return clock[LIVING] > 0 or clock[REVIVALS] > 0 or team[TEAM_PENDING] > 0
+    return clock[LIVING] > 0 or clock[REVIVALS] > 0 or clock[OFF_ROADS] > 0 or team[TEAM_PENDING] > 0
 
 
 def is_reached(state: State) -> bool:

@@ -1,9 +1,10 @@
 """What a team does about robots that fail, stall or lose their radio, in a step.
 
 Such a robot is silent: until it is missed, a second later, meetings wait for it. What happens then, the groups say that
-it is in, in this order: *abort*: the team cannot go on. *substitute*: the first spare robot of its kind that is well
-takes its role and groups over; its program, which waits in its first line, is led to where the role was lost
-(`compiler.team_points`). *drop*, which also holds where no spare one is left: the others go on without it.
+it is in, in this order: *abort*: the team cannot go on. *substitute*: the first spare robot of its kind that is well,
+and stands at the same storehouse if that one stood at one, takes its role and groups over; its program, which waits in
+its first line, is led to where the role was lost (`compiler.team_points`). *drop*, which also holds where no spare one
+is left: the others go on without it.
 
 With a radio, who does not hear a majority of the team is silent too, and while nobody hears one, nobody is missed.
 A robot that is missed plays no role any more. One that has only lost its radio knows that by itself, and begins its
@@ -54,6 +55,7 @@ from kitrobot.sim.team_columns import (
     T_HOLDER,
     T_LED,
     T_MISSED,
+    T_PLACE,
     T_ROLE,
     T_SEAT,
     T_SILENT,
@@ -149,7 +151,9 @@ def miss(i: int, state: State) -> None:
 
 
 def first_spare(lost: int, state: State) -> int:
-    """The first robot of the same kind that has no role and is well; -1 where there is none, or none could be led."""
+    """The first robot of the same kind and at the same place that has no role and is well; -1 where there is none, or
+    none could be led.
+    """
     robots = state.team.robots
     ints = state.robots.ints
     if robots[T_SINCE][lost] > len(state.team.since[lost]):
@@ -161,6 +165,7 @@ def first_spare(lost: int, state: State) -> int:
             and robots[T_SILENT][i] < 0
             and ints[ENDED][i] == 0
             and ints[PROGRAM][i] == ints[PROGRAM][lost]
+            and robots[T_PLACE][i] == robots[T_PLACE][lost]
         ):
             return i
     return -1
@@ -190,14 +195,14 @@ def take_over(spare: int, lost: int, state: State) -> None:
 
 
 def drop(lost: int, team: Team) -> None:
-    """The others go on without a robot; which sets are empty for that reason is kept."""
+    """The others go on without a robot; its sets keep that, as 2 + the point from which it last went on."""
     robots = team.robots
     robots[T_HOLDER][robots[T_SEAT][lost]] = -1
     for g in range(len(team.groups)):
         team.groups[g][lost] = 0
     for chosen in range(len(team.members)):
         if team.members[chosen][lost]:
-            team.emptied[chosen] = 1
+            team.emptied[chosen] = robots[T_ANCHOR][lost] + 2
 
 
 def begin_anew(i: int, state: State) -> None:

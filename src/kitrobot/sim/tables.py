@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.image import Machine
-from kitrobot.mission import Radio
+from kitrobot.mission import Breakdown, BreakdownRule, Radio
 from kitrobot.primitives import TEAM, Robot, RobotObject
 from kitrobot.sim import columns as c
 from kitrobot.sim.actuation import QUEUE
@@ -93,6 +93,8 @@ class Tables:
         """How the robots hear each other; set before `state`."""
         self.numbers: dict[str, int] = {}
         """The numbers of robots by name; set before `state`."""
+        self.breakdown = Breakdown()
+        """What becomes of robots that fail on a road; set before `state`."""
         self.goals: list[list[int]] = [[], []]
         """The storehouses of goals, and how many boxes each is to hold; set before `state`."""
 
@@ -184,7 +186,7 @@ class Tables:
             buckets *= 2
         variables = len(shared.variables)
         most_events = count + pairs + len(free_solid) + 2 * len(self._actuators) + variables
-        most_events += self.fault_plan.most_events(count, variables)
+        most_events += self.fault_plan.most_events(count, variables) + len(guided)
         if self.team is not None:
             most_events += self.team.most_events
         if self.radio is not None:
@@ -192,6 +194,7 @@ class Tables:
         clock = [0] * c.CLOCKS
         clock[c.RUNNING] = clock[c.LIVING] = clock[c.SOUND] = count
         clock[c.REVIVALS] = self.fault_plan.revivals
+        clock[c.PLANS] = len(self.fault_plan.plan[0])
         clock[c.MOVED] = 1
         clock[c.CYCLE] = math.lcm(*ints[c.PERIOD])
         clock[c.UNTIL] = 1
@@ -207,7 +210,10 @@ class Tables:
         clock[c.CHANCE] = sum(sensor.ints[c.S_RESTLESS]) + len(by_hand)
         room = max(4 * max(len(self.world.walls), FEW), 2 * in_grid) + 32
         state = State(
-            fixed=[1 if together else 0, 1 if sees else 0, most_events, self.fault_plan.every],
+            fixed=[
+                *(1 if together else 0, 1 if sees else 0, most_events, self.fault_plan.every),
+                *(tuple(BreakdownRule).index(self.breakdown.rule), ticks(self.breakdown.after_s * 1000, self.dt)),
+            ],
             fixed_floats=[self.dt, widest, self.fault_plan.probability, self.world.width_mm, self.world.height_mm],
             clock=clock,
             events=[0] * (c.EVENT * (2 * most_events + BY_HAND_AT_ONCE + variables)),
@@ -236,7 +242,7 @@ class Tables:
             shared=shared.tables,
             team=self._team(actuator),
             radio=radio_tables(self.radio, list(self.numbers), ints[c.PERIOD], self.seed, self.dt * 1000, shared),
-            faults=Faults(self.fault_plan.plan, self.fault_plan.keys),
+            faults=Faults(self.fault_plan.with_room(), self.fault_plan.keys),
             roads=road_tables(self.world),
             docks=dock_tables(self.world, self.goals),
             walls=wall_tables(self.world, widest + TOUCH_MM),

@@ -63,8 +63,9 @@ ONE, ANY, EVERY, MOST = range(4)
     T_LED,  # the point to which it is led, or -1
     T_TOLD,  # how many of `since` it was told again
     T_TELL,  # how many it is to be told
-) = range(16)
-TEAM_ROWS = 16
+    T_PLACE,  # where it stands for good: at one of the storehouses, or -1 where it can be anywhere
+) = range(17)
+TEAM_ROWS = 17
 
 MOST_SINCE = 256
 """Points that a robot may go on from in one block and be substituted."""

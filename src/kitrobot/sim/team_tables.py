@@ -53,12 +53,15 @@ def _rows(count: int, length: int = 0) -> list[list[int]]:
 
 @dataclass(frozen=True)
 class TeamMember:
-    """A robot that runs a team's program: its number in the run, its name, its kind, its actuator's number."""
+    """A robot that runs a team's program: its number in the run, its name, its kind, its actuator's number, and the
+    number of the place where it stands for good, -1 for none.
+    """
 
     robot: int
     name: str
     kind: str
     actuator: int = -1
+    place: int = -1
 
 
 @dataclass
@@ -202,6 +205,7 @@ class _Making:
         rows[c.T_SEAT] = list(range(self.count))
         for one in self.members:
             rows[c.T_ACTUATOR][one.robot] = one.actuator
+            rows[c.T_PLACE][one.robot] = one.place
         for robot, role in self.playing.items():
             rows[c.T_ROLE][robot] = role
             rows[c.T_HOLDER][robot] = robot

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kitrobot.compiler import TeamPlan
+from kitrobot.compiler import PointKind, TeamPlan
 from kitrobot.sim import team_columns as c
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.endings import names_listed
+from kitrobot.sim.meetings import is_left_empty
 from kitrobot.sim.state import State
 from kitrobot.text import Recorded
 
@@ -29,7 +30,23 @@ class TeamText:
             return Recorded("{agent} is missed, without whom {group} does not go on", self._members[who].name, group)
         if numbers[c.TEAM_OVER] == c.OVER_NOBODY:
             return Recorded("nobody is left of it")
-        point = self._plan.points[who]
+        return self._nobody(who)
+
+    def lost_block(self, state: State) -> str:
+        """Which block nobody is left of who could do it: all who were in it are missed, the last of them since before
+        its end; "" for none.
+        """
+        points = self._plan.points if self._plan is not None else ()
+        team = state.team
+        for number, point in enumerate(points):
+            members = int(team.points[c.P_MEMBERS][number])
+            if point.kind is PointKind.BLOCK and is_left_empty(members, team) and team.emptied[members] - 2 <= number:
+                return self._nobody(number)
+        return ""
+
+    def _nobody(self, number: int) -> str:
+        assert self._plan is not None
+        point = self._plan.points[number]
         names = names_listed(sorted(point.members))
         return Recorded("nobody is left of {names} at {place}", names, point.vertex or point.program)
 

@@ -10,7 +10,7 @@ from kitrobot.mission import Breakpoint, Failure, Mission
 from kitrobot.primitives import Constructor, OwnVariable, RobotObject
 from kitrobot.text import COMMA, Sentence, Series, Word
 
-TOLD_HERE = ("constructors", "variables", "breakpoints", "failures")
+TOLD_HERE = ("constructors", "variables", "breakpoints", "failures", "breakdown")
 """The fields of a mission whose differences are told here."""
 
 _TOLD_BY_OTHERS = ("name", "group", "role", "template", "methods")
@@ -23,7 +23,10 @@ def own_part_differences(before: Mission, after: Mission) -> Iterator[tuple[str,
     yield from _between("variable", _variables(before.variables), _variables(after.variables))
     yield from _between("breakpoint", _breakpoints(before), _breakpoints(after))
     yield from _between("failure", _failures(before), _failures(after))
-    for list_ in TOLD_HERE:
+    if before.breakdown != after.breakdown:
+        words = (before.breakdown.words, after.breakdown.words)
+        yield "mission", Sentence("robots that fail on a road: {before} → {after}", *words)
+    for list_ in ("constructors", "variables", "breakpoints", "failures"):
         old, new = getattr(before, list_), getattr(after, list_)
         if old != new and sorted(map(repr, old)) == sorted(map(repr, new)):
             yield "order", Sentence("the mission's {what} stand in another order", Word(list_))

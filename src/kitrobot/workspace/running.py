@@ -132,6 +132,10 @@ class PreparedRun:
             tuple(advice(self.opened, made)),
         )
 
+    def parts(self) -> tuple[Any, ...]:
+        """What `Simulation` makes this run of, compiled already; other processes can be given it."""
+        return _parts(self.opened, self.options)
+
     def again(self) -> Simulation:
         """The same run before its first step, by itself.
 
@@ -167,18 +171,14 @@ def _set_up(opened: OpenMission, options: RunOptions) -> Simulation:
     assert opened.world is not None, "a mission without its world has an error"
     check_limits(options.seconds, options.seed, options.fail_rate)
     try:
-        return Simulation(
-            opened.mission,
-            opened.world,
-            opened.images,
-            opened.catalogue,
-            options.seed,
-            options.seconds,
-            options.fail_rate,
-            _plan(opened),
-        )
+        return Simulation(*_parts(opened, options))
     except SimulationError as error:
         raise _refused(opened, error) from None
+
+
+def _parts(opened: OpenMission, options: RunOptions) -> tuple[Any, ...]:
+    chosen = (options.seed, options.seconds, options.fail_rate)
+    return (opened.mission, opened.world, opened.images, opened.catalogue, *chosen, _plan(opened))
 
 
 def _plan(opened: OpenMission) -> TeamPlan | None:

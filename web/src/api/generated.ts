@@ -201,6 +201,12 @@ export interface BoardsWelcomeMessage {
   you: string;
 }
 
+/** What becomes of a robot that fails for good on a road, and after how many seconds it is towed. */
+export interface Breakdown {
+  rule: "stay" | "tow" | "pass";
+  after_s?: number;
+}
+
 /** Where a run pauses: see `kitrobot.mission.Breakpoint`. */
 export interface Breakpoint {
   program: string;
@@ -521,6 +527,7 @@ export interface Mission {
   variables?: OwnVariable[];
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
+  breakdown?: Breakdown | null;
   own_world?: OwnWorld | null;
   radio?: Radio | null;
   roles?: Role[];
@@ -1052,6 +1059,7 @@ export interface SentMission {
   variables?: OwnVariable[];
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
+  breakdown?: Breakdown | null;
   own_world?: OwnWorld | null;
   radio?: Radio | null;
   roles?: Role[];

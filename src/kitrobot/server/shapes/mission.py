@@ -8,7 +8,7 @@ from pydantic import BaseModel, Field, field_validator
 
 from kitrobot.graph import Program
 from kitrobot.lll import MAX_NUMBER, GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
-from kitrobot.mission import Breakpoint, Failure, FailureKind, Mission, Radio, Team
+from kitrobot.mission import Breakdown, BreakdownRule, Breakpoint, Failure, FailureKind, Mission, Radio, Team
 from kitrobot.mission.radio import LARGEST_RANGE_MM, LONGEST_DELAY_MS
 from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS
 from kitrobot.primitives import MOST_OWN, Level
@@ -60,6 +60,13 @@ class RadioShape(View):
     range_mm: Annotated[float | None, Field(ge=1, le=LARGEST_RANGE_MM, allow_inf_nan=False)] = None
     delay_ms: Annotated[int, Field(ge=0, le=LONGEST_DELAY_MS)] = 0
     loss: Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)] = 0.0
+
+
+class BreakdownShape(View):
+    """What becomes of a robot that fails for good on a road, and after how many seconds it is towed."""
+
+    rule: Literal["stay", "tow", "pass"]
+    after_s: Annotated[float, Field(ge=0, le=LONGEST_S, allow_inf_nan=False)] = 0
 
 
 class DeclarationShape(View):
@@ -124,6 +131,7 @@ class MissionShape(BaseModel):
     variables: Annotated[list[OwnVariableShape], Field(max_length=MOST_OWN)] = []
     breakpoints: Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)] = []
     failures: Annotated[list[ScheduledFailureShape], Field(max_length=MOST_AGENTS)] = []
+    breakdown: BreakdownShape | None = None
     own_world: OwnWorldShape | None = None
     radio: RadioShape | None = None
     roles: Annotated[list[RoleShape], Field(max_length=MOST_AGENTS)] = []
@@ -146,6 +154,7 @@ def mission_shape(mission: Mission) -> MissionShape:
         variables=[OwnVariableShape.model_validate(variable) for variable in mission.variables],
         breakpoints=[BreakpointShape.model_validate(one) for one in mission.breakpoints],
         failures=[ScheduledFailureShape.model_validate(one) for one in mission.failures],
+        breakdown=None if mission.breakdown == Breakdown() else BreakdownShape.model_validate(mission.breakdown),
         own_world=None if mission.own_world is None else own_world_shape(mission.own_world),
         radio=None if mission.radio is None else RadioShape.model_validate(mission.radio),
         roles=[RoleShape.model_validate(one) for one in mission.team.roles],
@@ -180,6 +189,9 @@ def mission_from_shape(shape: MissionShape, programs: list[Program] | None = Non
         failures,
         None if shape.own_world is None else own_world(shape.own_world),
         None if shape.radio is None else Radio(shape.radio.range_mm, shape.radio.delay_ms, shape.radio.loss),
+        Breakdown()
+        if shape.breakdown is None
+        else Breakdown(BreakdownRule(shape.breakdown.rule), round(shape.breakdown.after_s, 3)),
     )
 
 

@@ -28,6 +28,7 @@ from kitrobot.sim.columns import (
     NO_EMPTY_CARRIER,
     NO_LOADED_CARRIER,
     NO_ROOM,
+    ORIGIN,
     SIGN_ARM,
     SIGNS,
     UNLOADED,
@@ -110,6 +111,7 @@ def advance(first: int, last: int, dt: float, state: State) -> None:
             else:
                 stock[house] -= 1
                 load[carrier] = 1
+                ints[ORIGIN][carrier] = house + 1
                 tell(events, clock, LOADED, robot, house, 0)
         elif carrier < 0 or load[carrier] == 0:
             tell(events, clock, NO_LOADED_CARRIER, robot, dock, 0)

@@ -1,0 +1,238 @@
+"""A fail sweep of a mission: every agent, or every two agents, fail at each of so many moments, and what comes of it.
+
+The mission is run once without these failures (the baseline), then once for each field (`sim.sweep`), over the cores of
+this machine in one pool of processes. What they are given is compiled already. The result is the same whatever their
+number: fields are sorted, and nothing that the clock on the wall decides is in them but `real_seconds`.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from typing import Any, Final
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.sim import Simulation
+from kitrobot.sim.simulation import Outcome
+from kitrobot.sim.sweep import (
+    MOST_MOMENTS,
+    Fault,
+    Field,
+    SweepStoppedError,
+    Task,
+    moments_of,
+    run_task,
+    snapshots_at,
+)
+from kitrobot.text import Sentence
+from kitrobot.workspace.running import PreparedRun, Run
+
+OUTCOMES: Final[tuple[Outcome, ...]] = ("done", "failed", "stuck", "time")
+MOST_FIELDS: Final = 1_000_000
+MOST_JOBS: Final = 256
+
+Progress = Callable[[int, int], None]
+"""Told how many fields are over, and how many there are."""
+
+
+class SweepError(KitRobotError):
+    """A sweep that makes no sense, or whose processes broke down."""
+
+
+@dataclass(frozen=True)
+class SweepOptions:
+    """What is chosen for a sweep: at how many moments agents fail (1 to `MOST_MOMENTS`), whether two at a time, and
+    over how many processes fields are shared out (1 to `MOST_JOBS`; None: one for each core).
+    """
+
+    moments: int = 100
+    pairs: bool = False
+    jobs: int | None = None
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """What came of a sweep.
+
+    Attributes:
+        agents: the names of all agents, in team order.
+        tick_ms: a step of the simulator.
+        baseline: the run without these failures.
+        moments: when agents failed, in steps, ascending.
+        fields: the runs that are over, in order of their failures: agent and moment of the first, then of the second.
+        total: how many fields there are; more than `fields` of a sweep that was broken off.
+        pairs: whether two failed in each.
+        real_seconds: how long it took on the clock on the wall.
+    """
+
+    agents: tuple[str, ...]
+    tick_ms: int
+    baseline: Run
+    moments: tuple[int, ...]
+    fields: tuple[Field, ...]
+    total: int
+    pairs: bool
+    real_seconds: float
+
+    @property
+    def complete(self) -> bool:
+        """Whether every field is over."""
+        return len(self.fields) == self.total
+
+    @property
+    def counts(self) -> dict[Outcome, int]:
+        """How many fields had which outcome."""
+        found = Counter(field.outcome for field in self.fields)
+        return {outcome: found[outcome] for outcome in OUTCOMES}
+
+    @property
+    def holds(self) -> bool:
+        """Whether it is complete and every field was done; of pairs: done, or failed with the reason."""
+        accepted = ("done", "failed") if self.pairs else ("done",)
+        return self.complete and all(field.outcome in accepted for field in self.fields)
+
+    def seconds(self, tick: int) -> float:
+        """Simulated time at a step."""
+        return tick * self.tick_ms / 1000
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain values, in the published shape."""
+        baseline = self.baseline.to_json()
+        del baseline["timing"]
+        return {
+            "agents": list(self.agents),
+            "pairs": self.pairs,
+            "moments": [self.seconds(tick) for tick in self.moments],
+            "baseline": baseline,
+            "total": self.total,
+            "complete": self.complete,
+            "counts": self.counts,
+            "fields": [
+                {
+                    "failures": [
+                        {"agent": self.agents[fault.agent], "at": self.seconds(fault.tick)} for fault in field.faults
+                    ],
+                    "outcome": field.outcome,
+                    "seconds": self.seconds(field.ticks),
+                    "sentence": field.sentence,
+                }
+                for field in self.fields
+            ],
+            "timing": {"real_seconds": round(self.real_seconds, 3)},
+        }
+
+
+def run_sweep(prepared: PreparedRun, options: SweepOptions, progress: Progress | None = None) -> Sweep:
+    """Runs a mission once as it is and then every field, once; the run needs a time limit and is not recorded.
+
+    Ctrl-C (KeyboardInterrupt) among the fields ends the sweep: what was found until then is given.
+
+    Raises:
+        SweepError: a number of the options makes no sense, or a process of the pool died.
+    """
+    _check(options)
+    began = time.perf_counter()
+    simulation = prepared.again()
+    baseline = prepared.run()
+    agents = range(len(simulation.members))
+    moments = moments_of(baseline.ticks, options.moments)
+    total = _total(len(agents), len(moments), options.pairs)
+    if total > MOST_FIELDS:
+        raise SweepError(
+            Sentence("this sweep has {total} fields; at most {most} are run", total, MOST_FIELDS),
+            Sentence("choose fewer moments"),
+        )
+    snapshots = snapshots_at(simulation, moments)
+    tasks = [
+        _task(agent, n, moments, snapshots, len(agents), options.pairs) for n in range(len(moments)) for agent in agents
+    ]
+    tasks = [task for task in tasks if task.size]
+    fields: list[Field] = []
+    try:
+        for found in _run(prepared, simulation, tasks, options.jobs or _cores()):
+            fields += found
+            if progress is not None:
+                progress(len(fields), total)
+    except KeyboardInterrupt:
+        pass
+    fields.sort(key=lambda field: [(fault.agent, fault.tick) for fault in field.faults])
+    names = tuple(agent.name for agent in simulation.members)
+    real = time.perf_counter() - began
+    return Sweep(names, simulation.tick_ms, baseline, moments, tuple(fields), total, options.pairs, real)
+
+
+def _check(options: SweepOptions) -> None:
+    if not 1 <= options.moments <= MOST_MOMENTS:
+        raise SweepError(Sentence("a sweep has from 1 to {most} moments", MOST_MOMENTS))
+    if options.jobs is not None and not 1 <= options.jobs <= MOST_JOBS:
+        raise SweepError(Sentence("a sweep runs in 1 to {most} processes", MOST_JOBS))
+
+
+def _total(agents: int, moments: int, pairs: bool) -> int:
+    return agents * (agents - 1) // 2 * moments**2 if pairs else agents * moments
+
+
+def _task(
+    agent: int, number: int, moments: Sequence[int], snapshots: dict[int, bytes], agents: int, pairs: bool
+) -> Task:
+    tick = moments[number]
+    if not pairs:
+        return Task(Fault(agent, tick), snapshots[tick])
+    return Task(Fault(agent, tick), snapshots[tick], tuple(range(agents)), tuple(moments[number:]))
+
+
+def _cores() -> int:
+    """The cores that this process may use."""
+    usable = getattr(os, "sched_getaffinity", None)
+    return max(1, min(MOST_JOBS, len(usable(0)) if usable is not None else os.cpu_count() or 1))
+
+
+def _run(prepared: PreparedRun, simulation: Simulation, tasks: Sequence[Task], jobs: int) -> Iterator[list[Field]]:
+    """The fields of each task, as they come."""
+    jobs = min(jobs, len(tasks))
+    if jobs < 2:
+        for task in tasks:
+            yield list(run_task(simulation, task))
+        return
+    # Not forked: the threads of this process would be missing in its copies.
+    context = multiprocessing.get_context("spawn")
+    stop = context.Event()
+    pool = ProcessPoolExecutor(jobs, context, _begin, (prepared.parts(), stop))
+    waiting: list[Future[list[Field]]] = []
+    try:
+        waiting += [pool.submit(_work, task) for task in tasks]
+        for one in as_completed(waiting):
+            yield one.result()
+    except BrokenProcessPool as error:
+        raise SweepError(
+            Sentence("a process of the sweep died"),
+            Sentence("perhaps for want of memory: try fewer of them with --jobs"),
+        ) from error
+    finally:
+        stop.set()
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+_here: list[Any] = []
+"""Of a process of the pool: its simulation, and the event at which it is to leave off."""
+
+
+def _begin(parts: tuple[Any, ...], stop: Any) -> None:
+    """In a process of the pool, once. Ctrl-C is the parent's, which says so to all."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _here[:] = [Simulation(*parts), stop]
+
+
+def _work(task: Task) -> list[Field]:
+    simulation, stop = _here
+    try:
+        return list(run_task(simulation, task, stop.is_set))
+    except SweepStoppedError:
+        return []
