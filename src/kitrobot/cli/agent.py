@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-import time
+from datetime import datetime
 from pathlib import Path
 from typing import Annotated
 
@@ -77,13 +77,12 @@ def run_agent(
         tls,
     )
     channel = Channel(network, names.index(name), secret)
-    began = time.monotonic()
     try:
         ended = AgentProcess(
             simulation,
             names.index(name),
             channel,
-            lambda sentence: tell(f"{time.monotonic() - began:8.3f} s  {name}: {sentence}"),
+            lambda sentence: say(name, sentence),
             lambda: over is not None and over.is_set(),
         ).run()
     finally:
@@ -94,6 +93,11 @@ def run_agent(
         sys.stdout.write(f"{ended.sentence}\n")
     if ended.outcome != "done" and not with_input:
         raise typer.Exit(1)
+
+
+def say(name: str, sentence: str) -> None:
+    """A line of the log: the time of day, of whom it is ("": of the whole team), and what happened."""
+    tell(f"{datetime.now():%H:%M:%S.%f}"[:-3] + f"  {f'{name}: ' if name else ''}{sentence}")
 
 
 def own_endpoint(tls: Path | None) -> tuple[str, ...]:

@@ -6,7 +6,6 @@ import math
 import signal
 import socket
 import threading
-import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,8 +13,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.agent import FleetName, KeyFile, Listen, Router, Tls
-from kitrobot.cli.output import give, json_text, show, tell
+from kitrobot.cli.agent import FleetName, KeyFile, Listen, Router, Tls, say
+from kitrobot.cli.output import give, json_text, show
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, did_you_mean, listed
 
@@ -101,10 +100,6 @@ class _Running:
         self.network = network
         self.agents = agents
         self.lease, self.pace = lease, pace
-        self.began = time.monotonic()
-
-    def say(self, name: str, sentence: str) -> None:
-        tell(f"{time.monotonic() - self.began:8.3f} s  {f'{name}: ' if name else ''}{sentence}")
 
     def run(self, names: Sequence[str], file: Path, key: Path | None) -> FleetRun:
         from kitrobot.fleet import TEAM_PROCESS, VARIABLE, Channel, TeamProcess, find_key, key_of, new_key
@@ -116,7 +111,7 @@ class _Running:
         try:
             with emergency_stop() as pressed, recording(self.prepared) as on_step:
                 where = list(self.network.connect or self.network.listen)
-                self.say("", Sentence("the team is at {endpoints}", ", ".join(where)))
+                say("", Sentence("the team is at {endpoints}", ", ".join(where)))
                 for name in names:
                     words = ["agent", str(file), "--as", name, "--with-input", "--fleet", self.network.fleet]
                     words += [w for at in where for w in ("--router" if self.network.router else "--connect", at)]
@@ -128,13 +123,13 @@ class _Running:
                     channel,
                     self.lease,
                     self.pace,
-                    self.say,
+                    say,
                     self.agents.ended,
                     pressed.is_set,
                     on_step,
                 )
                 team.gather(GATHER_S)
-                self.say("", Sentence("all agents are there"))
+                say("", Sentence("all agents are there"))
                 return team.run()
         finally:
             channel.close()
