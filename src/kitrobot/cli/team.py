@@ -182,6 +182,7 @@ def result_of(simulation: Simulation, run: FleetRun) -> dict[str, Any]:
         "delivered": simulation.delivered,
         "total": simulation.total,
         "collisions": simulation.collisions,
+        "units": run.units,
         "decisions": run.slots,
         "stopped_ms": run.stopped_ms,
     }

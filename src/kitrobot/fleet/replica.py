@@ -26,6 +26,7 @@ from kitrobot.sim.team_columns import (
     T_SILENT,
     TEAM_FRESH,
     TEAM_OVER,
+    W_LEFT,
     W_TAKEN,
 )
 from kitrobot.sim.work import finish_unit, take_unit
@@ -194,6 +195,12 @@ class Replica:
             for robot, now in enumerate(row)
             if now == HAS_UNIT
         ]
+
+    def units_done(self) -> dict[str, int]:
+        """Of each work, how many units are done."""
+        left = self.state.team.works[W_LEFT]
+        works = self.simulation.mission.team.works
+        return {work.name: work.units - left[n] for n, work in enumerate(works) if n < len(left)}
 
     # -- for who was away too long to be told each slot
 

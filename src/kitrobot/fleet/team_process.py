@@ -39,12 +39,14 @@ class FleetRun:
         outcome: of the run in the simulator's words, or `stopped`.
         sentence: why it ended.
         slots: how many decisions its log has.
+        units: for each work of the team, how many of its units are done.
         stopped_ms: after the emergency stop, when each agent that answered said that it stands still, by name.
     """
 
     outcome: Outcome | str
     sentence: str
     slots: int
+    units: dict[str, int]
     stopped_ms: dict[str, int]
 
 
@@ -169,7 +171,7 @@ class TeamProcess:
         sentence = simulation.sentence if simulation.outcome else Sentence("Stopped by the emergency stop.")
         for _ in range(3):
             self.channel.send(EVERYBODY, kinds.BYE, json.dumps([outcome, sentence]).encode())
-        return FleetRun(outcome, sentence, world.replica.slot, self.stopped_ms)
+        return FleetRun(outcome, sentence, world.replica.slot, world.replica.units_done(), self.stopped_ms)
 
     def _take(self, now: int, envelope: Envelope) -> None:
         i = envelope.sender
