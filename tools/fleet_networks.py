@@ -309,15 +309,15 @@ def dead_router(fleet: Fleet, lab: Lab) -> None:
 
 
 SCENARIOS: dict[str, tuple[Scenario, int, bool]] = {
-    "nothing": (nothing, 600, False),
-    "kill": (kill, 600, False),
-    "restart": (restart, 600, False),
-    "pause": (pause, 600, False),
-    "loss": (lossy, 600, False),
+    "nothing": (nothing, 500, False),
+    "kill": (kill, 500, False),
+    "restart": (restart, 500, False),
+    "pause": (pause, 500, False),
+    "loss": (lossy, 2000, False),
     "delay": (slow, 1500, False),
-    "partition": (partition, 600, False),
-    "view": (halves, 600, False),
-    "router": (dead_router, 600, True),
+    "partition": (partition, 500, False),
+    "view": (halves, 500, False),
+    "router": (dead_router, 500, True),
 }
 
 

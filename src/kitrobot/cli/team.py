@@ -44,7 +44,7 @@ def run_team(
     ] = 1.0,
     lease: Annotated[
         int, typer.Option(metavar="MS", help="Silence after which an agent is missed; more than a network's delay.")
-    ] = 600,
+    ] = 500,
     trace: Annotated[Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
 ) -> None:
