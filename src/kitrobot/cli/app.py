@@ -22,6 +22,7 @@ from typing import Annotated, Any, Final
 import typer
 
 import kitrobot
+from kitrobot.cli.agent import run_agent
 from kitrobot.cli.boards import list_boards
 from kitrobot.cli.check import check_files
 from kitrobot.cli.convert import convert_file
@@ -37,6 +38,7 @@ from kitrobot.cli.run import run_mission
 from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.sweep import with_moments
+from kitrobot.cli.team import run_team
 from kitrobot.cli.watch import watch_board
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
@@ -63,6 +65,8 @@ app = typer.Typer(
 )
 app.command("studio")(open_studio)
 app.command("run")(run_mission)
+app.command("team")(run_team)
+app.command("agent")(run_agent)
 app.command("replay")(replay_trace)
 app.command("deploy")(deploy_program)
 app.command("boards")(list_boards)

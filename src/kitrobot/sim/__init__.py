@@ -3,6 +3,7 @@
 from kitrobot.sim.agent_views import ALARM, ARM, FAILED, LAMP, MOVING, AgentView
 from kitrobot.sim.devices import Hand, Look
 from kitrobot.sim.event_text import Event
+from kitrobot.sim.hosted import Ticked, fits, hosted_step, readings, say_written
 from kitrobot.sim.jit_policy import expect_run
 from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED, check_limits
 from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
@@ -31,14 +32,19 @@ __all__ = [
     "Simulation",
     "SimulationError",
     "SimulationSource",
+    "Ticked",
     "appearance_of",
     "check_limits",
     "device_problems",
     "expect_run",
+    "fits",
     "free_start",
+    "hosted_step",
     "length_of",
     "look_over",
+    "readings",
     "record_again",
+    "say_written",
     "simulate",
     "simulated_devices",
 ]

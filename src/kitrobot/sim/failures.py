@@ -10,14 +10,14 @@ from dataclasses import dataclass, field
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import columns as c
 from kitrobot.sim.chance import keys
-from kitrobot.sim.faults import APART, BY_HAND, FAIL, MUTE, PLAN_ROWS, REVIVE, STALL, harm
+from kitrobot.sim.faults import APART, AWAY, BY_HAND, FAIL, MUTE, PLAN_ROWS, REVIVE, STALL, harm
 from kitrobot.sim.state import State
 from kitrobot.text import Recorded
 
 KINDS = tuple(FailureKind)
 """The kinds in the order of their numbers in `faults`."""
 
-CAUSES = (Recorded("by hand"), Recorded("on schedule"), Recorded("by chance"))
+CAUSES = (Recorded("by hand"), Recorded("on schedule"), Recorded("by chance"), Recorded("its agent is away"))
 """How it comes about, in the order of their numbers in `faults`."""
 
 MINUTE_MS = 60_000
@@ -128,6 +128,6 @@ def keep_untold(state: State) -> None:
     clock[c.EVENTS] = (end - first) // c.EVENT
 
 
-def harm_by_hand(state: State, robot: int, kind: FailureKind) -> None:
-    """Does it to a robot between two steps; there must be room to tell it."""
-    harm(robot, KINDS.index(kind), BY_HAND, state)
+def harm_by_hand(state: State, robot: int, kind: FailureKind, away: bool = False) -> None:
+    """Does it to a robot between two steps, by hand or because its agent is `away`; there must be room to tell it."""
+    harm(robot, KINDS.index(kind), AWAY if away else BY_HAND, state)

@@ -20,6 +20,7 @@ from typing import Literal
 
 from kitrobot.compiler import Compiled, TeamPlan
 from kitrobot.diagnostics import KitRobotError
+from kitrobot.image import Image
 from kitrobot.mission import FailureKind, Mission, write_mission
 from kitrobot.primitives import Catalogue
 from kitrobot.sim import columns
@@ -209,6 +210,19 @@ class Simulation:
             agent.ended or (len(roles) > 0 and links[agent.index] >= 0 > roles[agent.index]) for agent in self.members
         )
 
+    @property
+    def images(self) -> dict[str, Image]:
+        """The programs by the names of `Agent.image_name`."""
+        return {name: image for name, image in self._images.items() if image is not None}
+
+    def happened(self) -> list[Event]:
+        """The events that are in the tables."""
+        return self._event_text.events(self.state)
+
+    def look_for_an_end(self) -> None:
+        """Ends the run if it is over, for who takes its steps by itself (see hosted)."""
+        self._look_for_an_end()
+
     def watch_programs(self) -> None:
         """From the first step on, `machine.seen` of each member says which instructions ran in its last tick.
 
@@ -272,11 +286,11 @@ class Simulation:
         self.state.robots.ints[ASLEEP][member.index] = 0
         stirred(self.state.clock)
 
-    def harm(self, agent: str, kind: FailureKind | str) -> bool:
+    def harm(self, agent: str, kind: FailureKind | str, away: bool = False) -> bool:
         """Lets an agent fail, stall or lose its radio, or makes it well again (see faults); told with the next step.
 
         Who fails stops its motors at once. A run that ended because nobody could go on does when somebody is revived.
-        Gives whether that changed anything.
+        Gives whether that changed anything. `away`: its cause is not a hand, but that the agent elsewhere is away.
 
         Raises:
             KitRobotError: there is no such agent, or too much was done to this run between two steps.
@@ -290,7 +304,7 @@ class Simulation:
                 Sentence("too much was done to this run between two steps"), Sentence("let it go on for a step")
             )
         before = self.state.clock[EVENTS]
-        harm_by_hand(self.state, member.index, FailureKind(kind))
+        harm_by_hand(self.state, member.index, FailureKind(kind), away)
         if self.state.clock[EVENTS] == before:
             return False
         self.state.clock[STUCK] = 0

@@ -3,18 +3,21 @@
 from kitrobot.team.changes import (
     Change,
     Counted,
+    Decided,
     Granted,
     Late,
     NotCounted,
+    Noted,
     Passed,
     Quorum,
     Refused,
+    Skipped,
     Viewed,
     Written,
 )
 from kitrobot.team.charter import Charter, Group, MeetingRule, Move, Role, Work
 from kitrobot.team.coding import MessageError, decode, encode
-from kitrobot.team.commands import Announce, Done, Free, Seat, Take
+from kitrobot.team.commands import Announce, Done, Free, Note, Seat, Take
 from kitrobot.team.events import Event, Leave, Received, Time, Write
 from kitrobot.team.member import step
 from kitrobot.team.messages import EVERYONE, Message, Sending
@@ -27,6 +30,7 @@ __all__ = [
     "Change",
     "Charter",
     "Counted",
+    "Decided",
     "Done",
     "Event",
     "Free",
@@ -40,6 +44,8 @@ __all__ = [
     "MessageError",
     "Move",
     "NotCounted",
+    "Note",
+    "Noted",
     "Passed",
     "Quorum",
     "Received",
@@ -47,6 +53,7 @@ __all__ = [
     "Role",
     "Seat",
     "Sending",
+    "Skipped",
     "Stepped",
     "Tables",
     "Take",

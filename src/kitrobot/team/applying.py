@@ -11,9 +11,9 @@ from dataclasses import replace
 from typing import TypeVar
 
 from kitrobot.team import meeting, work
-from kitrobot.team.changes import Change, Counted, Granted, NotCounted, Viewed
+from kitrobot.team.changes import Change, Counted, Granted, NotCounted, Noted, Viewed
 from kitrobot.team.charter import Charter, Move
-from kitrobot.team.commands import Announce, Batch, Command, Done, Free, Take, ViewChange
+from kitrobot.team.commands import Announce, Batch, Command, Done, Free, Note, Take, ViewChange
 from kitrobot.team.tables import Applied, Tables, View
 
 T = TypeVar("T")
@@ -22,13 +22,13 @@ T = TypeVar("T")
 def applied(charter: Charter, tables: Tables, batch: Batch) -> tuple[Tables, list[Change]]:
     """The tables after the commands of a slot, and what is told of them."""
     told: list[Change] = []
-    view = tables.view
     for command in batch:
         if is_next(tables, command):
+            view = tables.view
             tables = _command(charter, tables, command, told)
             tables = _consequences(charter, tables, told)
-    if tables.view != view:
-        told.append(Viewed(tables.view))
+            if tables.view != view:
+                told.append(Viewed(tables.view))
     return tables, told
 
 
@@ -58,6 +58,8 @@ def _command(charter: Charter, tables: Tables, command: Command, told: list[Chan
                 told.append(Counted(member, said.work, said.unit))
                 return replace(tables, works=_with(tables.works, said.work, work.finished(units, said)))
             return replace(tables, works=_with(tables.works, said.work, work.freed(units, said)))
+        case Note(numbers=numbers):
+            told.append(Noted(command.seat, numbers))
         case ViewChange() as change if change.view == tables.view.number:
             return _viewed(charter, tables, change)
     return tables

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kitrobot.team.commands import Seat
 from kitrobot.team.messages import Sending
 from kitrobot.team.tables import View
 from kitrobot.text import Sentence
@@ -55,6 +56,28 @@ class NotCounted:
 
 
 @dataclass(frozen=True, slots=True)
+class Noted:
+    """A `Note` of this seat took effect."""
+
+    seat: Seat
+    numbers: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Decided:
+    """All that was told of the log since the last `Decided` or `Skipped` is of this slot."""
+
+    slot: int
+
+
+@dataclass(frozen=True, slots=True)
+class Skipped:
+    """The log goes on from this slot: what was decided before it was not told, but is in the tables."""
+
+    slot: int
+
+
+@dataclass(frozen=True, slots=True)
 class Viewed:
     """There is a new view; groups and players of roles may be others."""
 
@@ -84,7 +107,9 @@ class Refused:
     why: Sentence
 
 
-Change = Passed | Late | Granted | Counted | NotCounted | Viewed | Quorum | Written | Refused
+Change = (
+    Passed | Late | Granted | Counted | NotCounted | Noted | Decided | Skipped | Viewed | Quorum | Written | Refused
+)
 
 Outgoing = tuple[Sending, ...]
 Told = tuple[Change, ...]

@@ -59,7 +59,14 @@ class ViewChange:
     joins: tuple[Seat, ...]
 
 
-Body = Announce | Take | Done | Free | ViewChange
+@dataclass(frozen=True, slots=True)
+class Note:
+    """Numbers of the host's own, which the log puts in order and the tables do not read; told as `Noted`."""
+
+    numbers: tuple[int, ...]
+
+
+Body = Announce | Take | Done | Free | ViewChange | Note
 
 
 @dataclass(frozen=True, slots=True)

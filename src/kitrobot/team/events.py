@@ -1,10 +1,12 @@
-"""What a host tells a member; what its robot's program asks for is a command (`Announce`, `Take`, `Done`, `Free`)."""
+"""What a host tells a member; what its robot's program asks for is a command (`Announce`, `Take`, `Done`,
+`Free`, or a `Note` of the host's own).
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kitrobot.team.commands import Announce, Done, Free, Take
+from kitrobot.team.commands import Announce, Done, Free, Note, Take
 from kitrobot.team.messages import Message
 
 
@@ -33,4 +35,4 @@ class Leave:
     """The member's program has ended; it wants to be in no later view."""
 
 
-Event = Time | Received | Announce | Take | Done | Free | Write | Leave
+Event = Time | Received | Announce | Take | Done | Free | Note | Write | Leave

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 
 from kitrobot.team import decision as synod
 from kitrobot.team.applying import applied
-from kitrobot.team.changes import Change, Refused
+from kitrobot.team.changes import Change, Decided, Refused, Skipped
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Batch, Body, Command, Seat, ViewChange
 from kitrobot.team.decision import FIRST, NO_BALLOT, Decision, SynodMessage
@@ -188,6 +188,7 @@ def _progress(charter: Charter, log: Log, out: Out) -> Log:
         return log
     tables, told = applied(charter, log.tables, value)
     out.changes.extend(told)
+    out.changes.append(Decided(log.slot))
     return _opened(replace(log, tables=tables, kept=(*log.kept, value)[-KEPT:]), log.slot + 1)
 
 
@@ -249,6 +250,7 @@ def _from_snapshot(charter: Charter, log: Log, message: Snapshot, out: Out) -> L
     if not fits(charter, message.tables):
         out.refuse(message.sender.member, Sentence("member {member} is of another team", message.sender.member))
         return log
+    out.changes.append(Skipped(message.slot))
     return _opened(replace(log, tables=message.tables, kept=()), message.slot)
 
 

@@ -1,0 +1,124 @@
+"""`python -m benchmarks.meeting KIND NUMBER COUNT ROUNDS WHERE`: one of COUNT processes that meet ROUNDS times.
+
+KIND is `kitrobot` (the log of a team over Zenoh, as an agent of a fleet has it; WHERE is an endpoint) or `mqtt` (each
+tells its arrival to a broker, and goes on when it has heard of all; WHERE is a port). It prints the milliseconds from
+its arrival at each meeting until it went on, as JSON.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import threading
+import time
+from collections import defaultdict
+
+KEY = "a key for the benchmark alone"
+FLEET = "benchmark"
+
+
+def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
+    from kitrobot.fleet import TEAM_PROCESS, Channel, Network, key_of
+    from kitrobot.fleet.envelopes import BEGIN, EVERYBODY, HELLO, MEMBER
+    from kitrobot.team import (
+        EVERYONE,
+        Charter,
+        Note,
+        Noted,
+        Received,
+        Seat,
+        Time,
+        decode,
+        encode,
+        first_state,
+        step,
+    )
+    from kitrobot.team.events import Event
+
+    channel = Channel(Network(FLEET, ("tcp/127.0.0.1:0",), (where,)), me, key_of(KEY, "here"))
+    charter = Charter(count, lease=10_000)
+    while not any(envelope.kind == BEGIN for envelope in channel.receive(0.1)):
+        channel.send(TEAM_PROCESS, HELLO)
+    arrived: defaultdict[int, int] = defaultdict(int)
+
+    def now() -> int:
+        return time.monotonic_ns() // 1_000_000
+
+    state = first_state(charter, Seat(me, 0), now())
+
+    def take(event: Event) -> None:
+        nonlocal state
+        stepped = step(charter, state, now(), event)
+        state = stepped.state
+        for to, message in stepped.messages:
+            channel.send(EVERYBODY if to == EVERYONE else to, MEMBER, encode(message, 1))
+        for change in stepped.changes:
+            if isinstance(change, Noted):
+                arrived[change.numbers[0]] += 1
+
+    taken: list[float] = []
+    told_at = 0
+    for number in range(rounds):
+        begun = time.perf_counter()
+        take(Note((number,)))
+        while arrived[number] < count:
+            for envelope in channel.receive(0.02):
+                if envelope.kind == MEMBER:
+                    take(Received(decode(envelope.body, 1)))
+            if now() - told_at > 50:
+                told_at = now()
+                take(Time())
+        taken.append(1000 * (time.perf_counter() - begun))
+    end = time.monotonic() + 1.0
+    while time.monotonic() < end:
+        for envelope in channel.receive(0.05):
+            if envelope.kind == MEMBER:
+                take(Received(decode(envelope.body, 1)))
+        take(Time())
+    channel.close()
+    return taken
+
+
+def mqtt(me: int, count: int, rounds: int, where: str) -> list[float]:
+    import paho.mqtt.client as paho
+    from paho.mqtt.enums import CallbackAPIVersion
+
+    changed = threading.Condition()
+    arrived: defaultdict[int, int] = defaultdict(int)
+    there: set[bytes] = set()
+
+    def heard(client: object, data: object, message: paho.MQTTMessage) -> None:
+        with changed:
+            if message.topic == "there":
+                there.add(bytes(message.payload))
+            else:
+                arrived[int(message.payload)] += 1
+            changed.notify()
+
+    client = paho.Client(CallbackAPIVersion.VERSION2)
+    client.on_message = heard
+    client.connect("127.0.0.1", int(where))
+    client.subscribe([("there", 1), ("here", 1)])
+    client.loop_start()
+    while len(there) < count:
+        client.publish("there", str(me), 1)
+        with changed:
+            changed.wait(0.2)
+    client.publish("there", str(me), 1)
+    taken: list[float] = []
+    for number in range(rounds):
+        begun = time.perf_counter()
+        client.publish("here", str(number), 1)
+        with changed:
+            while arrived[number] < count:
+                changed.wait(5)
+        taken.append(1000 * (time.perf_counter() - begun))
+    time.sleep(0.5)
+    client.loop_stop()
+    client.disconnect()
+    return taken
+
+
+if __name__ == "__main__":
+    kind, number, members, times, place = sys.argv[1:]
+    print(json.dumps({"kitrobot": kitrobot, "mqtt": mqtt}[kind](int(number), int(members), int(times), place)))

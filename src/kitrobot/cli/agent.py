@@ -1,0 +1,105 @@
+"""`kitrobot agent`: one agent of a team, as a process of its own."""
+
+from __future__ import annotations
+
+import sys
+from datetime import datetime
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from kitrobot.cli.output import give, json_text, tell
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence, did_you_mean, listed
+
+KeyFile = Annotated[
+    Path | None, typer.Option("--key", metavar="FILE", help="A file with the key of the team: a long random text.")
+]
+Listen = Annotated[
+    list[str] | None, typer.Option("--listen", metavar="ENDPOINT", help="Where others reach it: tcp/HOST:PORT.")
+]
+Router = Annotated[
+    list[str] | None,
+    typer.Option("--router", metavar="ENDPOINT", help="A Zenoh router through which everything goes."),
+]
+Tls = Annotated[Path | None, typer.Option("--tls", metavar="FOLDER", help="TLS with its ca.pem, cert.pem and key.pem.")]
+FleetName = Annotated[str, typer.Option("--fleet", metavar="NAME", help="Keeps teams on one network apart.")]
+
+
+def run_agent(
+    file: Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)],
+    name: Annotated[str, typer.Option("--as", metavar="NAME", help="Which agent of the mission it is.")],
+    connect: Annotated[
+        list[str] | None, typer.Option("--connect", metavar="ENDPOINT", help="Where its team listens: tcp/HOST:PORT.")
+    ] = None,
+    listen: Listen = None,
+    router: Router = None,
+    key: KeyFile = None,
+    tls: Tls = None,
+    fleet: FleetName = "",
+    with_input: Annotated[
+        bool, typer.Option("--with-input", hidden=True, help="Ends when its standard input does.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Give how it ended as one JSON object.")] = False,
+) -> None:
+    """Take part in a team as one of its agents, with a simulated body in the world of `kitrobot team`.
+
+    The exit status is 0 when the mission was done, and 1 when it was not.
+    """
+    from kitrobot.fleet import AgentProcess, Channel, FleetError, Network, end_of_input, find_key, identity_of
+    from kitrobot.workspace import RunOptions, open_mission
+
+    over = end_of_input() if with_input else None
+    simulation = open_mission(file).prepare(RunOptions()).simulation
+    names = [agent.name for agent in simulation.members]
+    if name not in names:
+        raise KitRobotError(
+            Sentence("this mission has no agent `{agent}`", name),
+            did_you_mean(name, names) or Sentence("its agents: {names}", listed(names)),
+        )
+    secret = find_key(key)
+    if secret is None:
+        raise FleetError(
+            Sentence("an agent needs the key of its team"),
+            Sentence("give it with --key, the same file as that of `kitrobot team`"),
+        )
+    if not connect and not router:
+        raise FleetError(
+            Sentence("an agent needs to know where its team is"),
+            Sentence("give it with --connect, or with --router: what `kitrobot team` says it listens on"),
+        )
+    network = Network(
+        fleet or identity_of(simulation),
+        tuple(listen or own_endpoint(tls)),
+        tuple(router or connect or ()),
+        bool(router),
+        tls,
+    )
+    channel = Channel(network, names.index(name), secret)
+    try:
+        ended = AgentProcess(
+            simulation,
+            names.index(name),
+            channel,
+            lambda sentence: say(name, sentence),
+            lambda: over is not None and over.is_set(),
+        ).run()
+    finally:
+        channel.close()
+    if as_json:
+        give(json_text({"agent": name, "outcome": ended.outcome, "sentence": ended.sentence}) + "\n")
+    elif not with_input:
+        sys.stdout.write(f"{ended.sentence}\n")
+    if ended.outcome != "done" and not with_input:
+        raise typer.Exit(1)
+
+
+def say(name: str, sentence: str) -> None:
+    """A line of the log: the time of day, of whom it is ("": of the whole team), and what happened."""
+    tell(f"{datetime.now():%H:%M:%S.%f}"[:-3] + f"  {f'{name}: ' if name else ''}{sentence}")
+
+
+def own_endpoint(tls: Path | None) -> tuple[str, ...]:
+    """Any port of this machine alone."""
+    return ("tls/127.0.0.1:0",) if tls is not None else ("tcp/127.0.0.1:0",)

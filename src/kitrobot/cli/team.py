@@ -1,0 +1,211 @@
+"""`kitrobot team`: a mission whose agents are processes, with the world of their bodies."""
+
+from __future__ import annotations
+
+import math
+import signal
+import socket
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from kitrobot.cli.agent import FleetName, KeyFile, Listen, Router, Tls, say
+from kitrobot.cli.output import give, json_text, show
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence, did_you_mean, listed
+
+if TYPE_CHECKING:
+    from kitrobot.fleet import Agents, FleetRun, Network
+    from kitrobot.sim import Simulation
+    from kitrobot.workspace import PreparedRun
+
+GATHER_S = 120.0
+
+
+def run_team(
+    file: Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)],
+    elsewhere: Annotated[
+        list[str] | None,
+        typer.Option("--elsewhere", metavar="AGENT", help="Do not start it: `kitrobot agent` does, wherever."),
+    ] = None,
+    listen: Listen = None,
+    router: Router = None,
+    key: KeyFile = None,
+    tls: Tls = None,
+    fleet: FleetName = "",
+    seed: Annotated[int, typer.Option(min=0, help="Chance in the world begins here.")] = 1,
+    seconds: Annotated[float, typer.Option(help="Simulated seconds after which the run is out of time.")] = 600.0,
+    pace: Annotated[
+        float, typer.Option(metavar="N", help="Simulated seconds in a real one; 0: as fast as agents answer.")
+    ] = 1.0,
+    lease: Annotated[
+        int, typer.Option(metavar="MS", help="Silence after which an agent is missed; more than a network's delay.")
+    ] = 500,
+    trace: Annotated[Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
+) -> None:
+    """Run a mission whose agents are processes of their own and meet over the network.
+
+    Ctrl-C is the emergency stop: all robots stand still, then everything ends. The exit status is 0 when the mission
+    was done.
+    """
+    from kitrobot.fleet import LEAST_LEASE_MS, MOST_LEASE_MS, Agents, FleetError, Network, identity_of
+    from kitrobot.sim import MAX_SECONDS, MAX_SEED
+    from kitrobot.workspace import RunOptions, open_mission
+
+    if not 0 < seconds <= MAX_SECONDS or seed > MAX_SEED:
+        words = f"a run takes at most {MAX_SECONDS:.0f} seconds, and a seed is at most {MAX_SEED}"
+        raise typer.BadParameter(words, param_hint="'--seconds' or '--seed'")
+    if not (math.isfinite(pace) and 0 <= pace <= 1000):
+        raise typer.BadParameter("a pace is a number from 0 to 1000", param_hint="'--pace'")
+    if not LEAST_LEASE_MS <= lease <= MOST_LEASE_MS:
+        words = f"a lease is {LEAST_LEASE_MS} to {MOST_LEASE_MS} ms"
+        raise typer.BadParameter(words, param_hint="'--lease'")
+    prepared = open_mission(file).prepare(RunOptions(seed, seconds, 0.0, trace))
+    show(prepared.problems, prepared.sources)
+    simulation = prepared.simulation
+    names = [agent.name for agent in simulation.members]
+    for name in elsewhere or ():
+        if name not in names:
+            help = did_you_mean(name, names) or Sentence("its agents: {names}", listed(names))
+            raise KitRobotError(Sentence("this mission has no agent `{agent}`", name), help)
+    if elsewhere and key is None:
+        raise FleetError(
+            Sentence("agents that are started elsewhere need the key of this team"),
+            Sentence("write a long random text into a file and give it to all with --key"),
+        )
+    endpoints = tuple(router or listen or (f"{'tls' if tls else 'tcp'}/127.0.0.1:{_free_port()}",))
+    network = Network(
+        fleet or identity_of(simulation), () if router else endpoints, endpoints if router else (), bool(router), tls
+    )
+    with Agents() as agents:
+        run = _Running(prepared, network, agents, lease, pace).run(
+            [name for name in names if name not in (elsewhere or ())], file, key
+        )
+    result = result_of(simulation, run)
+    give(json_text(result) + "\n" if as_json else _summary(result))
+    if run.outcome != "done":
+        raise typer.Exit(130 if run.outcome == "stopped" else 1)
+
+
+class _Running:
+    """A fleet from its start to its end."""
+
+    def __init__(self, prepared: PreparedRun, network: Network, agents: Agents, lease: int, pace: float) -> None:
+        self.prepared = prepared
+        self.network = network
+        self.agents = agents
+        self.lease, self.pace = lease, pace
+
+    def run(self, names: Sequence[str], file: Path, key: Path | None) -> FleetRun:
+        from kitrobot.fleet import TEAM_PROCESS, VARIABLE, Channel, TeamProcess, find_key, key_of, new_key
+
+        made = new_key()
+        secret = key_of(made, VARIABLE) if key is None else find_key(key)
+        assert secret is not None, "a file has a key, or none can be read from it"
+        channel = Channel(self.network, TEAM_PROCESS, secret)
+        try:
+            with emergency_stop() as pressed, recording(self.prepared) as on_step:
+                where = list(self.network.connect or self.network.listen)
+                say("", Sentence("the team is at {endpoints}", ", ".join(where)))
+                for name in names:
+                    words = ["agent", str(file), "--as", name, "--with-input", "--fleet", self.network.fleet]
+                    words += [w for at in where for w in ("--router" if self.network.router else "--connect", at)]
+                    words += ["--key", str(key)] if key is not None else []
+                    words += ["--tls", str(self.network.tls)] if self.network.tls is not None else []
+                    self.agents.start(name, words, {VARIABLE: made} if key is None else {})
+                team = TeamProcess(
+                    self.prepared.simulation,
+                    channel,
+                    self.lease,
+                    self.pace,
+                    say,
+                    self.agents.ended,
+                    pressed.is_set,
+                    on_step,
+                )
+                team.gather(GATHER_S)
+                say("", Sentence("all agents are there"))
+                return team.run()
+        finally:
+            channel.close()
+
+
+@contextmanager
+def emergency_stop() -> Iterator[threading.Event]:
+    """An event that the first Ctrl-C sets; a second one ends everything at once."""
+    pressed = threading.Event()
+
+    def press(*_: object) -> None:
+        if pressed.is_set():
+            raise KeyboardInterrupt
+        pressed.set()
+
+    if threading.current_thread() is not threading.main_thread():
+        yield pressed
+        return
+    usual = signal.signal(signal.SIGINT, press)
+    try:
+        yield pressed
+    finally:
+        signal.signal(signal.SIGINT, usual)
+
+
+@contextmanager
+def recording(prepared: PreparedRun) -> Iterator[Callable[[Simulation], None]]:
+    """Records each step, where that is wanted."""
+    from kitrobot.sim import Recorder
+    from kitrobot.sim.recording import outcome_of
+    from kitrobot.trace import TraceWriter
+    from kitrobot.workspace import parts_of
+
+    if prepared.options.trace is None:
+        yield lambda simulation: None
+        return
+    recorder = Recorder(prepared.simulation, parts_of(prepared.opened))
+    with TraceWriter(prepared.options.trace, recorder.header) as writer:
+        yield lambda simulation: writer.record(recorder.record())
+        writer.finish(outcome_of(prepared.simulation))
+
+
+def result_of(simulation: Simulation, run: FleetRun) -> dict[str, Any]:
+    """What came of it as plain values."""
+    return {
+        "outcome": run.outcome,
+        "sentence": run.sentence,
+        "ticks": simulation.tick,
+        "seconds": simulation.seconds,
+        "delivered": simulation.delivered,
+        "total": simulation.total,
+        "collisions": simulation.collisions,
+        "units": run.units,
+        "decisions": run.slots,
+        "stopped_ms": run.stopped_ms,
+    }
+
+
+def _summary(result: dict[str, Any]) -> str:
+    """The result as people read it."""
+    lines = [
+        result["sentence"],
+        "",
+        f"  outcome     {result['outcome']}",
+        *([f"  delivered   {sum(result['delivered'].values())} of {result['total']}"] if result["total"] else []),
+        f"  collisions  {result['collisions']}",
+        f"  simulated   {result['seconds']:.2f} s in {result['ticks']} ticks",
+        f"  decisions   {result['decisions']}",
+    ]
+    if result["stopped_ms"]:
+        lines.append(f"  stopped     all within {max(result['stopped_ms'].values())} ms")
+    return "\n".join(lines) + "\n"
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port

@@ -1,0 +1,57 @@
+"""A team as processes: an agent each, that meet over the network, and the world of simulated bodies.
+
+The door opens lazily: Zenoh is imported when a channel is opened, and only then.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kitrobot.lazy import lazy_names
+
+if TYPE_CHECKING:
+    from kitrobot.fleet.agent_process import AgentProcess, Ended
+    from kitrobot.fleet.charter import LEASE_MS, LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, charter_of
+    from kitrobot.fleet.envelopes import TEAM_PROCESS
+    from kitrobot.fleet.identity import identity_of
+    from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
+    from kitrobot.fleet.processes import Agents, end_of_input
+    from kitrobot.fleet.team_process import FleetRun, TeamProcess
+    from kitrobot.fleet.transport import Channel, Network
+else:
+    # Hidden from mypy, which would take every name for one that there is.
+    __getattr__ = lazy_names(
+        __name__,
+        {
+            "agent_process": ("AgentProcess", "Ended"),
+            "charter": ("LEASE_MS", "LEAST_LEASE_MS", "MOST_LEASE_MS", "FleetError", "charter_of"),
+            "envelopes": ("TEAM_PROCESS",),
+            "identity": ("identity_of",),
+            "keys": ("VARIABLE", "find_key", "key_of", "new_key"),
+            "processes": ("Agents", "end_of_input"),
+            "team_process": ("FleetRun", "TeamProcess"),
+            "transport": ("Channel", "Network"),
+        },
+    )
+
+__all__ = [
+    "LEASE_MS",
+    "LEAST_LEASE_MS",
+    "MOST_LEASE_MS",
+    "TEAM_PROCESS",
+    "VARIABLE",
+    "AgentProcess",
+    "Agents",
+    "Channel",
+    "Ended",
+    "FleetError",
+    "FleetRun",
+    "Network",
+    "TeamProcess",
+    "charter_of",
+    "end_of_input",
+    "find_key",
+    "identity_of",
+    "key_of",
+    "new_key",
+]

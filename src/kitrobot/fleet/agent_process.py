@@ -1,0 +1,200 @@
+"""The process of one agent: an `AgentHost`, its channel and the clock.
+
+It ends when the team says so, when nobody has anything to say to it for `PATIENCE_S`, or with whoever started it.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from kitrobot.fleet import envelopes as kinds
+from kitrobot.fleet.bodies import FrameError, read_frame, read_whole, write_reply, write_whole
+from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, charter_of
+from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope
+from kitrobot.fleet.host import AgentHost
+from kitrobot.fleet.identity import identity_of
+from kitrobot.fleet.transport import Channel, milliseconds
+from kitrobot.sim import Simulation
+from kitrobot.team import EVERYONE, MessageError, decode, encode
+from kitrobot.text import Sentence
+
+HELLO_EVERY_MS = 200
+ASK_EVERY_MS = 100
+TURN_MS = 20
+"""How often the host is told the time when nothing comes."""
+PATIENCE_S = 30.0
+"""How long an agent goes on without a word from its world."""
+NO_BODY_S = 20.0
+"""How long it looks for its team."""
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How the run ended, as the team said; `stopped` by the emergency stop."""
+
+    outcome: str
+    sentence: str
+    stopped: bool = False
+
+
+class AgentProcess:
+    """Agent number `me` of a mission.
+
+    Args:
+        simulation: the mission before its first step.
+        me: the agent's number.
+        channel: the way to the others.
+        say: told each sentence of its log.
+        is_over: asked now and then whether it is to end by itself.
+    """
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        me: int,
+        channel: Channel,
+        say: Callable[[str], None],
+        is_over: Callable[[], bool],
+    ) -> None:
+        self.simulation = simulation
+        self.me = me
+        self.channel = channel
+        self.say = say
+        self.is_over = is_over
+        self.host: AgentHost | None = None
+        self.ended: Ended | None = None
+        self.looking = True
+        self.heard_at = milliseconds()
+        self.asked_at = 0
+        self.life, self.lease = 0, 0
+
+    def run(self) -> Ended:
+        """Takes part in the run to its end.
+
+        Raises:
+            FleetError: there is no team, it does not want this agent, or it was lost.
+        """
+        while self.ended is None:
+            now = milliseconds()
+            if self.is_over():
+                return Ended("stopped", Sentence("whoever started this agent has ended"), True)
+            self._look_for_team(now)
+            for envelope in self.channel.receive(TURN_MS / 1000):
+                self._take(milliseconds(), envelope)
+                self._post()
+            if self.host is not None:
+                self.host.time(milliseconds())
+                self._post()
+            self._tell()
+        return self.ended
+
+    def _look_for_team(self, now: int) -> None:
+        """Says hello until it is welcome; gives up after a time in which nobody answers."""
+        silence = (now - self.heard_at) / 1000
+        if self.looking and now - self.asked_at >= HELLO_EVERY_MS:
+            self.asked_at = now
+            hello = [self.simulation.members[self.me].name, identity_of(self.simulation)]
+            self.channel.send(TEAM_PROCESS, kinds.HELLO, json.dumps(hello).encode())
+        if self.looking and silence >= NO_BODY_S:
+            raise FleetError(
+                Sentence("no team answers within {seconds} s", round(NO_BODY_S)),
+                Sentence("start `kitrobot team` with this mission and this key, and --connect to where it listens"),
+            )
+        if not self.looking and silence >= PATIENCE_S:
+            raise FleetError(Sentence("the team has not been heard for {seconds} s", round(PATIENCE_S)))
+
+    def _take(self, now: int, envelope: Envelope) -> None:
+        if envelope.sender == TEAM_PROCESS:
+            self.heard_at = now
+            self._ordered(now, envelope)
+        elif self.host is not None and envelope.sender < len(self.simulation.members):
+            self._of_member(now, envelope, self.host)
+
+    def _ordered(self, now: int, envelope: Envelope) -> None:
+        """What the team's process says."""
+        if envelope.kind == kinds.WELCOME and self.looking:
+            self._welcome(envelope)
+        elif envelope.kind == kinds.BEGIN and self.host is None and not self.looking:
+            self.channel.run = envelope.run
+            charter = charter_of(self.simulation, self.lease)
+            self.host = AgentHost(self.simulation, self.me, charter, self.life, now)
+            self.say(Sentence("takes part"))
+        elif envelope.kind == kinds.FRAME and self.host is not None:
+            try:
+                reply = self.host.frame(now, read_frame(envelope.body))
+            except FrameError as error:
+                self.say(Sentence("refused: {why}", error.args[0]))
+                return
+            self._post()
+            if reply is not None:
+                self.channel.send(TEAM_PROCESS, kinds.REPLY, write_reply(reply))
+        elif envelope.kind == kinds.STOP:
+            if self.host is not None and not self.host.stopped:
+                self.host.stop()
+                self.say(Sentence("stopped"))
+            self.channel.send(TEAM_PROCESS, kinds.STOP)
+        elif envelope.kind == kinds.BYE:
+            outcome, sentence = _two_texts(envelope.body)
+            self.ended = Ended(outcome, sentence, outcome == "stopped")
+
+    def _welcome(self, envelope: Envelope) -> None:
+        """The answer to hello: a life and a lease, or why not."""
+        try:
+            refusal, life, lease = json.loads(envelope.body)
+            life, lease = int(life), int(lease)
+        except (ValueError, TypeError):
+            return
+        if refusal:
+            raise FleetError(Sentence("the team refused this agent: {why}", str(refusal)[:300]))
+        if LEAST_LEASE_MS <= lease <= MOST_LEASE_MS and 0 <= life < 1 << 20:
+            self.looking, self.life, self.lease = False, life, lease
+
+    def _of_member(self, now: int, envelope: Envelope, host: AgentHost) -> None:
+        """What another agent says."""
+        try:
+            if envelope.kind == kinds.MEMBER:
+                message = decode(envelope.body, self.channel.run)
+                if message.sender.member == envelope.sender:
+                    host.receive(now, message)
+            elif envelope.kind == kinds.ASK:
+                whole = host.whole()
+                if whole is not None:
+                    self.channel.send(envelope.sender, kinds.WHOLE, write_whole(whole))
+            elif envelope.kind == kinds.WHOLE:
+                host.adopt(now, read_whole(envelope.body))
+        except (MessageError, FrameError) as error:
+            self.say(Sentence("refused: {why}", error.args[0]))
+
+    def _post(self) -> None:
+        """Sends what the host has to say."""
+        host = self.host
+        if host is None:
+            return
+        sendings, host.sendings = host.sendings, []
+        for to, message in sendings:
+            data = encode(message, self.channel.run)
+            self.channel.send(EVERYBODY if to == EVERYONE else to, kinds.MEMBER, data)
+        now = milliseconds()
+        if host.asks and now - self.asked_at >= ASK_EVERY_MS:
+            self.asked_at = now
+            self.channel.send(EVERYBODY, kinds.ASK)
+
+    def _tell(self) -> None:
+        refused, self.channel.refused = self.channel.refused, []
+        for sentence in refused:
+            self.say(sentence)
+        if self.host is not None:
+            log, self.host.log = self.host.log, []
+            for item in log:
+                if isinstance(item, Sentence):
+                    self.say(item)
+
+
+def _two_texts(body: bytes) -> tuple[str, str]:
+    try:
+        first, second = json.loads(body)
+        return str(first)[:100], str(second)[:10_000]
+    except (ValueError, TypeError):
+        return "", ""

@@ -1,0 +1,205 @@
+"""What an agent and the world that has its body tell each other: readings there, commands back, one at a time.
+
+The world sends a `Frame`, again and again until it is answered, and the next one only then. So each tick is made once
+and each command given once, however many messages are lost or doubled. An answer also tells the world what the log of
+the team says, so that the world, which is no member, knows who was missed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+import orjson
+
+from kitrobot.fleet.replica import Effect
+from kitrobot.sim import Ticked
+from kitrobot.team import Noted, Seat, View, Viewed
+from kitrobot.text import Sentence
+
+Made = TypeVar("Made")
+
+LARGEST = 1 << 53
+MOST_SLOTS = 32
+"""Slots of the log in one answer."""
+
+Slots = tuple[tuple[Effect, ...], ...]
+
+
+class FrameError(ValueError):
+    """Bytes that are not what was expected; its one argument is a `Sentence`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """The readings of a tick.
+
+    Attributes:
+        serial: its number, from 1 on.
+        known: how many slots of the log the world knows.
+        muted: whether the robot has lost its radio.
+        down: whether its body has failed or stalled, so that no tick is to be made.
+        inputs: its sensors and what of its actuators is done, in the order of its cells.
+    """
+
+    serial: int
+    known: int
+    muted: bool
+    down: bool
+    inputs: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """A replica after so many slots, as rows of numbers."""
+
+    slot: int
+    rows: tuple[tuple[int, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """The answer to a frame.
+
+    Attributes:
+        serial: that of the frame.
+        epoch: that of the robot in the agent's replica (see `Replica`); commands of an earlier one are void.
+        held: whether the robot may not act now, so that its program waits and its body has to stop.
+        quiet: whether the tick changed nothing and nothing of it is on its way.
+        ticked: what came of the tick; None where there was none.
+        writes: shared variables that it wrote, and their values.
+        first: the number of the first slot in `slots`.
+        slots: what the log says from there on.
+        whole: instead of slots that are forgotten.
+    """
+
+    serial: int
+    epoch: int
+    held: bool = False
+    quiet: bool = False
+    ticked: Ticked | None = None
+    writes: tuple[tuple[int, int], ...] = ()
+    first: int = 0
+    slots: Slots = field(default=())
+    whole: Whole | None = None
+
+
+def write_frame(frame: Frame) -> bytes:
+    """A frame as bytes."""
+    return orjson.dumps([frame.serial, frame.known, int(frame.muted), int(frame.down), frame.inputs])
+
+
+def read_frame(data: bytes) -> Frame:
+    """The frame that the bytes are.
+
+    Raises:
+        FrameError: they are none.
+    """
+
+    def made(rows: list[Any]) -> Frame:
+        serial, known, muted, down, inputs = rows
+        return Frame(_number(serial), _number(known), _number(muted) != 0, _number(down) != 0, _numbers(inputs))
+
+    return _read(data, made)
+
+
+def write_whole(whole: Whole) -> bytes:
+    """A replica as bytes."""
+    return orjson.dumps([whole.slot, whole.rows])
+
+
+def read_whole(data: bytes) -> Whole:
+    """The replica that the bytes are.
+
+    Raises:
+        FrameError: they are none.
+    """
+    return _read(data, _whole)
+
+
+def write_reply(reply: Reply) -> bytes:
+    """An answer as bytes."""
+    ticked, whole = reply.ticked, reply.whole
+    return orjson.dumps(
+        [
+            reply.serial,
+            reply.epoch,
+            int(reply.held),
+            int(reply.quiet),
+            None if ticked is None else [ticked.cells, ticked.threads, ticked.out],
+            reply.writes,
+            reply.first,
+            [[_plain(effect) for effect in slot] for slot in reply.slots],
+            None if whole is None else [whole.slot, whole.rows],
+        ]
+    )
+
+
+def read_reply(data: bytes) -> Reply:
+    """The answer that the bytes are.
+
+    Raises:
+        FrameError: they are none.
+    """
+
+    def made(rows: list[Any]) -> Reply:
+        serial, epoch, held, quiet, ticked, writes, first, slots, whole = rows
+        return Reply(
+            _number(serial),
+            _number(epoch),
+            _number(held) != 0,
+            _number(quiet) != 0,
+            None if ticked is None else _ticked(ticked),
+            tuple((_number(variable), _number(value)) for variable, value in writes),
+            _number(first),
+            tuple(tuple(_effect(one) for one in slot) for slot in slots[:MOST_SLOTS]),
+            None if whole is None else _whole(whole),
+        )
+
+    return _read(data, made)
+
+
+def _read(data: bytes, made: Callable[[list[Any]], Made]) -> Made:
+    try:
+        rows = orjson.loads(data)
+        if isinstance(rows, list):
+            return made(rows)
+    except (ValueError, TypeError, RecursionError):
+        pass
+    raise FrameError(Sentence("this is no message between an agent and its body"))
+
+
+def _number(value: object) -> int:
+    if type(value) is not int or not -LARGEST <= value <= LARGEST:
+        raise ValueError
+    return value
+
+
+def _numbers(value: Sequence[object]) -> tuple[int, ...]:
+    if not isinstance(value, list):
+        raise ValueError
+    return tuple(map(_number, value))
+
+
+def _ticked(rows: list[Any]) -> Ticked:
+    cells, threads, out = rows
+    return Ticked(_numbers(cells), _numbers(threads), tuple(map(_numbers, out)))
+
+
+def _whole(rows: list[Any]) -> Whole:
+    slot, table = rows
+    return Whole(_number(slot), tuple(map(_numbers, table)))
+
+
+def _plain(effect: Effect) -> list[Any]:
+    if isinstance(effect, Noted):
+        return [0, *effect.seat, *effect.numbers]
+    return [1, effect.view.number, *(number for seat in effect.view.seats for number in seat)]
+
+
+def _effect(numbers: list[Any]) -> Effect:
+    kind, first, *rest = _numbers(numbers)
+    if kind == 0:
+        return Noted(Seat(first, rest[0]), tuple(rest[1:]))
+    return Viewed(View(first, tuple(Seat(*pair) for pair in zip(rest[::2], rest[1::2], strict=True))))

@@ -1,0 +1,45 @@
+"""The charter of a fleet: how the protocol of the room `team` is told who is who.
+
+Each agent is a member, and plays one role of the charter that is its own: to be itself. So `may_act` of that role is
+the right to act at all, which ends a lease after a quorum was heard last. Roles, groups, meetings and works of the
+mission are in the notes of the log (see `replica`).
+"""
+
+from __future__ import annotations
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.sim import Simulation
+from kitrobot.sim.columns import TICK
+from kitrobot.team import Charter, Group, Role
+from kitrobot.team.charter import MOST_MEMBERS
+from kitrobot.text import Help, Sentence
+
+LEASE_MS = 500
+"""A role changes hands about 2.3 times this after a failure, 2.8 times after that of the first of the view."""
+LEAST_LEASE_MS, MOST_LEASE_MS = 100, 60_000
+
+
+class FleetError(KitRobotError):
+    """A fleet cannot be started, or cannot go on."""
+
+
+def charter_of(simulation: Simulation, lease_ms: int = LEASE_MS) -> Charter:
+    """The charter of all agents of a run that has not begun.
+
+    Raises:
+        FleetError: they are too many.
+    """
+    assert simulation.state.clock[TICK] == 0, "before the first step"
+    count = len(simulation.members)
+    if count > MOST_MEMBERS:
+        help: Help = Sentence("take some out of the team, or run the mission in the simulator: `kitrobot run`")
+        raise FleetError(
+            Sentence("a fleet has at most {most} agents, and this mission has {count}", MOST_MEMBERS, count), help
+        )
+    return Charter(
+        members=count,
+        roles=tuple(Role((i,), 1, i) for i in range(count)),
+        groups=tuple(Group((i,), "substitute") for i in range(count)),
+        variables=len(simulation.state.shared.ints[0]),
+        lease=lease_ms,
+    )

@@ -1,0 +1,72 @@
+"""The processes of agents that a team starts: each ends with the one that started it, whichever way that ends.
+
+An agent reads its standard input, which nobody writes to: when it comes to an end, so does the agent.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Mapping, Sequence
+from types import TracebackType
+
+END_WITHIN_S = 3.0
+"""How long processes have to end by themselves."""
+
+
+class Agents:
+    """Started agents by name; as a context, all of them have ended at its end."""
+
+    def __init__(self) -> None:
+        self.processes: dict[str, subprocess.Popen[bytes]] = {}
+
+    def start(self, name: str, arguments: Sequence[str], environment: Mapping[str, str]) -> None:
+        """Starts the command line with these arguments for an agent; its messages go where ours go."""
+        self.processes[name] = subprocess.Popen(
+            [sys.executable, "-m", "kitrobot", *arguments],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+            env={**os.environ, **environment},
+            start_new_session=True,
+        )
+
+    def ended(self) -> dict[str, int]:
+        """The status of each that has ended."""
+        found = {name: process.poll() for name, process in self.processes.items()}
+        return {name: status for name, status in found.items() if status is not None}
+
+    def __enter__(self) -> Agents:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        end = time.monotonic() + (END_WITHIN_S if kind is None else 0.5)
+        for process in self.processes.values():
+            if process.stdin is not None:
+                process.stdin.close()
+        for process in self.processes.values():
+            try:
+                process.wait(max(0.0, end - time.monotonic()))
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+
+def end_of_input() -> threading.Event:
+    """Set when standard input is at its end."""
+    over = threading.Event()
+
+    def read() -> None:
+        try:
+            while os.read(0, 4096):
+                pass
+        except OSError:
+            pass
+        over.set()
+
+    threading.Thread(target=read, daemon=True, name="end of input").start()
+    return over

@@ -1,0 +1,197 @@
+"""`Channel`: envelopes over Zenoh between the processes of a fleet.
+
+An agent hears what is for all agents and what is for it; the team's process hears what is for it. Zenoh's own threads
+only put bytes into a queue, of which each sender may fill a part; whoever has the channel takes them out, and what is
+no envelope of this team is refused there and told, each kind of reason once in a while.
+"""
+
+from __future__ import annotations
+
+import json
+import time
+from collections import Counter, deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from threading import Condition
+from typing import Any
+
+from kitrobot.fleet.charter import FleetError
+from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope, EnvelopeError, opened, sealed
+from kitrobot.text import Sentence
+
+MOST_OF_ONE = 1024
+"""Messages of one sender that may wait."""
+MOST_WAITING = 16_384
+TOLD_EVERY_S = 5.0
+"""How often the same reason to refuse messages is told."""
+
+
+@dataclass(frozen=True, slots=True)
+class Network:
+    """How a process of a fleet is reached and reaches others.
+
+    Attributes:
+        fleet: the name under which its members find each other.
+        listen, connect: Zenoh endpoints such as `tcp/127.0.0.1:7447`.
+        router: whether `connect` names routers; then everything goes through them.
+        tls: a folder with `ca.pem`, `cert.pem` and `key.pem`; endpoints then begin with `tls/`.
+    """
+
+    fleet: str
+    listen: tuple[str, ...] = ()
+    connect: tuple[str, ...] = ()
+    router: bool = False
+    tls: Path | None = None
+
+
+class Channel:
+    """An open way to the others. `me` is the number of the agent, or `TEAM_PROCESS`.
+
+    Attributes:
+        run: the number of the run; what is of another one is refused, but for 0.
+        refused: what is to be told, since somebody took it out.
+
+    Raises:
+        FleetError: Zenoh is not installed, or cannot be opened as the network says.
+    """
+
+    def __init__(self, network: Network, me: int, key: bytes) -> None:
+        self.me = me
+        self.run = 0
+        self.refused: list[Sentence] = []
+        self._key = key
+        self._serial = 0
+        self._waiting: deque[bytes] = deque()
+        self._of: Counter[bytes] = Counter()
+        self._dropped = 0
+        self._arrived = Condition()
+        self._told: dict[str, float] = {}
+        zenoh, self._session = _open(network)
+        self._root = f"kitrobot/{network.fleet}"
+        remote = zenoh.Locality.REMOTE
+        mine = [f"{self._root}/t"] if me == TEAM_PROCESS else [f"{self._root}/a", f"{self._root}/m/{me}"]
+        self._subscribers = [self._session.declare_subscriber(name, self._came, allowed_origin=remote) for name in mine]
+        self._drop = zenoh.CongestionControl.DROP
+        self._priority = zenoh.Priority.REAL_TIME
+
+    def _came(self, sample: Any) -> None:
+        """Called in a thread of Zenoh's."""
+        payload = sample.payload
+        data = bytes(payload)
+        sender = data[12:14]
+        with self._arrived:
+            if self._of[sender] >= MOST_OF_ONE or len(self._waiting) >= MOST_WAITING:
+                self._dropped += 1
+                return
+            self._of[sender] += 1
+            self._waiting.append(data)
+            self._arrived.notify()
+
+    def receive(self, seconds: float, most: int = 256) -> list[Envelope]:
+        """What came, as soon as anything did, or nothing after so many seconds."""
+        with self._arrived:
+            if not self._waiting and seconds > 0:
+                self._arrived.wait(seconds)
+            taken = [self._waiting.popleft() for _ in range(min(most, len(self._waiting)))]
+            for data in taken:
+                self._of[data[12:14]] -= 1
+            dropped, self._dropped = self._dropped, 0
+        if dropped:
+            self._refuse(Sentence("messages that come faster than they can be read are dropped"))
+        return [envelope for data in taken if (envelope := self._opened(data)) is not None]
+
+    def _opened(self, data: bytes) -> Envelope | None:
+        try:
+            envelope = opened(data, self._key)
+        except EnvelopeError as error:
+            self._refuse(error.args[0])
+            return None
+        if envelope.to not in (self.me, EVERYBODY) or envelope.sender == self.me:
+            self._refuse(Sentence("a message for somebody else"))
+            return None
+        if self.run and envelope.run not in (0, self.run):
+            self._refuse(Sentence("a message of another run"))
+            return None
+        return envelope
+
+    def _refuse(self, why: Sentence) -> None:
+        now = time.monotonic()
+        if now - self._told.get(why, -TOLD_EVERY_S) >= TOLD_EVERY_S:
+            self._told[why] = now
+            self.refused.append(Sentence("refused: {why}", why))
+
+    def send(self, to: int, kind: int, body: bytes = b"") -> None:
+        """Brings a message on its way; it may be lost."""
+        self._serial += 1
+        data = sealed(Envelope(kind, self.run, self.me, to, self._serial, body), self._key)
+        name = "t" if to == TEAM_PROCESS else "a" if to == EVERYBODY else f"m/{to}"
+        self._session.put(
+            f"{self._root}/{name}", data, congestion_control=self._drop, priority=self._priority, express=True
+        )
+
+    def close(self) -> None:
+        """Ends it; nothing comes any more."""
+        self._session.close()
+
+
+def _open(network: Network) -> tuple[Any, Any]:
+    """Zenoh, and a session of it."""
+    try:
+        import zenoh
+    except ImportError as error:
+        raise FleetError(
+            Sentence("a team as processes needs the package `{package}`", "eclipse-zenoh"),
+            Sentence("install it: {command}", "`pip install kitrobot[fleet]`"),
+        ) from error
+    zenoh.init_log_from_env_or("off")
+    config = zenoh.Config()
+    settings: dict[str, Any] = {
+        "mode": "client" if network.router else "peer",
+        "scouting/multicast/enabled": False,
+        "scouting/gossip/enabled": True,
+        "connect/endpoints": list(network.connect),
+        "connect/timeout_ms": 5000,
+        "connect/exit_on_failure": False,
+        "listen/exit_on_failure": True,
+        "transport/unicast/max_sessions": 1000,
+    }
+    if not network.router:
+        settings["listen/endpoints"] = list(network.listen)
+    if network.tls is not None:
+        settings |= _tls(network.tls)
+    try:
+        for name, value in settings.items():
+            config.insert_json5(name, json.dumps(value))
+        return zenoh, zenoh.open(config)
+    except Exception as error:  # Zenoh's own errors have no class of their own that all versions share.
+        first = str(error).strip().partition("\n")[0][:200]
+        raise FleetError(
+            Sentence("the network cannot be opened: {why}", first),
+            Sentence("an endpoint is written as `tcp/HOST:PORT`, with TLS as `tls/HOST:PORT`"),
+        ) from error
+
+
+def _tls(folder: Path) -> dict[str, Any]:
+    names = {"ca": folder / "ca.pem", "certificate": folder / "cert.pem", "key": folder / "key.pem"}
+    for path in names.values():
+        if not path.is_file():
+            raise FleetError(
+                Sentence("TLS needs the file `{file}`, which is not there", str(path)),
+                Sentence("put ca.pem, cert.pem and key.pem into one folder"),
+            )
+    tls = "transport/link/tls"
+    return {
+        f"{tls}/root_ca_certificate": str(names["ca"]),
+        f"{tls}/enable_mtls": True,
+        **{f"{tls}/{side}_certificate": str(names["certificate"]) for side in ("listen", "connect")},
+        **{f"{tls}/{side}_private_key": str(names["key"]) for side in ("listen", "connect")},
+    }
+
+
+Clock = Callable[[], int]
+
+
+def milliseconds() -> int:
+    """Ms by a clock that only goes forward, also while the process is stopped."""
+    return time.monotonic_ns() // 1_000_000

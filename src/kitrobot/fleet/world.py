@@ -1,0 +1,233 @@
+"""`WorldHost`: the world in which the simulated bodies of a fleet are, without sockets and clocks.
+
+It sends each agent the readings of its body and takes its commands; it is no member of the team and decides nothing.
+What it knows of the team comes with the answers of agents. A body stops when its agent is not heard for a lease, or
+says that it may not act; a command counts only where its agent has not been missed since (`Reply.epoch`), so that who
+comes back with an old command moves nothing.
+
+A step is made when every agent has answered, or when the time of the step, or the patience with the slowest, is over.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from kitrobot.fleet.bodies import Frame, Reply
+from kitrobot.fleet.following import Following
+from kitrobot.fleet.replica import Replica
+from kitrobot.mission import FailureKind
+from kitrobot.sim import Event, Simulation, Ticked, fits, hosted_step, readings, say_written
+from kitrobot.sim.columns import DOWN, ENDED, EVENTS, MUTED, PERIOD, REVIVALS, STUCK, TICK, TOLD, WELL
+from kitrobot.text import Sentence
+
+AGAIN_MS = 40
+"""How long an answer is waited for before the frame is sent once more."""
+PATIENCE_MS = 60
+"""How long a step waits for the slowest agent."""
+START_MS = 5000
+"""How long the first step waits for agents that do not hear enough of their team yet."""
+STILL_MS = 10_000
+"""A fleet in which nothing stirs for so long is stuck."""
+
+
+@dataclass(slots=True)
+class Link:
+    """An agent as its body knows it: the last frame, when it was sent, and what came of it."""
+
+    frame: Frame = field(default_factory=lambda: Frame(0, 0, False, False, ()))
+    waits: bool = False
+    sent_at: int = 0
+    heard_at: int = 0
+    ticked: Ticked | None = None
+    quiet: bool = False
+    lost: bool = False
+    harmed: bool = False
+    beginning: int = 0
+    """Whether its agent is away or may not act, whether the body was stopped for that, and how often its
+    program had been begun anew before.
+    """
+
+
+class WorldHost:
+    """The bodies of all agents of a run.
+
+    Args:
+        simulation: the mission before its first step; this host alone uses it.
+        lease_ms: how long an agent may be silent before its body stops.
+        now: ms by the clock that all its methods are given.
+        pace: simulated time against that clock; 0: each step is made as soon as all have answered.
+
+    Attributes:
+        frames: what is to be sent, by the number of the agent.
+        events: what happened in the last step; `log`: what else is to be told, since somebody took it out.
+    """
+
+    def __init__(self, simulation: Simulation, lease_ms: int, now: int, pace: float = 1.0) -> None:
+        self.simulation = simulation
+        self.replica = Replica(simulation)
+        self.following = Following(self.replica, simulation.state.shared)
+        self.lease = lease_ms
+        self.links = [Link(heard_at=now) for _ in simulation.members]
+        self.frames: dict[int, Frame] = {}
+        self.events: list[Event] = []
+        self.log: list[Sentence] = []
+        self._happened: list[Event] = []
+        self._due: set[int] = set()
+        self._stirred_at = now
+        self._slots = 0
+        self._expected = 0
+        self._step_ms = simulation.tick_ms / pace if pace > 0 else 0.0
+        self._stepped_at = float(now)
+        self._sense(now)
+
+    # -- answers
+
+    def answer(self, now: int, robot: int, reply: Reply) -> None:
+        """An agent answered."""
+        link = self.links[robot]
+        self._learn(reply)
+        if reply.serial != link.frame.serial or not link.waits:
+            return
+        if reply.held and self.simulation.tick == 0 and not link.lost:
+            link.heard_at, link.sent_at = now, now
+            link.frame = replace(link.frame, serial=link.frame.serial + 1)
+            return
+        link.waits, link.heard_at, link.quiet = False, now, reply.quiet
+        if reply.held:
+            self._lose(robot, Sentence("may not act now"))
+            return
+        if self.replica.epochs[robot] != reply.epoch:
+            return
+        self._regain(robot)
+        if reply.ticked is not None:
+            if not fits(self.simulation, robot, reply.ticked):
+                self.log.append(Sentence("{agent} sent what cannot be of its machine", self._name(robot)))
+                return
+            link.ticked = reply.ticked
+        shared = len(self.simulation.state.shared.ints[0])
+        for variable, value in reply.writes[:shared]:
+            if 0 <= variable < shared:
+                say_written(self.simulation, robot, variable, value)
+
+    def _learn(self, reply: Reply) -> None:
+        """Takes in what an answer says of the log."""
+        following = self.following
+        if reply.whole is not None and reply.whole.slot > self.replica.slot:
+            following.adopt(reply.whole)
+        for slot, effects in enumerate(reply.slots, max(0, reply.first)):
+            following.decided(slot, effects)
+        self._happened += following.take_in(lambda effect: None)
+
+    # -- steps
+
+    def due_at(self, now: int) -> float:
+        """When the next step is to be made, as far as it is known now.
+
+        The first one waits longer, until agents hear one another.
+        """
+        if not any(self.links[i].waits and not self.links[i].lost for i in self._due):
+            return self._stepped_at + self._step_ms
+        return self._stepped_at + (START_MS if self.simulation.tick == 0 else max(self._step_ms, PATIENCE_MS))
+
+    def step(self, now: int) -> None:
+        """A step of the world with what was answered, and the readings after it."""
+        simulation = self.simulation
+        behind = now - self._stepped_at - self._step_ms
+        self._stepped_at = now if behind > self._step_ms else self._stepped_at + self._step_ms
+        ticked = {i: link.ticked for i, link in enumerate(self.links) if link.ticked is not None}
+        for i in ticked:
+            self.links[i].ticked = None
+        hosted_step(simulation, ticked)
+        self._sense(now)
+        simulation.events = self.events = [*simulation.happened(), *self._happened]
+        simulation.state.clock[EVENTS] = 0
+        self._happened = []
+        if self._stirs(ticked):
+            self._stirred_at = now
+        elif now - self._stirred_at >= STILL_MS:
+            simulation.state.clock[STUCK] = 1
+        self._expect_back()
+        simulation.look_for_an_end()
+
+    def _expect_back(self) -> None:
+        """The run goes on for robots that are away as long as their team has not missed them."""
+        lives = self.replica.lives
+        expected = sum(link.lost and lives[i] >= 0 for i, link in enumerate(self.links))
+        self.simulation.state.clock[REVIVALS] += expected - self._expected
+        self._expected = expected
+
+    def _stirs(self, ticked: dict[int, Ticked]) -> bool:
+        """Whether anything happened, moves, or is on its way."""
+        slots, self._slots = self._slots, self.replica.slot
+        if self.events or slots != self.replica.slot or any(agent.busy for agent in self.simulation.members):
+            return True
+        ended = self.simulation.state.robots.ints[ENDED]
+        return not all(link.quiet or link.lost or ended[i] for i, link in enumerate(self.links))
+
+    def _sense(self, now: int) -> None:
+        """What sensors measure, and a frame for each agent whose tick it is and that has answered its last one."""
+        state = self.simulation.state
+        readings(self.simulation)
+        ints = state.robots.ints
+        step = state.clock[TICK]
+        self._due = {i for i in range(len(self.links)) if step % ints[PERIOD][i] == 0}
+        for i in self._due:
+            link = self.links[i]
+            if link.waits or link.ticked is not None:
+                continue
+            inputs = self.simulation.members[i].machine.layout.inputs
+            cells = state.machines.cells[i]
+            down = ints[DOWN][i] != WELL and not link.harmed and not ints[ENDED][i]
+            radio = bool(ints[MUTED][i]) or down
+            link.frame = Frame(link.frame.serial + 1, self.replica.slot, radio, down, tuple(cells[1 : 1 + inputs]))
+            link.waits, link.sent_at = True, now
+            self.frames[i] = link.frame
+
+    def time(self, now: int) -> None:
+        """Sends again what was not answered, and stops the bodies of agents that are away."""
+        for i, link in enumerate(self.links):
+            if link.waits and now - link.sent_at >= AGAIN_MS:
+                link.sent_at = now
+                self.frames[i] = link.frame
+            if link.waits and not link.lost and now - link.heard_at >= self.lease:
+                self._lose(i, Sentence("does not answer"))
+
+    def _lose(self, robot: int, why: Sentence) -> None:
+        """The body stops until its agent is back."""
+        link = self.links[robot]
+        link.ticked = None
+        if not link.lost:
+            link.lost, link.beginning = True, self.replica.beginnings[robot]
+            self.log.append(Sentence("{agent}: {what}; its body stands still", self._name(robot), why))
+            link.harmed = self.simulation.state.robots.ints[DOWN][robot] == WELL
+            if link.harmed:
+                self._harm(robot, FailureKind.FAIL)
+
+    def _regain(self, robot: int) -> None:
+        link = self.links[robot]
+        if link.lost:
+            link.lost = False
+            self.log.append(Sentence("{agent} is back", self._name(robot)))
+            if link.harmed:
+                link.harmed = False
+                if self.replica.beginnings[robot] != link.beginning:
+                    self.simulation.state.robots.floats[TOLD][robot] = 0.0
+                self._harm(robot, FailureKind.REVIVE)
+
+    def _harm(self, robot: int, kind: FailureKind) -> None:
+        self._expect_back()
+        self.simulation.harm(self._name(robot), kind, away=True)
+
+    def restarted(self, now: int, robot: int) -> None:
+        """The agent has a new process, which begins with the next frame."""
+        link = self.links[robot]
+        link.waits, link.ticked = True, None
+        link.frame = replace(link.frame, serial=link.frame.serial + 1, known=self.replica.slot)
+        link.sent_at = now - AGAIN_MS
+
+    def stop(self) -> None:
+        """The emergency stop: everything stands still."""
+        self.simulation.stop_motors()
+
+    def _name(self, robot: int) -> str:
+        return self.simulation.members[robot].name

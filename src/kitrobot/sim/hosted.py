@@ -1,0 +1,133 @@
+"""The step of a world whose programs run elsewhere: each robot's `tick` is another process's, or a board's.
+
+Such a host gives every robot the readings of its tick (`readings`), and puts what came of the tick back into the tables
+with the next step: where the program stands, and its commands. The team's part of the tables is the host's affair too;
+all that belongs to bodies is done here, by the functions and in the order of `stepping`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from kitrobot.sim.actuation import deliver, give
+from kitrobot.sim.columns import (
+    A_FRESH,
+    A_KIND,
+    ACTUATOR_INDEX,
+    DT,
+    FAILS,
+    MOVED,
+    PLANNED,
+    PROGRAM,
+    SEES,
+    TICK,
+    WIDEST,
+    WRITTEN,
+    tell,
+)
+from kitrobot.sim.dispatch import AGREES, advance_all, sense_all
+from kitrobot.sim.faults import harm_by_chance, harm_on_schedule
+from kitrobot.sim.grids import fill
+from kitrobot.sim.physics import move_robots
+from kitrobot.sim.sensing import sample, sample_done
+from kitrobot.sim.sharing import SHARED_VALUE
+from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.state import State
+
+
+@dataclass(frozen=True, slots=True)
+class Ticked:
+    """What came of a robot's tick.
+
+    Attributes:
+        cells, threads: the first of each, as they are after it: inputs and variables, and where its threads stand.
+        out: the numbers of its commands, a row as wide as the machine's for each, with the number of the actuator
+            before it.
+    """
+
+    cells: Sequence[int]
+    threads: Sequence[int]
+    out: Sequence[Sequence[int]] = ()
+
+
+def readings(simulation: Simulation) -> None:
+    """What befalls robots at this step, then what their sensors measure; it is put into the cells of their machines."""
+    state = simulation.state
+    step = state.clock[TICK]
+    if state.clock[PLANNED] < len(state.faults.plan[0]):
+        harm_on_schedule(step, state)
+    if state.fixed_floats[FAILS] > 0.0:
+        harm_by_chance(step, state)
+    if state.fixed[SEES] and state.clock[MOVED]:
+        state.clock[MOVED] = 0
+        fill(state.robots, state.fixed_floats[WIDEST], state.grid)
+    sense_all(step, state)
+    sample(step, state)
+    if len(state.actuators.waited_for) > 0:
+        sample_done(step, state)
+
+
+def hosted_step(simulation: Simulation, ticked: Mapping[int, Ticked]) -> None:
+    """The rest of the step: devices take the commands, and bodies move.
+
+    Args:
+        simulation: a run that is stepped by this and `readings` alone, in turn.
+        ticked: by the number of the robot, what came of its last tick. It must fit the robot (see `fits`).
+    """
+    state = simulation.state
+    step = state.clock[TICK]
+    for i, one in ticked.items():
+        _take_in(step, i, one, state)
+    if len(state.actuators.late) > 0:
+        deliver(step, state)
+    advance_all(state.fixed_floats[DT], state)
+    move_robots(state)
+    state.clock[TICK] = step + 1
+
+
+def fits(simulation: Simulation, robot: int, ticked: Ticked) -> bool:
+    """Whether the numbers can be those of a tick of this robot."""
+    machines, ints = simulation.state.machines, simulation.state.robots.ints
+    machine = simulation.members[robot].machine
+    parts, width = machines.parts[ints[PROGRAM][robot]], machine.width
+    commands = machine.layout.commands
+    return (
+        len(ticked.cells) == machine.layout.cells
+        and len(ticked.threads) == 2 * len(machine.image.slots)
+        and all(-1 <= at < machine.image.instructions for at in ticked.threads[::2])
+        and len(ticked.out) <= parts
+        and all(
+            len(row) == 1 + width
+            and 0 <= row[0] < parts
+            and 0 <= row[3] < len(commands)
+            and commands[row[3]][0] == row[0]
+            for row in ticked.out
+        )
+    )
+
+
+def _take_in(step: int, i: int, ticked: Ticked, state: State) -> None:
+    """Puts what came of a tick into the tables, and its commands on their way."""
+    machines, ints = state.machines, state.robots.ints
+    program = ints[PROGRAM][i]
+    machines.cells[i][: len(ticked.cells)] = ticked.cells
+    machines.threads[i][: len(ticked.threads)] = ticked.threads
+    out = machines.out[i]
+    width = machines.pars[i][3]
+    out[:] = [0] * len(out)
+    for number, *row in ticked.out:
+        at = number * width
+        out[at : at + width] = row
+        k = state.actuators.actuator_index[ints[ACTUATOR_INDEX][i] + number]
+        if AGREES[state.actuators.ints[A_KIND][k]]:
+            state.actuators.ints[A_FRESH][k] = step + 1
+        else:
+            give(step, k, out[at + 2], out, at + 3, machines.commands[program], state)
+
+
+def say_written(simulation: Simulation, robot: int, variable: int, value: int) -> None:
+    """A robot wrote a shared variable; the copies of the others are what their machines say."""
+    state = simulation.state
+    state.shared.ints[SHARED_VALUE][variable] = value
+    tell(state.events, state.clock, WRITTEN, robot, variable, value)

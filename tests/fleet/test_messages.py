@@ -1,0 +1,192 @@
+"""Bytes that come from elsewhere: cut off, too large, of another version, key or run, forged, of wrong types."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from pathlib import Path
+
+import orjson
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kitrobot.fleet import envelopes
+from kitrobot.fleet.bodies import (
+    Frame,
+    FrameError,
+    Reply,
+    Whole,
+    read_frame,
+    read_reply,
+    read_whole,
+    write_frame,
+    write_reply,
+    write_whole,
+)
+from kitrobot.fleet.charter import FleetError
+from kitrobot.fleet.envelopes import Envelope, EnvelopeError, opened, sealed
+from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
+from kitrobot.fleet.replica import Replica
+from kitrobot.sim import Ticked, fits
+from kitrobot.team import Noted, Seat, View, Viewed
+from kitrobot.team.messages import Heartbeat
+from tests.fleet.network import LEASE
+from tests.fleet.test_convoy import anew, fleet, until
+
+KEY, OTHER = key_of("a key of sixteen letters", "here"), key_of("another key of as many", "here")
+ENVELOPE = Envelope(envelopes.MEMBER, 77, 1, 2, 3, b"body")
+FRAME = Frame(5, 3, True, False, (1, 0, -4))
+REPLY = Reply(
+    5,
+    2,
+    True,
+    False,
+    Ticked((1, 2), (3, 0), ((0, 1, 2, 3),)),
+    ((0, 9),),
+    4,
+    ((Noted(Seat(1, 0), (0, 0, 3, 1, 9)), Viewed(View(2, (Seat(0, 0), Seat(1, 1))))), ()),
+    Whole(6, ((1, 2), ())),
+)
+
+
+def why(data: bytes, key: bytes = KEY) -> str:
+    with pytest.raises(EnvelopeError) as raised:
+        opened(data, key)
+    return str(raised.value.args[0])
+
+
+def test_an_envelope_is_read_as_it_was_written() -> None:
+    assert opened(sealed(ENVELOPE, KEY), KEY) == ENVELOPE
+
+
+def test_a_foreign_key_is_told_and_refused() -> None:
+    assert "another key" in why(sealed(ENVELOPE, OTHER))
+
+
+@given(st.integers(0, 45), st.integers(1, 255))
+def test_no_byte_of_an_envelope_can_be_changed(at: int, change: int) -> None:
+    data = bytearray(sealed(ENVELOPE, KEY))
+    data[at % len(data)] ^= change
+    why(bytes(data))
+
+
+def test_another_version_is_told_although_its_seal_may_be_another() -> None:
+    data = bytearray(sealed(ENVELOPE, KEY))
+    data[2] = 9
+    assert why(bytes(data)) == "a message of version 9, this is version 1"
+
+
+@pytest.mark.parametrize("length", [0, 1, 10, 41])
+def test_an_envelope_that_is_cut_off_is_refused(length: int) -> None:
+    assert "cut off" in why(sealed(ENVELOPE, KEY)[:length]) or length == 41
+
+
+def test_an_envelope_that_is_too_large_is_refused() -> None:
+    assert "too large" in why(b"KF" + bytes(envelopes.MOST_BYTES))
+
+
+def test_frames_answers_and_replicas_are_read_as_they_were_written() -> None:
+    assert read_frame(write_frame(FRAME)) == FRAME
+    assert read_reply(write_reply(REPLY)) == REPLY
+    assert read_whole(write_whole(Whole(3, ((1,), (2, 3))))) == Whole(3, ((1,), (2, 3)))
+
+
+@given(
+    st.binary(max_size=60)
+    | st.recursive(st.none() | st.integers() | st.text(), st.lists).map(json.dumps).map(str.encode)
+)
+def test_whatever_comes_instead_is_refused_with_a_sentence(data: bytes) -> None:
+    for read in (read_frame, read_reply, read_whole):
+        with contextlib.suppress(FrameError):
+            read(data)
+
+
+@given(st.data())
+def test_an_answer_with_something_else_in_it_is_refused(data: st.DataObject) -> None:
+    rows = orjson.loads(write_reply(REPLY))
+    at = data.draw(st.sampled_from([0, 1, 2, 3, 4, 5, 6, 7, 8]))
+    rows[at] = data.draw(st.sampled_from(["x", 1.5, {"a": 1}, [["x"]], 1 << 60, True]))
+    if not (at in (2, 3) and rows[at] is True):
+        with pytest.raises(FrameError):
+            read_reply(orjson.dumps(rows))
+
+
+def test_what_cannot_be_of_a_machine_is_told_and_moves_nothing() -> None:
+    one = fleet()
+    until(one, 1000)
+    world = one.world
+    link = world.links[0]
+    for ticked in (Ticked((1,), (0, 0)), Ticked((), ()), Ticked((0,) * 400, (9999, 0))):
+        assert not fits(one.run, 0, ticked)
+        link.waits, link.ticked = True, None
+        world.answer(one.now, 0, Reply(link.frame.serial, world.replica.epochs[0], ticked=ticked))
+        assert link.ticked is None
+    assert "cannot be of its machine" in world.log[-1]
+
+
+def test_an_answer_of_an_agent_that_was_missed_since_moves_nothing() -> None:
+    one = fleet()
+    until(one, 1000)
+    world = one.world
+    link = world.links[0]
+    link.waits, link.ticked = True, None
+    machine = one.run.members[0].machine
+    ticked = Ticked(
+        tuple(machine.cells[: machine.layout.cells]), tuple(machine.threads[: 2 * len(machine.image.slots)])
+    )
+    world.answer(one.now, 0, Reply(link.frame.serial, world.replica.epochs[0] - 1, ticked=ticked))
+    assert link.ticked is None
+    link.waits = True
+    world.answer(one.now, 0, Reply(link.frame.serial, world.replica.epochs[0], ticked=ticked))
+    assert link.ticked == ticked
+
+
+@pytest.mark.parametrize("rows", [(), ((1,),), "cut", "long"])
+def test_a_replica_of_another_team_changes_nothing(rows: object) -> None:
+    mine = Replica(anew())
+    packed = mine.packed()
+    if rows == "cut":
+        rows = packed[:-1]
+    elif rows == "long":
+        rows = [*packed[:-1], [*packed[-1], 1]]
+    assert not mine.unpack(9, rows)  # type: ignore[arg-type]
+    assert mine.packed() == packed
+    assert mine.slot == 0
+
+
+@given(st.lists(st.lists(st.integers(-(1 << 60), 1 << 60), max_size=6), max_size=6), st.integers(-3, 70000))
+def test_no_note_breaks_a_replica(notes: list[list[int]], member: int) -> None:
+    mine = Replica(anew())
+    for slot, numbers in enumerate(notes):
+        mine.apply(slot, [Noted(Seat(member, 0), tuple(numbers)), Noted(Seat(member % 4, 0), tuple(numbers))])
+    mine.apply(len(notes), [Viewed(View(1, (Seat(member, 0), Seat(0, 0))))])
+
+
+def test_the_key_of_a_team_is_a_long_text_in_a_file_or_in_the_environment(tmp_path: Path) -> None:
+    file = tmp_path / "key"
+    file.write_text(new_key() + "\n")
+    assert find_key(file, {}) == key_of(file.read_text(), "here")
+    assert find_key(None, {VARIABLE: file.read_text()}) == find_key(file, {})
+    assert find_key(None, {}) is None
+    file.write_text("short")
+    with pytest.raises(FleetError, match="16 to 4096 letters"):
+        find_key(file, {})
+    with pytest.raises(FleetError, match="cannot be read"):
+        find_key(tmp_path / "nowhere", {})
+    file.write_bytes(b"\xff" * 40)
+    with pytest.raises(FleetError, match="cannot be read"):
+        find_key(file, {})
+
+
+def test_ten_thousand_messages_of_one_member_are_bounded_and_change_nothing() -> None:
+    one = fleet()
+    until(one, 1000)
+    host = one.hosts[0]
+    for n in range(10_000):
+        host.receive(one.now, Heartbeat(Seat(1, 0), n, 0, 0, True, 0, ()))
+    assert host.state.refused[1] > 9000
+    assert sum("sends too much" in str(line) for line in host.log) == 1
+    assert len(host.log) < 20
+    until(one, 1000 + 2 * LEASE)
+    assert host.may_act(one.now)

@@ -1,0 +1,376 @@
+"""`python -m tools.fleet_networks`: eight agents, each in a network namespace of its own, and what networks do to them.
+
+Needs Linux and root, `ip` and /dev/net/tun. Every agent, the process of the team and a router have a namespace of which
+the network card is a TAP of this process; it hands frames on as a switch does, loses and delays them, and can fall in
+two. Each scenario runs a mission to its end while something befalls it, and prints what came of it: all units of work
+done, each counted once, or the sentence that says why not. Everything that was made is taken away at the end.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import ctypes
+import fcntl
+import heapq
+import json
+import os
+import random
+import re
+import secrets
+import select
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+AGENTS = 8
+UNITS = 24
+PREFIX = "krtest"
+PORT = 7447
+ROUTER = """
+import sys, time, zenoh
+config = zenoh.Config()
+config.insert_json5("mode", '"router"')
+config.insert_json5("scouting/multicast/enabled", "false")
+config.insert_json5("listen/endpoints", '["' + sys.argv[1] + '"]')
+zenoh.open(config)
+while True:
+    time.sleep(60)
+"""
+TEAM, BROKER = "team", "router"
+
+
+def mission() -> str:
+    """Six workers and two spare ones share out units of work, in step at its beginning and its end."""
+    agents = "\n".join(f'<agent name="robot-{n}" program="work" robot="mini-robot"/>' for n in range(1, AGENTS + 1))
+    vertices = [
+        ("both", "SeqOfPar", "members", "workers"),
+        ("on", "Light.LightOn", "", ""),
+        ("off", "Light.LightOff", "", ""),
+        ("all", "ParOfSeq", "members", "workers"),
+        ("again", "Repetition", "count", "9"),
+        ("take", "Boxes.Take", "", ""),
+        ("shine", "Light.LightOn", "", ""),
+        ("wait", "Wait", "duration", "20"),
+        ("dark", "Light.LightOff", "", ""),
+        ("done", "Boxes.Done", "", ""),
+        ("end", "SeqOfPar", "members", "workers"),
+        ("last", "Light.LightOn", "", ""),
+    ]
+    made = "".join(
+        f'<vertex id="{name}" element="{element}">{f"""<set name="{key}">{value}</set>""" if key else ""}</vertex>'
+        for name, element, key, value in vertices
+    )
+    arcs = """<arc from="start" to="both"/><arc from="both" out="body" to="on"/><arc from="on" to="off"/>
+      <arc from="off" to="both" at="return"/><arc from="both" to="all"/><arc from="all" out="body" to="again"/>
+      <arc from="again" out="body" to="take"/><arc from="take" to="shine"/><arc from="shine" to="wait"/>
+      <arc from="wait" to="dark"/><arc from="dark" to="done"/><arc from="done" to="again" at="return"/>
+      <arc from="again" to="all" at="return"/><arc from="all" to="end"/><arc from="end" out="body" to="last"/>
+      <arc from="last" to="end" at="return"/><arc from="end" to="stop"/>"""
+    return f"""<kitrobot version="1"><program name="work" level="social"><vertex id="start" element="Start"/>{made}
+      <vertex id="stop" element="Stop"/>{arcs}</program><team>{agents}
+      <role name="worker" robot="mini-robot" least="6"/><group name="workers" members="worker" failure="substitute"/>
+      <work name="Boxes" units="{UNITS}" lease="30"/></team><world href="eight.world.xml"/></kitrobot>"""
+
+
+def world() -> str:
+    starts = "".join(f'<start name="robot-{n}" x="300" y="{200 * n}" heading="0"/>' for n in range(1, AGENTS + 1))
+    return f'<world version="1" name="eight" width="2600" height="2000">{starts}</world>'
+
+
+def call(*words: str) -> None:
+    subprocess.run(words, check=True, capture_output=True)
+
+
+class Switch(threading.Thread):
+    """Hands on the frames of all places; `loss` is a probability, `delay` in seconds, `side` cut off from the rest."""
+
+    def __init__(self, cards: list[int]) -> None:
+        super().__init__(daemon=True)
+        self.cards = cards
+        self.loss, self.delay = 0.0, 0.0
+        self.side: set[int] = set()
+        self.over = False
+        self.frames = 0
+
+    def run(self) -> None:
+        chance, ports = random.Random(1), dict[bytes, int]()
+        waiting: list[tuple[float, int, int, bytes]] = []
+        while not self.over:
+            first = waiting[0][0] - time.monotonic() if waiting else 0.05
+            ready, _, _ = select.select(self.cards, [], [], max(0.0, min(0.05, first)))
+            for card in ready:
+                frame = os.read(card, 65_536)
+                at = self.cards.index(card)
+                ports[frame[6:12]] = at
+                known = ports.get(frame[:6])
+                for to in range(len(self.cards)) if known is None else (known,):
+                    if to != at and (to in self.side) == (at in self.side) and chance.random() >= self.loss:
+                        self.frames += 1
+                        heapq.heappush(waiting, (time.monotonic() + self.delay, self.frames, to, frame))
+            while waiting and waiting[0][0] <= time.monotonic():
+                _, _, to, frame = heapq.heappop(waiting)
+                with contextlib.suppress(OSError):
+                    os.write(self.cards[to], frame)
+
+
+def card_in(space: str) -> int:
+    """The network card `eth0` of a namespace, as a file."""
+    libc = ctypes.CDLL(None, use_errno=True)
+    with open("/proc/self/ns/net") as ours, open(f"/run/netns/{space}") as theirs:
+        if libc.setns(theirs.fileno(), 0) != 0:
+            raise OSError(ctypes.get_errno(), "setns")
+        try:
+            card = os.open("/dev/net/tun", os.O_RDWR | os.O_NONBLOCK)
+            fcntl.ioctl(card, 0x400454CA, struct.pack("16sH22x", b"eth0", 0x0002 | 0x1000))
+        finally:
+            libc.setns(ours.fileno(), 0)
+    return card
+
+
+class Lab:
+    """Namespaces of the agents, and those of team and router, on one switch."""
+
+    def __init__(self) -> None:
+        self.places = [*(str(n) for n in range(AGENTS)), TEAM, BROKER]
+        self.started: list[subprocess.Popen[str]] = []
+
+    def __enter__(self) -> Lab:
+        self.clear()
+        cards = []
+        for place in self.places:
+            space = f"{PREFIX}-{place}"
+            call("ip", "netns", "add", space)
+            cards.append(card_in(space))
+            call("ip", "-n", space, "addr", "add", f"{self.address(place)}/24", "dev", "eth0")
+            call("ip", "-n", space, "link", "set", "eth0", "up")
+            call("ip", "-n", space, "link", "set", "lo", "up")
+        self.switch = Switch(cards)
+        self.switch.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for process in self.started:
+            process.kill()
+            process.communicate()
+        self.switch.over = True
+        self.switch.join()
+        for card in self.switch.cards:
+            os.close(card)
+        self.clear()
+
+    def clear(self) -> None:
+        for place in self.places:
+            subprocess.run(["ip", "netns", "del", f"{PREFIX}-{place}"], capture_output=True, check=False)
+
+    def address(self, place: str) -> str:
+        return f"10.77.0.{10 + self.places.index(place)}"
+
+    def start(self, place: str, *words: str, quiet: bool = False) -> subprocess.Popen[str]:
+        """A Python process in a namespace."""
+        process = subprocess.Popen(
+            ["ip", "netns", "exec", f"{PREFIX}-{place}", sys.executable, *words],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL if quiet else subprocess.PIPE,
+            text=True,
+        )
+        self.started.append(process)
+        return process
+
+
+class Fleet:
+    """A run: its processes, and what they said."""
+
+    def __init__(self, lab: Lab, folder: Path, lease: int, router: bool) -> None:
+        self.lab = lab
+        self.lines: list[str] = []
+        self.key = folder / "key"
+        self.key.write_text(secrets.token_hex(32))
+        self.file = str(folder / "eight.krt")
+        (folder / "eight.krt").write_text(mission())
+        (folder / "eight.world.xml").write_text(world())
+        self.router = router
+        self.broker = self.start_router() if router else None
+        if router:
+            time.sleep(1.5)
+        names = [word for n in range(1, AGENTS + 1) for word in ("--elsewhere", f"robot-{n}")]
+        at = self.endpoint(TEAM)
+        way = ("--router", self.endpoint(BROKER)) if router else ("--listen", at)
+        self.team = lab.start(
+            TEAM, "-m", "kitrobot", "team", self.file, *names, *way, *self.common(), "--lease", str(lease), "--json",
+            "--seconds", "120",
+        )  # fmt: skip
+        self.agents = [self.start_agent(n) for n in range(AGENTS)]
+        self.reader = threading.Thread(target=self.read, daemon=True)
+        self.reader.start()
+
+    def common(self) -> tuple[str, ...]:
+        return ("--key", str(self.key), "--fleet", "lab")
+
+    def endpoint(self, place: str, port: int = PORT) -> str:
+        return f"tcp/{self.lab.address(place)}:{port}"
+
+    def start_router(self) -> subprocess.Popen[str]:
+        return self.lab.start(BROKER, "-c", ROUTER, self.endpoint(BROKER), quiet=True)
+
+    def start_agent(self, n: int) -> subprocess.Popen[str]:
+        place = str(n)
+        way = ("--router", self.endpoint(BROKER)) if self.router else ("--connect", self.endpoint(TEAM))
+        own = () if self.router else ("--listen", self.endpoint(place, 7400))
+        words = ("-m", "kitrobot", "agent", self.file, "--as", f"robot-{n + 1}", *way, *own, *self.common())
+        return self.lab.start(place, *words, quiet=True)
+
+    def read(self) -> None:
+        assert self.team.stderr is not None
+        for line in self.team.stderr:
+            self.lines.append(line.rstrip())
+
+    def until(self, text: str, seconds: float = 60.0) -> bool:
+        """Waits until the team said something."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end and self.team.poll() is None:
+            if any(re.search(text, line) for line in self.lines):
+                return True
+            time.sleep(0.02)
+        return False
+
+    def signal(self, n: int, what: signal.Signals) -> None:
+        os.kill(self.agents[n].pid, what)
+
+
+Scenario = Callable[[Fleet, Lab], None]
+
+
+def nothing(fleet: Fleet, lab: Lab) -> None:
+    """nothing"""
+
+
+def kill(fleet: Fleet, lab: Lab) -> None:
+    """kill -9 of two agents, 3 s apart"""
+    fleet.signal(0, signal.SIGKILL)
+    time.sleep(3)
+    fleet.signal(1, signal.SIGKILL)
+
+
+def restart(fleet: Fleet, lab: Lab) -> None:
+    """kill -9 of three agents, each is started again"""
+    for n in range(3):
+        fleet.signal(n, signal.SIGKILL)
+        time.sleep(2)
+        fleet.agents[n] = fleet.start_agent(n)
+
+
+def pause(fleet: Fleet, lab: Lab) -> None:
+    """SIGSTOP of the first agent for 5 s"""
+    fleet.signal(0, signal.SIGSTOP)
+    time.sleep(5)
+    fleet.signal(0, signal.SIGCONT)
+
+
+def lossy(fleet: Fleet, lab: Lab) -> None:
+    """10 % of all frames are lost"""
+    lab.switch.loss = 0.1
+
+
+def slow(fleet: Fleet, lab: Lab) -> None:
+    """every frame 200 ms late"""
+    lab.switch.delay = 0.2
+
+
+def partition(fleet: Fleet, lab: Lab) -> None:
+    """three agents cut off for 5 s"""
+    lab.switch.side = {0, 1, 2}
+    time.sleep(5)
+    lab.switch.side = set()
+
+
+def halves(fleet: Fleet, lab: Lab) -> None:
+    """a partition while a view changes: kill -9, 0.8 s later three others are cut off for 4 s"""
+    fleet.signal(7, signal.SIGKILL)
+    time.sleep(0.8)
+    lab.switch.side = {4, 5, 6}
+    time.sleep(4)
+    lab.switch.side = set()
+
+
+def dead_router(fleet: Fleet, lab: Lab) -> None:
+    """the router dies, and is there again 3 s later"""
+    assert fleet.broker is not None
+    fleet.broker.kill()
+    fleet.broker.wait()
+    time.sleep(3)
+    fleet.broker = fleet.start_router()
+
+
+SCENARIOS: dict[str, tuple[Scenario, int, bool]] = {
+    "nothing": (nothing, 500, False),
+    "kill": (kill, 500, False),
+    "restart": (restart, 500, False),
+    "pause": (pause, 500, False),
+    "loss": (lossy, 2000, False),
+    "delay": (slow, 1500, False),
+    "partition": (partition, 500, False),
+    "view": (halves, 500, False),
+    "router": (dead_router, 500, True),
+}
+
+
+def try_out(name: str, show: bool) -> bool:
+    """Runs a scenario in a lab of its own."""
+    scenario, lease, router = SCENARIOS[name]
+    with tempfile.TemporaryDirectory() as folder, Lab() as lab:
+        fleet = Fleet(lab, Path(folder), lease, router)
+        if not fleet.until("all agents are there", 90):
+            print(f"{name}: did not begin\n" + "\n".join(fleet.lines))
+            return False
+        time.sleep(2)
+        began = time.monotonic()
+        scenario(fleet, lab)
+        try:
+            fleet.team.wait(240)
+        except subprocess.TimeoutExpired:
+            print(f"{name}: came to no end\n" + "\n".join(fleet.lines[-30:]))
+            return False
+        took = time.monotonic() - began
+        fleet.reader.join(5)
+        assert fleet.team.stdout is not None
+        out = fleet.team.stdout.read()
+        result = json.loads(out) if out.strip() else {}
+        left = [one for one in fleet.agents if one.poll() is None]
+        for one in left:
+            try:
+                one.wait(5)
+            except subprocess.TimeoutExpired:
+                print(f"{name}: an agent is still there")
+                return False
+        done = result.get("outcome") == "done"
+        units = result.get("units", {}).get("Boxes")
+        good = done and units == UNITS
+        print(f"{'ok  ' if good else 'BAD '} {name:10} {units}/{UNITS} units, {took:5.1f} s: {scenario.__doc__}")
+        print(f"     {result.get('sentence', '')}")
+        if show or not good:
+            print("\n".join(f"       {line}" for line in fleet.lines))
+        return good
+
+
+def main() -> int:
+    """Status 1 when something did not come to its end."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("scenario", nargs="*", help=f"some of {', '.join(SCENARIOS)}")
+    parser.add_argument("--log", action="store_true", help="show what the team said")
+    given = parser.parse_args()
+    if not sys.platform.startswith("linux") or os.geteuid() != 0:
+        print("this needs Linux, and root for network namespaces", file=sys.stderr)
+        return 2
+    results = [try_out(name, given.log) for name in given.scenario or SCENARIOS]
+    return 0 if all(results) else 1
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
