@@ -14,7 +14,7 @@ from functools import cache
 from kitrobot.compiler import Compiled, compile_text
 from kitrobot.graph import empty_program
 from kitrobot.image import Machine
-from kitrobot.mission import Agent, Mission, Team
+from kitrobot.mission import Agent, Mission, Radio, Team
 from kitrobot.primitives import Catalogue, Robot, read_robot
 from kitrobot.sim import Simulation
 from kitrobot.world import Pose, Start, Wall, World
@@ -49,17 +49,22 @@ PROGRAM = """Wheel.Advance(30);
 """
 
 
+_SHARED = '<variable name="Heard" type="integer" min="0" max="1000" initial="0" shared="yes"/>'
+
+
 @cache
-def rover() -> Robot:
-    """The robot."""
-    robot, problems = read_robot(ROBOT.encode(), "rover.robot.xml")
+def rover(*, talks: bool = False) -> Robot:
+    """The robot; one that talks has a variable that all share, and adds to it once in 90 of its ticks."""
+    text = ROBOT.replace("</robot>", f"{_SHARED}</robot>") if talks else ROBOT
+    robot, problems = read_robot(text.encode(), "rover.robot.xml")
     assert robot is not None, problems
     return robot
 
 
 @cache
-def _compiled() -> Compiled:
-    compiled = compile_text(PROGRAM, rover())
+def _compiled(*, talks: bool = False) -> Compiled:
+    text = PROGRAM.replace("Count.Set(0);", "Count.Set(0); Heard.Add(1);") if talks else PROGRAM
+    compiled = compile_text(text, rover(talks=talks))
     assert compiled.image is not None, compiled.diagnostics
     return compiled
 
@@ -96,8 +101,9 @@ def arena(robots: int, seed: int = 1) -> World:
     return World("arena", size + 500, size + 500, walls=tuple(walls), starts=starts)
 
 
-def swarm(robots: int) -> Simulation:
+def swarm(robots: int, *, talks: bool = False, radio: Radio | None = None) -> Simulation:
     """A run of so many, before its first step."""
-    mission = Mission(programs=[empty_program("roam", "rover")])
+    mission = Mission(programs=[empty_program("roam", "rover")], radio=radio)
     mission.team = Team([Agent(f"r{n}", "roam") for n in range(robots)])
-    return Simulation(mission, arena(robots), {"roam": _compiled()}, Catalogue(robots={"rover": rover()}), 1)
+    catalogue = Catalogue(robots={"rover": rover(talks=talks)})
+    return Simulation(mission, arena(robots), {"roam": _compiled(talks=talks)}, catalogue, 1)

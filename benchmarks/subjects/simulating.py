@@ -11,12 +11,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import kitrobot
 from benchmarks.measuring import Rate, Row, in_turns
 from benchmarks.peers import agents_in_space, trees
 from benchmarks.swarm import SPACING_MM, instructions_a_tick, swarm
+from kitrobot.mission import Radio
 from kitrobot.sim import Simulation, compiling
 
 TITLE = "simulating"
@@ -29,13 +31,15 @@ class Size:
 
     beside: tuple[int, ...]
     growth: tuple[int, ...]
+    talking: int
+    """Robots that share a variable, without a radio and with one."""
     work: int
     plain_work: int
     rounds: int
 
 
-FULL = Size((100, 1000, 10_000), (10, 100_000), 1_000_000, 10_000, 5)
-TINY = Size((4,), (9,), 20, 20, 1)
+FULL = Size((100, 1000, 10_000), (10, 100_000), 1000, 1_000_000, 10_000, 5)
+TINY = Size((4,), (9,), 5, 20, 20, 1)
 
 
 def go(run: Simulation, steps: int) -> None:
@@ -60,7 +64,7 @@ def run(size: Size, *, peers: bool) -> list[Row]:
     if compiling.available():
         for robots in size.growth:
             rows.append(Row(f"Numba, {robots} robots", "steps/s", _numba(robots, size)))
-    return rows + _transport(size)
+    return rows + _talking(size) + _transport(size)
 
 
 def _numba(robots: int, size: Size) -> Rate:
@@ -97,6 +101,27 @@ def _beside(robots: int, size: Size, peers: bool) -> list[Row]:
             rows.append(Row(what, "steps/s", rates[name], trees.NAME, rates["trees"]))
         else:
             rows.append(Row(what, "steps/s", rates[name]))
+    return rows
+
+
+RADIO = Radio(range_mm=1000, delay_ms=20, loss=5)
+
+
+def _talking(size: Size) -> list[Row]:
+    """Robots that share a variable over a radio of range, delay and loss, beside the same who all hear at once."""
+    rows = []
+    for name in ("plain", "Numba") if compiling.available() else ("plain",):
+        steps = max(1, (size.work if name == "Numba" else size.plain_work) // size.talking)
+        runs = {"at once": swarm(size.talking, talks=True), "radio": swarm(size.talking, talks=True, radio=RADIO)}
+        for one in runs.values():
+            if name == "Numba":
+                hurried(one)
+            else:
+                one.stays_plain = True
+        seconds = in_turns({what: partial(go, one, steps) for what, one in runs.items()}, size.rounds)
+        rates = {what: Rate.of(steps, taken) for what, taken in seconds.items()}
+        what = f"{name}, {size.talking} robots that share a variable over a radio"
+        rows.append(Row(what, "steps/s", rates["radio"], "without a radio", rates["at once"]))
     return rows
 
 

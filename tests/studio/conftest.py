@@ -140,7 +140,7 @@ class Studio:
     def edit_code(self) -> None:
         """Gives the LLL the focus, once it can be edited."""
         expect(self.at("code-editor")).to_have_attribute("data-writable", "true")
-        self.at("code").locator(".cm-content").click()
+        self.at("code").locator(".cm-content").focus()
 
     def expect_code(self, text: str) -> None:
         """Waits until a stretch of text stands in the LLL."""
