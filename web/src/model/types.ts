@@ -31,6 +31,8 @@ export type {
   Report,
   Robot,
   RobotObject,
+  Breakdown,
+  Radio,
   ScheduledFailure,
   Slot,
   SpanEntry,

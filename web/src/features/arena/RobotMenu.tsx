@@ -23,13 +23,15 @@ export function entriesOf(name: string): MenuEntry[] {
   const flags = posesAt(0, false)?.poses[index]?.flags ?? 0;
   const isDown = (flags & (FAILED | STALLED)) !== 0;
   const isMuted = (flags & MUTED) !== 0;
+  const byRadio = run.mission?.radio != null;
   const { followed } = useRobots.getState();
   return [
     ...(on ? [] : [{ kind: "heading", id: "harm-needs-run", label: t("harm.needs-run") } as const]),
     menuItem("harm-fail", t("harm.fail"), null, () => harm(name, "fail"), !on || (flags & FAILED) !== 0),
     menuItem("harm-stall", t("harm.stall"), null, () => harm(name, "stall"), !on || isDown),
     menuItem("harm-mute", t("harm.mute"), null, () => harm(name, "mute"), !on || isMuted),
-    menuItem("harm-revive", t("harm.revive"), null, () => harm(name, "revive"), !on || !(isDown || isMuted)),
+    ...(byRadio ? [menuItem("harm-apart", t("harm.apart"), null, () => harm(name, "apart"), !on)] : []),
+    menuItem("harm-revive", t("harm.revive"), null, () => harm(name, "revive"), !on || !(isDown || isMuted || byRadio)),
     { kind: "line", id: "harm-1" },
     { kind: "check", id: "harm-follow", label: t("harm.follow"), checked: followed === name, run: () => follow(name) },
   ];

@@ -7,7 +7,7 @@ import { Select } from "../../ui/Select";
 import { Chance } from "./Chance";
 import { RemoveTool, RowList, type RowProps } from "./RowList";
 
-const KINDS = ["fail", "stall", "mute", "revive"] as const;
+const KINDS = ["fail", "stall", "mute", "apart", "revive"] as const;
 const LATEST_S = 1_000_000;
 /** When the next failure is proposed: so long after the last one. */
 const LATER_S = 10;
@@ -22,6 +22,7 @@ function put(failures: readonly ScheduledFailure[]): void {
 function Row({ item: failure, at, removed }: RowProps<ScheduledFailure>) {
   const failures = useStudio((studio) => studio.mission.failures ?? NONE);
   const agents = useStudio((studio) => studio.mission.agents);
+  const byRadio = useStudio((studio) => studio.mission.radio != null);
   const change = (what: Partial<ScheduledFailure>) => {
     put(failures.map((one, index) => (index === at ? { ...one, ...what } : one)));
   };
@@ -45,7 +46,10 @@ function Row({ item: failure, at, removed }: RowProps<ScheduledFailure>) {
         label={`${t("team.failure-what")}: ${failure.agent}`}
         testId={`failure-kind-${String(at)}`}
         value={failure.kind}
-        options={KINDS.map((kind) => [kind, t(`team.${kind}`)])}
+        options={KINDS.filter((kind) => kind !== "apart" || byRadio || failure.kind === kind).map((kind) => [
+          kind,
+          t(`team.${kind}`),
+        ])}
         keep={(wanted) => change({ kind: KINDS.find((kind) => kind === wanted) ?? "fail" })}
       />
       <input

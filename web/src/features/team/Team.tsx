@@ -1,5 +1,5 @@
 /**
- * The team in the place of the canvas: agents, goals, failures, the world.
+ * The team in the place of the canvas: agents, goals, failures, conditions, the world.
  *
  * A chunk of its own, fetched when the tab is opened.
  */
@@ -9,6 +9,7 @@ import { t } from "../../i18n/words";
 import { useTeam } from "../../session/team-view";
 import { About } from "./About";
 import { Agents } from "./Agents";
+import { Conditions } from "./Conditions";
 import { Failures } from "./Failures";
 import { Goals } from "./Goals";
 import { Worlds } from "./Worlds";
@@ -33,6 +34,7 @@ export default function Team() {
         <Agents />
         <Goals />
         <Failures />
+        <Conditions />
         <Worlds />
         <About />
       </div>

@@ -1,7 +1,7 @@
-/** Breakpoints and failures on schedule: what a mission says about trying it out. */
+/** What a mission says about trying it out: breakpoints, failures on schedule, the radio, robots that break down. */
 import { t } from "../../i18n/words";
 import { becomes, type Command } from "../command";
-import type { Breakpoint, Mission, Program, ScheduledFailure } from "../types";
+import type { Breakdown, Breakpoint, Mission, Program, Radio, ScheduledFailure } from "../types";
 
 /** The mission with these lists, each left out when it is empty, as in a mission that never had one. */
 function withTrial(
@@ -54,6 +54,21 @@ export function setFailures(mission: Mission, failures: readonly ScheduledFailur
   const list = [...failures].sort((a, b) => a.at_s - b.at_s);
   if (JSON.stringify(list) === JSON.stringify(mission.failures ?? [])) return null;
   return becomes(t("command.failures"), withTrial(mission, mission.breakpoints ?? [], list));
+}
+
+/** Another radio, or none; null when it is the same. */
+export function setRadio(mission: Mission, radio: Radio | null): Command | null {
+  const { radio: old = null, ...rest } = mission;
+  if (JSON.stringify(old) === JSON.stringify(radio)) return null;
+  return becomes(t("command.radio"), radio === null ? rest : { ...rest, radio });
+}
+
+/** What becomes of robots that fail on a road; null when it is the same. */
+export function setBreakdown(mission: Mission, breakdown: Breakdown): Command | null {
+  const { breakdown: old = null, ...rest } = mission;
+  const made = breakdown.rule === "stay" ? null : breakdown.rule === "tow" ? breakdown : { ...breakdown, after_s: 0 };
+  if (JSON.stringify(old) === JSON.stringify(made)) return null;
+  return becomes(t("command.breakdown"), made === null ? rest : { ...rest, breakdown: made });
 }
 
 /** The breakpoints after a program was given another name. */
