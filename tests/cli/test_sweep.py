@@ -10,17 +10,19 @@ import xml.etree.ElementTree as ElementTree
 import pytest
 
 from kitrobot.cli.sweep import with_moments
-from kitrobot.files import examples_folder
 from kitrobot.workspace import RunOptions, open_mission
 from kitrobot.workspace import sweep as sweeping
 from kitrobot.workspace.sweep import SweepError, SweepOptions, run_sweep
+from tests.cli.conftest import EXAMPLE
 from tests.patience import PATIENCE_S
+
+EXAMPLES = EXAMPLE.parents[1]
 
 
 @pytest.fixture
 def exchange(here):
     """A short mission of four robots, and its world."""
-    shutil.copytree(examples_folder() / "exchange", here, dirs_exist_ok=True)
+    shutil.copytree(EXAMPLES / "exchange", here, dirs_exist_ok=True)
     return here / "exchange.krt"
 
 
@@ -76,7 +78,7 @@ def test_the_map_has_a_row_for_each_robot_and_says_what_is_where(kitrobot, excha
 
 
 def test_what_is_not_done_gives_the_status_1_and_a_reason(kitrobot, here):
-    shutil.copy(examples_folder() / "transport" / "transport.krt", here / "transport.krt")
+    shutil.copy(EXAMPLES / "transport" / "transport.krt", here / "transport.krt")
     said = kitrobot("run", "transport.krt", "--fail-sweep", 1, "--jobs", 1)
     assert said.status == 1
     assert "  stuck, carrier-1, 1 in all, at 0.0 s: Nothing can change any more" in said.out

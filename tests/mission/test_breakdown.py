@@ -43,7 +43,7 @@ def test_seconds_are_kept_to_the_thousandth() -> None:
 @pytest.mark.parametrize(
     ("inside", "code"),
     [
-        ("<breakdown/>", "xml-missing-attribute"),
+        ("<breakdown/>", "xml-missing"),
         ('<breakdown rule="fly"/>', "xml-bad-value"),
         ('<breakdown rule="tow" after="-1"/>', "xml-bad-value"),
         ('<breakdown rule="tow" after="1000000.5"/>', "xml-bad-value"),
