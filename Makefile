@@ -49,8 +49,9 @@ format: install ## lay out every file, mend what can be mended by rule
 bench: install ## measure, each subject beside its peer
 	$(PY) -m benchmarks
 
-pictures: install page ## take the pictures in docs/pictures from the running studio
+pictures: install page ## take the pictures in docs/pictures from the running studio and from fail sweeps
 	KITROBOT_PICTURES=1 $(BIN)/pytest -q tests/studio/test_pictures.py
+	$(PY) -m tools.sweep_maps
 
 page: $(STAMP) ## build the page into the package, if it is stale
 	@$(PAGE) build

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim.columns import EVENTS
-from kitrobot.sim.packing import Packing
 from kitrobot.sim.sweep import Fault, Field, SweepStoppedError, Task, moments_of, run_task, snapshots_at
 from tests.effort import examples
 from tests.sim.building import transport
@@ -32,7 +31,7 @@ def limited(run: Simulation, seconds: float = 6) -> Simulation:
 def state_of(run: Simulation) -> bytes:
     """All that a run goes on from, but what happened in its last steps."""
     run.state.clock[EVENTS] = 0
-    return Packing(run.state).pack(run.state)
+    return run._packing.pack(run.state)
 
 
 def sweep(make: Make, failures: Sequence[Failure], count: int, pairs: bool) -> list[tuple[Field, bytes]]:

@@ -38,8 +38,9 @@ _CALLED: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wra
 """Of what the step calls. Python calls none of it, and unpacking a state for that takes a third of compiling."""
 
 _APART: dict[str, Any] = {**_CALLED, "forceinline": False}
-_TEAMS = ("kitrobot.sim.meetings", "kitrobot.sim.substitution", "kitrobot.sim.work")
-"""What only teams need stays apart: inlined, it would more than double the time of compiling for everybody."""
+_RARE = ("kitrobot.sim.breakdowns", "kitrobot.sim.meetings", "kitrobot.sim.substitution", "kitrobot.sim.work")
+"""What only teams need, and robots that fail, stays apart: inlined, it would more than double the time of compiling for
+everybody."""
 
 READY = "ready"
 """The file in the cache folder that says that all of it is there."""
@@ -69,6 +70,11 @@ def ask() -> None:
 def compiled() -> Advance | None:
     """The compiled step, if it is there."""
     return _made
+
+
+def is_kept() -> bool:
+    """Whether the compiled step is here already, or kept on this machine."""
+    return available() and (_made is not None or (cache_folder() / READY).exists())
 
 
 def wait() -> Advance | None:
@@ -203,7 +209,7 @@ def _told(folder: Path) -> Advance:
     extending.overload(rows.copy_row, jit_options=options)(copy_arrays)
     for loop in loops().values():
         if loop.__module__ != rows.__name__:
-            extending.register_jitable(**(_APART if loop.__module__ in _TEAMS else _CALLED))(loop)
+            extending.register_jitable(**(_APART if loop.__module__ in _RARE else _CALLED))(loop)
     config: Any = numba.config
     kept = config.CACHE_DIR
     config.CACHE_DIR = str(folder)

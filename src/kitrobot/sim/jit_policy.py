@@ -17,6 +17,9 @@ CROWD = 100
 CROWD_WORTH = 2000
 """As `WORTH`, of a crowd."""
 
+MANY = 30_000_000
+"""Steps of one robot in many runs together for which it is worth waiting until the step is compiled: minutes."""
+
 AT_ONCE = 10_000
 """Steps of one robot that are run plain before it is asked again whether the compiled one is there."""
 
@@ -25,6 +28,14 @@ def expect_run(robots: int) -> None:
     """A run of so many robots may begin soon: has the compiled step made or loaded, if it is worth it for them."""
     if robots >= CROWD:
         compiling.ask()
+
+
+def expect_many_runs(work: int) -> bool:
+    """Whether runs in other processes, of so many steps of one robot together, are to use the compiled step.
+
+    Where it is not kept and worth it, it is made here first, or each of them would make its own.
+    """
+    return compiling.is_kept() or (work >= MANY and compiling.wait() is not None)
 
 
 class JitPolicy:

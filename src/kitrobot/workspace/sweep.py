@@ -20,6 +20,7 @@ from typing import Any, Final
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.sim import Simulation
+from kitrobot.sim.jit_policy import expect_many_runs
 from kitrobot.sim.simulation import Outcome
 from kitrobot.sim.sweep import (
     MOST_MOMENTS,
@@ -156,7 +157,7 @@ def run_sweep(prepared: PreparedRun, options: SweepOptions, progress: Progress |
     tasks = [task for task in tasks if task.size]
     fields: list[Field] = []
     try:
-        for found in _run(prepared, simulation, tasks, options.jobs or _cores()):
+        for found in _run(prepared, simulation, tasks, options.jobs or _cores(), total * baseline.ticks * len(agents)):
             fields += found
             if progress is not None:
                 progress(len(fields), total)
@@ -194,17 +195,20 @@ def _cores() -> int:
     return max(1, min(MOST_JOBS, len(usable(0)) if usable is not None else os.cpu_count() or 1))
 
 
-def _run(prepared: PreparedRun, simulation: Simulation, tasks: Sequence[Task], jobs: int) -> Iterator[list[Field]]:
-    """The fields of each task, as they come."""
+def _run(
+    prepared: PreparedRun, simulation: Simulation, tasks: Sequence[Task], jobs: int, work: int
+) -> Iterator[list[Field]]:
+    """The fields of each task, as they come; `work` is about how many steps of one robot all of them are."""
     jobs = min(jobs, len(tasks))
     if jobs < 2:
         for task in tasks:
             yield list(run_task(simulation, task))
         return
+    is_plain = not expect_many_runs(work)
     # Not forked: the threads of this process would be missing in its copies.
     context = multiprocessing.get_context("spawn")
     stop = context.Event()
-    pool = ProcessPoolExecutor(jobs, context, _begin, (prepared.parts(), stop))
+    pool = ProcessPoolExecutor(jobs, context, _begin, (prepared.parts(), is_plain, stop))
     waiting: list[Future[list[Field]]] = []
     try:
         waiting += [pool.submit(_work, task) for task in tasks]
@@ -224,10 +228,11 @@ _here: list[Any] = []
 """Of a process of the pool: its simulation, and the event at which it is to leave off."""
 
 
-def _begin(parts: tuple[Any, ...], stop: Any) -> None:
+def _begin(parts: tuple[Any, ...], is_plain: bool, stop: Any) -> None:
     """In a process of the pool, once. Ctrl-C is the parent's, which says so to all."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     _here[:] = [Simulation(*parts), stop]
+    _here[0].stays_plain = is_plain
 
 
 def _work(task: Task) -> list[Field]:

@@ -102,10 +102,16 @@ def _pairs(sweep: Sweep, outcomes: Outcomes, margin: int) -> tuple[int, int, lis
         lines.append(_label(margin - 8, round(y + block / 2), name, "end"))
         for other in range(one + 1, last + 1):
             x = margin + (other - 1) * block
-            for n, tick in enumerate(sweep.moments):
-                row = [outcomes.get(_pair(Fault(one, tick), Fault(other, later)), "") for later in sweep.moments]
-                told = f"{name} at {sweep.seconds(tick):.1f} s, {sweep.agents[other]}"
-                lines += _runs(sweep, row, told, (x, y + n * side, side, side))
+            rows = [
+                [outcomes.get(_pair(Fault(one, tick), Fault(other, later)), "") for later in sweep.moments]
+                for tick in sweep.moments
+            ]
+            n = 0
+            for row, alike in groupby(rows):
+                count = len(list(alike))
+                told = f"{name} {_when(sweep, n, count)}, {sweep.agents[other]}"
+                lines += _runs(sweep, row, told, (x, y + n * side, side, count * side))
+                n += count
     for other in range(1, last + 1):
         lines.append(_label(round(margin + (other - 0.5) * block), 48, sweep.agents[other], "middle", block))
     return round(margin + last * block + 24), round(56 + last * block + 8), lines
@@ -121,14 +127,18 @@ def _runs(sweep: Sweep, row: Sequence[str], told: str, place: tuple[float, float
     at = 0
     for outcome, group in groupby(row):
         count = len(list(group))
-        first, last = (f"{sweep.seconds(sweep.moments[n]):.1f}" for n in (at, at + count - 1))
-        when = f"at {first} s" if count == 1 else f"at {first} to {last} s"
+        when = _when(sweep, at, count)
         fill = f"url(#{outcome})" if outcome in _PATTERNS else COLOURS[outcome]
         yield (
             f'<rect x="{x + at * wide:.4g}" y="{y:.4g}" width="{count * wide:.4g}" height="{high:.4g}" fill="{fill}">'
             f"<title>{escape_text(f'{told} {when}: {WORDS[outcome]}')}</title></rect>"
         )
         at += count
+
+
+def _when(sweep: Sweep, at: int, count: int) -> str:
+    first, last = (f"{sweep.seconds(sweep.moments[n]):.1f}" for n in (at, at + count - 1))
+    return f"at {first} s" if count == 1 else f"at {first} to {last} s"
 
 
 def _label(x: float, y: float, text: str, anchor: str, room: float = 0) -> str:
