@@ -98,8 +98,8 @@ class Fleet:
             self.events += self.world.events
             self.on_step()
         self.world.time(self.now)
-        frames, self.world.frames = self.world.frames, {}
-        for i, frame in frames.items():
+        frames, self.world.frames = self.world.frames, []
+        for i, frame in frames:
             data = write_frame(frame)
             self.send(-1, i, partial(self.framed, i, data))
 
@@ -116,11 +116,13 @@ class Fleet:
         if i not in self.hosts:
             return
         host = self.hosts[i]
-        reply = host.frame(self.now, read_frame(data))
+        replies = host.frame(self.now, read_frame(data))
         self.post(i, host)
-        if reply is not None:
-            answer = write_reply(reply)
-            self.send(i, -1, lambda: self.world.answer(self.now, i, read_reply(answer)))
+        for reply in replies:
+            self.send(i, -1, partial(self.answered, i, write_reply(reply)))
+
+    def answered(self, i: int, data: bytes) -> None:
+        self.world.answer(self.now, i, read_reply(data))
 
     def post(self, i: int, host: AgentHost) -> None:
         sendings, host.sendings = host.sendings, []
