@@ -42,12 +42,13 @@ class Fleet:
     now: int = 0
     faults: Faults = field(default_factory=Faults)
     pace: float = 1.0
+    lease: int = LEASE
 
     def __post_init__(self) -> None:
         self.random = random.Random(self.seed)
         simulation = self.anew()
-        self.charter = charter_of(simulation, LEASE)
-        self.world = WorldHost(simulation, LEASE, self.now, self.pace)
+        self.charter = charter_of(simulation, self.lease)
+        self.world = WorldHost(simulation, self.lease, self.now, self.pace)
         self.hosts: dict[int, AgentHost] = {}
         self.lives = [0] * len(simulation.members)
         self.under_way: list[tuple[int, int, Callable[[], None]]] = []
