@@ -36,7 +36,7 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
     from kitrobot.team.events import Event
 
     channel = Channel(Network(FLEET, ("tcp/127.0.0.1:0",), (where,)), me, key_of(KEY, "here"))
-    charter = Charter(count, lease=10_000)
+    charter = Charter(count, lease=1000)
     while not any(envelope.kind == BEGIN for envelope in channel.receive(0.1)):
         channel.send(TEAM_PROCESS, HELLO)
     arrived: defaultdict[int, int] = defaultdict(int)

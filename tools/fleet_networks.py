@@ -39,7 +39,8 @@ config = zenoh.Config()
 config.insert_json5("mode", '"router"')
 config.insert_json5("scouting/multicast/enabled", "false")
 config.insert_json5("listen/endpoints", '["' + sys.argv[1] + '"]')
-zenoh.open(config)
+session = zenoh.open(config)
+print("ready", flush=True)
 while True:
     time.sleep(60)
 """
@@ -197,8 +198,6 @@ class Fleet:
         (folder / "eight.world.xml").write_text(world())
         self.router = router
         self.broker = self.start_router() if router else None
-        if router:
-            time.sleep(1.5)
         names = [word for n in range(1, AGENTS + 1) for word in ("--elsewhere", f"robot-{n}")]
         at = self.endpoint(TEAM)
         way = ("--router", self.endpoint(BROKER)) if router else ("--listen", at)
@@ -217,7 +216,10 @@ class Fleet:
         return f"tcp/{self.lab.address(place)}:{port}"
 
     def start_router(self) -> subprocess.Popen[str]:
-        return self.lab.start(BROKER, "-c", ROUTER, self.endpoint(BROKER), quiet=True)
+        router = self.lab.start(BROKER, "-c", ROUTER, self.endpoint(BROKER), quiet=True)
+        assert router.stdout is not None
+        router.stdout.readline()
+        return router
 
     def start_agent(self, n: int) -> subprocess.Popen[str]:
         place = str(n)

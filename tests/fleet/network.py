@@ -42,12 +42,13 @@ class Fleet:
     now: int = 0
     faults: Faults = field(default_factory=Faults)
     pace: float = 1.0
+    lease: int = LEASE
 
     def __post_init__(self) -> None:
         self.random = random.Random(self.seed)
         simulation = self.anew()
-        self.charter = charter_of(simulation, LEASE)
-        self.world = WorldHost(simulation, LEASE, self.now, self.pace)
+        self.charter = charter_of(simulation, self.lease)
+        self.world = WorldHost(simulation, self.lease, self.now, self.pace)
         self.hosts: dict[int, AgentHost] = {}
         self.lives = [0] * len(simulation.members)
         self.under_way: list[tuple[int, int, Callable[[], None]]] = []
@@ -98,8 +99,8 @@ class Fleet:
             self.events += self.world.events
             self.on_step()
         self.world.time(self.now)
-        frames, self.world.frames = self.world.frames, {}
-        for i, frame in frames.items():
+        frames, self.world.frames = self.world.frames, []
+        for i, frame in frames:
             data = write_frame(frame)
             self.send(-1, i, partial(self.framed, i, data))
 
@@ -116,11 +117,13 @@ class Fleet:
         if i not in self.hosts:
             return
         host = self.hosts[i]
-        reply = host.frame(self.now, read_frame(data))
+        replies = host.frame(self.now, read_frame(data))
         self.post(i, host)
-        if reply is not None:
-            answer = write_reply(reply)
-            self.send(i, -1, lambda: self.world.answer(self.now, i, read_reply(answer)))
+        for reply in replies:
+            self.send(i, -1, partial(self.answered, i, write_reply(reply)))
+
+    def answered(self, i: int, data: bytes) -> None:
+        self.world.answer(self.now, i, read_reply(data))
 
     def post(self, i: int, host: AgentHost) -> None:
         sendings, host.sendings = host.sendings, []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitrobot.lll import TeamProgram
 from kitrobot.sim.team_columns import T_ANCHOR, T_ANCHORED
-from tests.fleet.network import Fleet
+from tests.fleet.network import LEASE, Fleet
 from tests.sim.team_building import RunningTeam
 from tests.team_programs.making import TeamMaker
 
@@ -16,9 +16,9 @@ class FleetTeam(RunningTeam):
     the commands of a step.
     """
 
-    def __init__(self, maker: TeamMaker, program: TeamProgram, seed: int) -> None:
+    def __init__(self, maker: TeamMaker, program: TeamProgram, seed: int, lease: int = LEASE) -> None:
         super().__init__(maker, program, seed)
-        self.fleet = Fleet(self.anew, seed)
+        self.fleet = Fleet(self.anew, seed, lease=lease)
         self.run = run = self.fleet.run
         self.stepped = False
         self.counts: dict[str, int] = dict.fromkeys(self.names, 0)

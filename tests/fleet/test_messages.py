@@ -119,9 +119,9 @@ def test_what_cannot_be_of_a_machine_is_told_and_moves_nothing() -> None:
     link = world.links[0]
     for ticked in (Ticked((1,), (0, 0)), Ticked((), ()), Ticked((0,) * 400, (9999, 0))):
         assert not fits(one.run, 0, ticked)
-        link.waits, link.ticked = True, None
-        world.answer(one.now, 0, Reply(link.frame.serial, world.replica.epochs[0], ticked=ticked))
-        assert link.ticked is None
+        link.waiting, link.ticked, link.sent = {link.serial: FRAME}, [], {link.serial: one.now}
+        world.answer(one.now, 0, Reply(link.serial, world.replica.epochs[0], ticked=ticked))
+        assert link.ticked == []
     assert "cannot be of its machine" in world.log[-1]
 
 
@@ -130,16 +130,47 @@ def test_an_answer_of_an_agent_that_was_missed_since_moves_nothing() -> None:
     until(one, 1000)
     world = one.world
     link = world.links[0]
-    link.waits, link.ticked = True, None
     machine = one.run.members[0].machine
     ticked = Ticked(
         tuple(machine.cells[: machine.layout.cells]), tuple(machine.threads[: 2 * len(machine.image.slots)])
     )
-    world.answer(one.now, 0, Reply(link.frame.serial, world.replica.epochs[0] - 1, ticked=ticked))
-    assert link.ticked is None
-    link.waits = True
-    world.answer(one.now, 0, Reply(link.frame.serial, world.replica.epochs[0], ticked=ticked))
-    assert link.ticked == ticked
+    for late, taken in ((1, []), (0, [(link.serial, ticked)])):
+        link.waiting, link.ticked, link.sent = {link.serial: FRAME}, [], {link.serial: one.now}
+        world.answer(one.now, 0, Reply(link.serial, world.replica.epochs[0] - late, ticked=ticked))
+        assert link.ticked == taken
+
+
+def test_answers_are_taken_in_the_order_of_frames_and_once() -> None:
+    one = fleet()
+    until(one, 1000)
+    world = one.world
+    link = world.links[0]
+    machine = one.run.members[0].machine
+    cells, threads = (
+        tuple(machine.cells[: machine.layout.cells]),
+        tuple(machine.threads[: 2 * len(machine.image.slots)]),
+    )
+    epoch, last = world.replica.epochs[0], link.serial
+    link.waiting, link.ticked = {last + 1: FRAME, last + 2: FRAME}, []
+    link.sent = {last + 1: one.now, last + 2: one.now}
+    replies = [Reply(last + n, epoch, ticked=Ticked((n, *cells[1:]), threads)) for n in (1, 2)]
+    world.answer(one.now, 0, replies[1])
+    assert link.ticked == []
+    for reply in (replies[0], replies[0], replies[1]):
+        world.answer(one.now, 0, reply)
+    assert [ticked.cells[0] for _, ticked in link.ticked] == [1, 2]
+
+
+def test_frames_are_ticked_in_their_order_and_once() -> None:
+    host = fleet().hosts[0]
+    inputs = (0,) * host.machine.layout.inputs
+    frames = [Frame(n, 0, False, True, inputs) for n in (1, 2, 3)]
+    assert [reply.serial for reply in host.frame(0, frames[0])] == [1]
+    assert host.frame(0, frames[2]) == []
+    assert [reply.serial for reply in host.frame(0, frames[1])] == [2, 3]
+    again = host.frame(0, frames[2])
+    assert [reply.serial for reply in again] == [3]
+    assert host.frame(0, Frame(90, 0, False, True, inputs)) == []
 
 
 @pytest.mark.parametrize("rows", [(), ((1,),), "cut", "long"])

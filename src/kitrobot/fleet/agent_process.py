@@ -123,12 +123,12 @@ class AgentProcess:
             self.say(Sentence("takes part"))
         elif envelope.kind == kinds.FRAME and self.host is not None:
             try:
-                reply = self.host.frame(now, read_frame(envelope.body))
+                replies = self.host.frame(now, read_frame(envelope.body))
             except FrameError as error:
                 self.say(Sentence("refused: {why}", error.args[0]))
                 return
             self._post()
-            if reply is not None:
+            for reply in replies:
                 self.channel.send(TEAM_PROCESS, kinds.REPLY, write_reply(reply))
         elif envelope.kind == kinds.STOP:
             if self.host is not None and not self.host.stopped:

@@ -1,8 +1,10 @@
-"""What an agent and the world that has its body tell each other: readings there, commands back, one at a time.
+"""What an agent and the world that has its body tell each other: readings there, commands back, in order.
 
-The world sends a `Frame`, again and again until it is answered, and the next one only then. So each tick is made once
-and each command given once, however many messages are lost or doubled. An answer also tells the world what the log of
-the team says, so that the world, which is no member, knows who was missed.
+The world sends a `Frame` for each tick, the oldest again and again until it is answered; ticks are made, and answers
+taken, in the order of frames. So each tick is made once and each command given once, however many messages are lost or
+doubled. Some frames may be on their way at the same time (`WINDOW`), so that a slow network does not slow ticks down.
+An answer also tells the world what the log of the team says, so that the world, which is no member, knows who was
+missed.
 """
 
 from __future__ import annotations
@@ -24,6 +26,9 @@ LARGEST = 1 << 53
 MOST_SLOTS = 32
 """Slots of the log in one answer."""
 
+WINDOW = 32
+"""Frames of one robot that may be without an answer."""
+
 Slots = tuple[tuple[Effect, ...], ...]
 
 
@@ -41,6 +46,9 @@ class Frame:
         muted: whether the robot has lost its radio.
         down: whether its body has failed or stalled, so that no tick is to be made.
         inputs: its sensors and what of its actuators is done, in the order of its cells.
+        taken: the number of the last frame of which the body has the commands: what was done before is not yet in
+            `inputs` for later ones.
+        first: the oldest frame without an answer, with which a new process begins.
     """
 
     serial: int
@@ -48,6 +56,8 @@ class Frame:
     muted: bool
     down: bool
     inputs: tuple[int, ...]
+    taken: int = 0
+    first: int = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +97,9 @@ class Reply:
 
 def write_frame(frame: Frame) -> bytes:
     """A frame as bytes."""
-    return orjson.dumps([frame.serial, frame.known, int(frame.muted), int(frame.down), frame.inputs])
+    return orjson.dumps(
+        [frame.serial, frame.known, int(frame.muted), int(frame.down), frame.inputs, frame.taken, frame.first]
+    )
 
 
 def read_frame(data: bytes) -> Frame:
@@ -98,8 +110,16 @@ def read_frame(data: bytes) -> Frame:
     """
 
     def made(rows: list[Any]) -> Frame:
-        serial, known, muted, down, inputs = rows
-        return Frame(_number(serial), _number(known), _number(muted) != 0, _number(down) != 0, _numbers(inputs))
+        serial, known, muted, down, inputs, taken, first = rows
+        return Frame(
+            _number(serial),
+            _number(known),
+            _number(muted) != 0,
+            _number(down) != 0,
+            _numbers(inputs),
+            _number(taken),
+            _number(first),
+        )
 
     return _read(data, made)
 

@@ -11,12 +11,13 @@ from __future__ import annotations
 from collections import deque
 
 from kitrobot.fleet import notes
-from kitrobot.fleet.bodies import MOST_SLOTS, Frame, Reply, Whole
+from kitrobot.fleet.bodies import MOST_SLOTS, WINDOW, Frame, Reply, Whole
 from kitrobot.fleet.following import Following
 from kitrobot.fleet.links import TeamLinks
 from kitrobot.fleet.replica import Replica
 from kitrobot.sim import Event, Simulation, Ticked
-from kitrobot.sim.columns import A_CELL, ACTUATOR_INDEX, S_CELL, S_ROBOT
+from kitrobot.sim.actuation import COMMAND
+from kitrobot.sim.columns import A_CELL, ACTUATOR_INDEX, PROGRAM, S_CELL, S_ROBOT
 from kitrobot.sim.sharing import SHARED_VALUE
 from kitrobot.sim.team_columns import T_ROLE
 from kitrobot.team import (
@@ -76,7 +77,11 @@ class AgentHost:
         self.stopped = False
         self.heard_body_at = now
         self.acts_from = now
-        self.reply: Reply | None = None
+        self._serial_ticked = -1
+        self._replies: dict[int, Reply] = {}
+        self._early: dict[int, Frame] = {}
+        self._given: dict[int, int] = {}
+        """Of each cell that says whether something is done, the frame in which that was told last."""
         self._serial = life << 32
         self._unsent: deque[Note] = deque()
         self._freeing: set[tuple[int, int, int]] = set()
@@ -208,12 +213,27 @@ class AgentHost:
 
     # -- the body
 
-    def frame(self, now: int, frame: Frame) -> Reply | None:
-        """The body sent its readings; gives the answer, None for a frame of the past."""
+    def frame(self, now: int, frame: Frame) -> list[Reply]:
+        """The body sent its readings; gives the answers to it, and to those that came early and follow it."""
         self.heard_body_at = now
         self.muted = frame.muted
-        if self.reply is not None and frame.serial <= self.reply.serial:
-            return self.reply if frame.serial == self.reply.serial else None
+        if self._serial_ticked < 0:
+            self._serial_ticked = frame.first - 1
+        if frame.serial <= self._serial_ticked:
+            return [self._replies[frame.serial]] if frame.serial in self._replies else []
+        if frame.serial <= self._serial_ticked + WINDOW:
+            self._early[frame.serial] = frame
+        given = []
+        while self._serial_ticked + 1 in self._early:
+            self._serial_ticked += 1
+            reply = self._answer(now, self._early.pop(self._serial_ticked))
+            self._replies[self._serial_ticked] = reply
+            self._replies.pop(self._serial_ticked - WINDOW, None)
+            given.append(reply)
+        return given
+
+    def _answer(self, now: int, frame: Frame) -> Reply:
+        """The answer to the next frame."""
         ticked, quiet = None, True
         writes: tuple[tuple[int, int], ...] = ()
         held = not (frame.down or self.may_act(now))
@@ -221,7 +241,7 @@ class AgentHost:
         if not held and not waits:
             ticked, writes, quiet = self._tick(now, frame)
         first, slots = self.following.since(frame.known, MOST_SLOTS)
-        self.reply = Reply(
+        return Reply(
             frame.serial,
             self.replica.epochs[self.me],
             held,
@@ -232,7 +252,6 @@ class AgentHost:
             slots,
             self.whole() if first < 0 else None,
         )
-        return self.reply
 
     def _tick(self, now: int, frame: Frame) -> tuple[Ticked, tuple[tuple[int, int], ...], bool]:
         """One tick of the machine: read, react, apply."""
@@ -240,14 +259,14 @@ class AgentHost:
         cells = machine.cells
         for cell, value in enumerate(frame.inputs[: layout.inputs], 1):
             if cell not in self._own_cells:
-                cells[cell] = value
+                cells[cell] = 0 if self._given.get(cell, 0) > frame.taken else value
         self.links.read()
         self._share()
         before = machine.snapshot()
         out: list[tuple[int, ...]] = []
         if not machine.ended and not self.links.has_ended():
             machine.tick()
-            out = self._commands(now)
+            out = self._commands(now, frame.serial)
         epoch = self.replica.epochs[self.me]
         if machine.ended and not self.links.has_ended() and self._end_said != epoch:
             self._end_said = epoch
@@ -258,7 +277,7 @@ class AgentHost:
         )
         return ticked, writes, not out and machine.snapshot() == before
 
-    def _commands(self, now: int) -> list[tuple[int, ...]]:
+    def _commands(self, now: int, serial: int) -> list[tuple[int, ...]]:
         """The commands of the tick, each with the number of its actuator; those to the team go into the log."""
         machine, state = self.machine, self.replica.state
         first = state.robots.ints[ACTUATOR_INDEX][self.me]
@@ -269,6 +288,8 @@ class AgentHost:
                 continue
             given.append((number, *row))
             k = state.actuators.actuator_index[first + number]
+            if state.machines.commands[state.robots.ints[PROGRAM][self.me]][COMMAND * row[2] + 2]:
+                self._given[state.actuators.ints[A_CELL][k]] = serial
             if k in self.links.actuators:
                 wish = self.links.told(k, row)
                 if wish is not None:

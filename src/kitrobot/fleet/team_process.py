@@ -160,8 +160,8 @@ class TeamProcess:
                 world.step(now)
                 self.on_step(simulation)
                 self._tell_events()
-            frames, world.frames = world.frames, {}
-            for i, frame in frames.items():
+            frames, world.frames = world.frames, []
+            for i, frame in frames:
                 if i not in begun:
                     self.channel.send(i, kinds.BEGIN)
                 self.channel.send(i, kinds.FRAME, write_frame(frame))

@@ -155,6 +155,9 @@ def _open(network: Network) -> tuple[Any, Any]:
         "connect/exit_on_failure": False,
         "listen/exit_on_failure": True,
         "transport/unicast/max_sessions": 1000,
+        # A queue of two batches, and 1 ms of patience, lose messages whenever the machine is busy.
+        "transport/link/tx/queue/size/real_time": 16,
+        "transport/link/tx/queue/congestion_control/drop/wait_before_drop": 5000,
     }
     if not network.router:
         settings["listen/endpoints"] = list(network.listen)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from kitrobot.fleet.bodies import Frame, Reply
+from kitrobot.fleet.bodies import WINDOW, Frame, Reply
 from kitrobot.fleet.following import Following
 from kitrobot.fleet.replica import Replica
 from kitrobot.mission import FailureKind
@@ -32,20 +32,46 @@ STILL_MS = 10_000
 
 @dataclass(slots=True)
 class Link:
-    """An agent as its body knows it: the last frame, when it was sent, and what came of it."""
+    """An agent as its body knows it.
 
-    frame: Frame = field(default_factory=lambda: Frame(0, 0, False, False, ()))
-    waits: bool = False
-    sent_at: int = 0
-    heard_at: int = 0
-    ticked: Ticked | None = None
+    Attributes:
+        serial: the number of the last frame.
+        waiting: frames without an answer that was taken, in their order; early: answers to others than the first.
+        sent: when each of these was sent last, and again: those that were sent more than once.
+        trip: how long an answer takes, ms, smoothed.
+        ticked: what came of its ticks and is not in the tables, with the numbers of the frames.
+        answered: the last frame whose answer was taken.
+        taken: the last frame of which the commands are in the tables.
+        lost, harmed: whether its agent is away or may not act, and whether the body was stopped for that.
+        beginning: how often its program had been begun anew before.
+    """
+
+    heard_at: int
+    serial: int = 0
+    waiting: dict[int, Frame] = field(default_factory=dict)
+    early: dict[int, Reply] = field(default_factory=dict)
+    sent: dict[int, int] = field(default_factory=dict)
+    again: set[int] = field(default_factory=set)
+    trip: float = 0.0
+    ticked: list[tuple[int, Ticked]] = field(default_factory=list)
+    answered: int = 0
+    taken: int = 0
     quiet: bool = False
     lost: bool = False
     harmed: bool = False
     beginning: int = 0
-    """Whether its agent is away or may not act, whether the body was stopped for that, and how often its
-    program had been begun anew before.
-    """
+
+    @property
+    def first(self) -> int:
+        """The oldest frame without an answer; the next one where there is none."""
+        return next(iter(self.waiting), self.serial + 1)
+
+    def next_ticks(self) -> list[Ticked]:
+        """What is put into the tables with the next step: the next tick with commands, and those before it."""
+        count = next((n for n, (_, one) in enumerate(self.ticked, 1) if one.out), len(self.ticked))
+        taken, self.ticked = self.ticked[:count], self.ticked[count:]
+        self.taken = taken[-1][0] if self.ticked else self.answered
+        return [one for _, one in taken]
 
 
 class WorldHost:
@@ -58,7 +84,7 @@ class WorldHost:
         pace: simulated time against that clock; 0: each step is made as soon as all have answered.
 
     Attributes:
-        frames: what is to be sent, by the number of the agent.
+        frames: what is to be sent, each with the number of the agent.
         events: what happened in the last step; `log`: what else is to be told, since somebody took it out.
     """
 
@@ -68,7 +94,7 @@ class WorldHost:
         self.following = Following(self.replica, simulation.state.shared)
         self.lease = lease_ms
         self.links = [Link(heard_at=now) for _ in simulation.members]
-        self.frames: dict[int, Frame] = {}
+        self.frames: list[tuple[int, Frame]] = []
         self.events: list[Event] = []
         self.log: list[Sentence] = []
         self._happened: list[Event] = []
@@ -86,28 +112,45 @@ class WorldHost:
         """An agent answered."""
         link = self.links[robot]
         self._learn(reply)
-        if reply.serial != link.frame.serial or not link.waits:
+        if reply.serial not in link.waiting:
             return
+        if reply.serial not in link.early and reply.serial not in link.again:
+            link.trip += (now - link.sent[reply.serial] - link.trip) / 8
+        link.early[reply.serial] = reply
+        while link.first in link.early:
+            first = link.first
+            if not self._take(now, robot, link.early.pop(first)):
+                return
+            link.waiting.pop(first, None)
+            link.sent.pop(first, None)
+            link.again.discard(first)
+            link.answered = first
+
+    def _take(self, now: int, robot: int, reply: Reply) -> bool:
+        """The answer to the oldest frame; False where the run has not begun, and the frame is to be sent again."""
+        link = self.links[robot]
+        link.heard_at, link.quiet = now, reply.quiet
         if reply.held and self.simulation.tick == 0 and not link.lost:
-            link.heard_at, link.sent_at = now, now
-            link.frame = replace(link.frame, serial=link.frame.serial + 1)
-            return
-        link.waits, link.heard_at, link.quiet = False, now, reply.quiet
+            link.serial += 1
+            link.waiting = {link.serial: replace(link.waiting[reply.serial], serial=link.serial)}
+            link.sent, link.again = {link.serial: now}, set()
+            return False
         if reply.held:
             self._lose(robot, Sentence("may not act now"))
-            return
+            return True
         if self.replica.epochs[robot] != reply.epoch:
-            return
+            return True
         self._regain(robot)
         if reply.ticked is not None:
             if not fits(self.simulation, robot, reply.ticked):
                 self.log.append(Sentence("{agent} sent what cannot be of its machine", self._name(robot)))
-                return
-            link.ticked = reply.ticked
+                return True
+            link.ticked.append((reply.serial, reply.ticked))
         shared = len(self.simulation.state.shared.ints[0])
         for variable, value in reply.writes[:shared]:
             if 0 <= variable < shared:
                 say_written(self.simulation, robot, variable, value)
+        return True
 
     def _learn(self, reply: Reply) -> None:
         """Takes in what an answer says of the log."""
@@ -123,9 +166,10 @@ class WorldHost:
     def due_at(self, now: int) -> float:
         """When the next step is to be made, as far as it is known now.
 
-        The first one waits longer, until agents hear one another.
+        The first one waits longer, until agents hear one another. Nobody waits for who is further behind: that is the
+        way to it, not the agent.
         """
-        if not any(self.links[i].waits and not self.links[i].lost for i in self._due):
+        if not any(len(self.links[i].waiting) == 1 and not self.links[i].lost for i in self._due):
             return self._stepped_at + self._step_ms
         return self._stepped_at + (START_MS if self.simulation.tick == 0 else max(self._step_ms, PATIENCE_MS))
 
@@ -134,15 +178,13 @@ class WorldHost:
         simulation = self.simulation
         behind = now - self._stepped_at - self._step_ms
         self._stepped_at = now if behind > self._step_ms else self._stepped_at + self._step_ms
-        ticked = {i: link.ticked for i, link in enumerate(self.links) if link.ticked is not None}
-        for i in ticked:
-            self.links[i].ticked = None
+        ticked = {i: link.next_ticks() for i, link in enumerate(self.links)}
         hosted_step(simulation, ticked)
         self._sense(now)
         simulation.events = self.events = [*simulation.happened(), *self._happened]
         simulation.state.clock[EVENTS] = 0
         self._happened = []
-        if self._stirs(ticked):
+        if self._stirs():
             self._stirred_at = now
         elif now - self._stirred_at >= STILL_MS:
             simulation.state.clock[STUCK] = 1
@@ -156,7 +198,7 @@ class WorldHost:
         self.simulation.state.clock[REVIVALS] += expected - self._expected
         self._expected = expected
 
-    def _stirs(self, ticked: dict[int, Ticked]) -> bool:
+    def _stirs(self) -> bool:
         """Whether anything happened, moves, or is on its way."""
         slots, self._slots = self._slots, self.replica.slot
         if self.events or slots != self.replica.slot or any(agent.busy for agent in self.simulation.members):
@@ -173,29 +215,39 @@ class WorldHost:
         self._due = {i for i in range(len(self.links)) if step % ints[PERIOD][i] == 0}
         for i in self._due:
             link = self.links[i]
-            if link.waits or link.ticked is not None:
+            if len(link.waiting) >= (1 if link.lost or step == 0 else WINDOW):
                 continue
             inputs = self.simulation.members[i].machine.layout.inputs
             cells = state.machines.cells[i]
             down = ints[DOWN][i] != WELL and not link.harmed and not ints[ENDED][i]
             radio = bool(ints[MUTED][i]) or down
-            link.frame = Frame(link.frame.serial + 1, self.replica.slot, radio, down, tuple(cells[1 : 1 + inputs]))
-            link.waits, link.sent_at = True, now
-            self.frames[i] = link.frame
+            first = link.first
+            link.serial += 1
+            link.sent[link.serial] = now
+            link.waiting[link.serial] = frame = Frame(
+                link.serial, self.replica.slot, radio, down, tuple(cells[1 : 1 + inputs]), link.taken, first
+            )
+            self.frames.append((i, frame))
 
     def time(self, now: int) -> None:
         """Sends again what was not answered, and stops the bodies of agents that are away."""
         for i, link in enumerate(self.links):
-            if link.waits and now - link.sent_at >= AGAIN_MS:
-                link.sent_at = now
-                self.frames[i] = link.frame
-            if link.waits and not link.lost and now - link.heard_at >= self.lease:
+            if not link.waiting:
+                continue
+            first = link.first
+            for serial, frame in link.waiting.items():
+                if serial not in link.early and now - link.sent[serial] >= AGAIN_MS + 2 * link.trip:
+                    link.sent[serial] = now
+                    link.again.add(serial)
+                    self.frames.append((i, replace(frame, first=first)))
+                if link.lost:
+                    break
+            if not link.lost and now - link.heard_at >= self.lease:
                 self._lose(i, Sentence("does not answer"))
 
     def _lose(self, robot: int, why: Sentence) -> None:
         """The body stops until its agent is back."""
         link = self.links[robot]
-        link.ticked = None
         if not link.lost:
             link.lost, link.beginning = True, self.replica.beginnings[robot]
             self.log.append(Sentence("{agent}: {what}; its body stands still", self._name(robot), why))
@@ -221,9 +273,12 @@ class WorldHost:
     def restarted(self, now: int, robot: int) -> None:
         """The agent has a new process, which begins with the next frame."""
         link = self.links[robot]
-        link.waits, link.ticked = True, None
-        link.frame = replace(link.frame, serial=link.frame.serial + 1, known=self.replica.slot)
-        link.sent_at = now - AGAIN_MS
+        frame = next(reversed(link.waiting.values()), None)
+        link.waiting, link.early, link.ticked = {}, {}, []
+        if frame is not None:
+            link.serial += 1
+            link.waiting[link.serial] = replace(frame, serial=link.serial, first=link.serial)
+            link.sent, link.again = {link.serial: now}, set()
 
     def stop(self) -> None:
         """The emergency stop: everything stands still."""

@@ -33,7 +33,6 @@ from kitrobot.sim.physics import move_robots
 from kitrobot.sim.sensing import sample, sample_done
 from kitrobot.sim.sharing import SHARED_VALUE
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.state import State
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,17 +67,19 @@ def readings(simulation: Simulation) -> None:
         sample_done(step, state)
 
 
-def hosted_step(simulation: Simulation, ticked: Mapping[int, Ticked]) -> None:
+def hosted_step(simulation: Simulation, ticked: Mapping[int, Sequence[Ticked]]) -> None:
     """The rest of the step: devices take the commands, and bodies move.
 
     Args:
         simulation: a run that is stepped by this and `readings` alone, in turn.
-        ticked: by the number of the robot, what came of its last tick. It must fit the robot (see `fits`).
+        ticked: by the number of the robot, what came of its ticks since the last step, in their order. They must fit
+            the robot (see `fits`).
     """
     state = simulation.state
     step = state.clock[TICK]
-    for i, one in ticked.items():
-        _take_in(step, i, one, state)
+    for i, ticks in ticked.items():
+        for one in ticks:
+            _take_in(step, i, one, simulation)
     if len(state.actuators.late) > 0:
         deliver(step, state)
     advance_all(state.fixed_floats[DT], state)
@@ -107,11 +108,15 @@ def fits(simulation: Simulation, robot: int, ticked: Ticked) -> bool:
     )
 
 
-def _take_in(step: int, i: int, ticked: Ticked, state: State) -> None:
+def _take_in(step: int, i: int, ticked: Ticked, simulation: Simulation) -> None:
     """Puts what came of a tick into the tables, and its commands on their way."""
+    state = simulation.state
     machines, ints = state.machines, state.robots.ints
     program = ints[PROGRAM][i]
-    machines.cells[i][: len(ticked.cells)] = ticked.cells
+    inputs = simulation.members[i].machine.layout.inputs
+    # What its sensors read has gone on since.
+    machines.cells[i][0] = ticked.cells[0]
+    machines.cells[i][1 + inputs : len(ticked.cells)] = ticked.cells[1 + inputs :]
     machines.threads[i][: len(ticked.threads)] = ticked.threads
     out = machines.out[i]
     width = machines.pars[i][3]
