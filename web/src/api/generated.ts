@@ -341,6 +341,13 @@ export interface Failure {
   problems?: Problem[];
 }
 
+/** A request for a program of the whole team, of that name, for a mission that has none. */
+export interface FirstTeam {
+  mission: SentMission;
+  path: string;
+  name: string;
+}
+
 /** The one right answer: `text` for the place, and what that is in a graph. */
 export interface Fix {
   text: string;
@@ -878,6 +885,22 @@ export interface ProgramReport {
   known: string;
 }
 
+/** What the program of the whole team is for a kind of robot: LLL that nobody writes. */
+export interface Projection {
+  robot: string;
+  lll: string;
+  spans: ProjectionSpan[];
+}
+
+/** The same in a projected program; `program` is the team's program in which the vertex stands. */
+export interface ProjectionSpan {
+  vertex: string;
+  start: number;
+  end: number;
+  line: number;
+  program: string;
+}
+
 /**
  * A recording that was opened: its name, by which it is played, and the mission that it brought along. `cut`: its file
  * ends before its run did. `fail_rate` is the probability that an agent failed by chance within a minute. `real`: it is
@@ -907,10 +930,11 @@ export interface ReplayRequest {
   speed: number;
 }
 
-/** A mission looked through. */
+/** A mission looked through. `projections`: one for each kind of robot that runs the program of the whole team. */
 export interface Report {
   programs: ProgramReport[];
   problems: Problem[];
+  projections?: Projection[];
 }
 
 /** Go on; with `latest` from the latest tick, which with real robots is now. */
@@ -1091,6 +1115,7 @@ export interface Slot {
   max: number | null;
   default: string;
   unit: string;
+  names?: "" | "set" | "program";
 }
 
 /** The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1. */

@@ -58,7 +58,7 @@ from kitrobot.server.shapes.journal import (
 from kitrobot.server.shapes.mission import MissionShape, breakpoint_from_shape, mission_from_shape, mission_shape
 from kitrobot.server.shapes.problem import FailureShape, ProblemShape, problem_shapes
 from kitrobot.server.shapes.recording import RecordingEntryShape, RecordingShape
-from kitrobot.server.shapes.report import CheckShape, ProgramReportShape, ReportShape
+from kitrobot.server.shapes.report import CheckShape, FirstTeamShape, ProgramReportShape, ReportShape
 from kitrobot.server.shapes.run import (
     EVENT_CAUSES,
     EVENT_KINDS,
@@ -138,6 +138,7 @@ __all__ = [
     "DifferenceShape",
     "ErrorMessage",
     "FailureShape",
+    "FirstTeamShape",
     "ForceRequest",
     "ForgetShape",
     "HarmRequest",

@@ -10,6 +10,7 @@ import { useTeam } from "../../session/team-view";
 import { About } from "./About";
 import { Agents } from "./Agents";
 import { Failures } from "./Failures";
+import { FirstTeam } from "./FirstTeam";
 import { Goals } from "./Goals";
 import { Worlds } from "./Worlds";
 import "./team.css";
@@ -31,6 +32,7 @@ export default function Team() {
     <div className="team" id="team-panel" role="tabpanel" aria-label={t("team.tab")} data-testid="team" ref={root}>
       <div className="team-body">
         <Agents />
+        <FirstTeam />
         <Goals />
         <Failures />
         <Worlds />
