@@ -119,6 +119,32 @@ def test_a_first_program_of_the_team_is_started_and_runs(open_studio: OpenStudio
     studio.wait_until_done()
 
 
+def test_the_projection_follows_each_edit_and_leads_to_vertices_and_back(open_studio: OpenStudio) -> None:
+    studio = open_studio("square/square.krt")
+    expect(studio.at("code-tab-projection")).to_have_count(0)
+    studio.at("tab-of-team").click()
+    studio.at("start-team").click()
+    studio.at("code-tab-projection").click()
+    text = studio.at("projection")
+    expect(text).to_contain_text("Team.Enter(0);")
+    expect(studio.at("projection-mini-robot")).to_have_text("square")
+    # A line of the program that stands in the team's leads there, and the other way round.
+    lines = studio.page.locator('[data-testid="projection"] .cm-line')
+    lines.filter(has_text="Wheel.Advance").first.click()
+    expect(studio.at("tab-square")).to_have_attribute("aria-selected", "true")
+    expect(studio.page.locator(".vertex.is-selected")).to_contain_text("Advance")
+    expect(text.locator(".line-selected")).to_contain_text(["Wheel.Advance"])
+    studio.at("tab-team").click()
+    studio.page.locator(".vertex", has_text="ParOfSeq").first.click()
+    expect(text.locator(".line-selected").first).to_contain_text("Team.Enter(0);")
+    studio.page.keyboard.press("Control+d")
+    expect(text).to_contain_text("Team.Enter(2);")
+    studio.at("side-team").click()
+    studio.at("change-square").click()
+    studio.at("remove-square").click()
+    expect(studio.at("projection-none")).to_contain_text("There is a mistake")
+
+
 @pytest.mark.usefixtures("needs_axe")
 @pytest.mark.parametrize("look", LOOKS)
 def test_axe_finds_nothing_wrong_with_the_roster(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
@@ -126,4 +152,6 @@ def test_axe_finds_nothing_wrong_with_the_roster(open_studio: OpenStudio, look: 
     choose(studio, *look)
     studio.at("side-team").click()
     studio.at("change-leader").click()
+    studio.at("code-tab-projection").click()
+    expect(studio.at("projection")).to_contain_text("Team.Join();")
     find_nothing(studio, "roster")

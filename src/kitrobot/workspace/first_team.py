@@ -46,7 +46,8 @@ def first_team(opened: OpenMission, name: str) -> Mission:
     kinds = {one.name: one.target for one in before.programs if one.target in robots}
     team = before.team
     played = [one for one in kinds if any(agent.program == one for agent in team.agents)]
-    taken = {one.name for one in (*team.roles, *team.groups, *team.works)}
+    taken = {role.name for role in team.roles} | {group.name for group in team.groups}
+    taken |= {work.name for work in team.works}
     roles: dict[str, RoleDeclaration] = {}
     for program in played:
         count = sum(agent.program == program for agent in team.agents)
@@ -66,8 +67,8 @@ def first_team(opened: OpenMission, name: str) -> Mission:
     made = replace(team, agents=agents, roles=[*team.roles, *roles.values()])
     with_roles = replace(before, team=made, programs=[*before.programs, Program(name, "", [], [], Level.SOCIAL)])
     parts = opened.catalogue.extended([], [], with_roles.crew)
-    program = lll_to_graph(_each_its_own(roles), parts.teams[Level.SOCIAL], parts, name)
-    return replace(with_roles, programs=[*before.programs, program])
+    drawn = lll_to_graph(_each_its_own(roles), parts.teams[Level.SOCIAL], parts, name)
+    return replace(with_roles, programs=[*before.programs, drawn])
 
 
 def free_name(name: str, taken: Collection[str]) -> str:

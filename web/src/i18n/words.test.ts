@@ -79,6 +79,7 @@ const NAMES: Key[] = [
   "strip.message",
   "strip.collision",
   "file.untitled",
+  "code.projection",
 ];
 
 function forms(sentence: Sentence): string[] {
