@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import LOOKS, Studio
-from tests.studio.test_reach import choose, find_nothing, needs_axe
+from tests.studio.test_reach import choose, find_nothing
 from tests.studio.test_variables import save
 
 pytestmark = pytest.mark.browser
@@ -145,7 +145,35 @@ def test_the_projection_follows_each_edit_and_leads_to_vertices_and_back(open_st
     expect(studio.at("projection-none")).to_contain_text("There is a mistake")
 
 
-@pytest.mark.usefixtures("needs_axe")
+def test_every_member_s_place_glows_and_who_is_missing_is_said(open_studio: OpenStudio) -> None:
+    studio = open_studio(CONVOY)
+    studio.at("run-button").click()
+    expect(studio.page.locator(".vertex.is-active [data-testid^='member-robot-']").first).to_be_visible()
+    studio.at("members-button").click()
+    changes = studio.at("members-changes")
+    expect(changes).to_contain_text("takes over for robot-2")
+    expect(studio.at("member-row-robot-4")).to_contain_text("follower, for robot-2")
+    expect(studio.at("member-row-robot-2")).to_contain_text("missed")
+    expect(studio.at("meeting").first).to_contain_text("2 of 3 are here; robot-4 is missing")
+    studio.at("pause-button").click()
+    expect(studio.page.locator('.strip-events [data-kind="member"]')).to_have_count(1)
+    # Back to the moment before: nobody is missed, and nobody stands for another.
+    changes.get_by_role("button").last.click()
+    expect(studio.at("member-row-robot-2")).to_contain_text("follower")
+    expect(studio.at("member-row-robot-4")).to_contain_text("spare")
+    expect(studio.at("meeting")).to_have_count(0)
+
+
+def test_members_glow_in_a_program_that_stands_in_the_team_s(open_studio: OpenStudio) -> None:
+    studio = open_studio("square/square.krt")
+    studio.at("tab-of-team").click()
+    studio.at("start-team").click()
+    studio.expect_code("PROGRAM square")
+    studio.at("tab-square").click()
+    studio.at("run-button").click()
+    expect(studio.page.locator(".vertex.is-active .thread").first).to_be_visible()
+
+
 @pytest.mark.parametrize("look", LOOKS)
 def test_axe_finds_nothing_wrong_with_the_roster(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(CONVOY)

@@ -44,9 +44,13 @@ export interface Agent {
   robot?: string;
 }
 
-/** What an agent does: where its threads stand, its variables and sensors, what its displays and the like show. */
+/**
+ * What an agent does: where its threads stand, its variables and sensors, what its displays and the like show. `active`
+ * are vertices of its program by slot, `inner` slot, program and vertex in others that stand in it.
+ */
 export interface AgentReport {
   active: [number, string][];
+  inner?: [number, string, string][];
   state: "running" | "waiting" | "idle" | "failed" | "stalled";
   values: Record<string, number>;
   inputs: Record<string, number>;
@@ -495,6 +499,29 @@ export interface Line {
 export interface LookRequest {
   type: "look";
   agents: string[];
+}
+
+/**
+ * A place of a team's program at which robots wait for others: who is there, who is missing, how many of how many.
+ * `vertex` is "" where there is none.
+ */
+export interface Meeting {
+  point: number;
+  program: string;
+  vertex: string;
+  here: string[];
+  missing: string[];
+  here_count: number;
+  count: number;
+}
+
+/** A robot of a team: its role ("" while it is spare), groups, in whose place it stands, whether it is missed. */
+export interface Member {
+  name: string;
+  role: string;
+  groups: string[];
+  stands_for: string;
+  missed: boolean;
 }
 
 /** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
@@ -1006,7 +1033,7 @@ export interface Role {
 /** Something worth a mark on the timeline. */
 export interface RunEvent {
   tick: number;
-  kind: "load" | "unload" | "message" | "collision" | "failure" | "revival" | "end" | "outside";
+  kind: "load" | "unload" | "message" | "collision" | "failure" | "revival" | "member" | "end" | "outside";
   agent: string;
   text: string;
   cause: "program" | "world" | "person" | "mission" | "chance" | "robot" | "link";
@@ -1233,6 +1260,12 @@ export interface TeamGroup {
   failure: "drop" | "substitute" | "abort";
 }
 
+/** A team as it stands: its members, and where some of them wait. */
+export interface TeamNow {
+  members: Member[];
+  meetings: Meeting[];
+}
+
 /** The canonical text of a `.krt`. */
 export interface Text {
   text: string;
@@ -1249,7 +1282,8 @@ export interface TextEdit {
 /**
  * The run as it stands; `agents` holds only those that changed since the last message, and of very many only those that
  * are looked at. `latest` is the furthest tick of this future: less than before when another one has begun. `events`
- * are those since the last message, or with `again` all up to `latest`.
+ * are those since the last message, or with `again` all up to `latest`. `team` is null where it stands as before, or
+ * there is none.
  */
 export interface TickMessage {
   type: "tick";
@@ -1262,6 +1296,7 @@ export interface TickMessage {
   delivered: Record<string, number>;
   collisions: number;
   events: RunEvent[];
+  team: TeamNow | null;
 }
 
 /** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */

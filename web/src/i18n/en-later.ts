@@ -65,6 +65,25 @@ export const LATER_EN = {
   "projection.none":
     "There is a mistake, or no robot runs it: see Problems. Then each kind of robot gets its program here.",
 
+  "members.meeting": {
+    one: "{here} of {wanted} are here; {names} is missing",
+    other: "{here} of {wanted} are here; {names} are missing",
+  },
+  "members.others": { one: "{count} other", other: "{count} others" },
+  "members.close": "Close the members",
+  "members.who": "Robot",
+  "members.role": "Role",
+  "members.groups": "Groups",
+  "members.since": "Since",
+  "members.why": "Why",
+  "members.spare": "spare",
+  "members.missed": "missed",
+  "members.for": "{role}, for {name}",
+  "members.began": "so the run began",
+  "members.go": "Go to {time}",
+  "members.changes": "What changed",
+  "members.unchanged": "Nothing has changed so far.",
+
   "first-team.title": "One program for the whole team",
   "first-team.what":
     "A team's program says what the robots do together: who waits for whom, what they decide as one, how work is shared out. It says so in roles, so another robot takes over when one fails.",

@@ -80,6 +80,7 @@ const NAMES: Key[] = [
   "strip.collision",
   "file.untitled",
   "code.projection",
+  "members.who",
 ];
 
 function forms(sentence: Sentence): string[] {

@@ -4,6 +4,7 @@ import type { Feature } from "../../session/features";
 import { keyFor } from "../../session/key-table";
 import { openTeam } from "../../session/team-view";
 import { menuItem } from "../../ui/menu-model";
+import { MembersButton, MembersDock } from "./MembersDock";
 import { TeamSide } from "./TeamSide";
 import { teamTab } from "./TeamTab";
 
@@ -11,6 +12,7 @@ export const team: Feature = {
   name: "team",
   tab: teamTab,
   panels: { palette: TeamSide },
+  slots: { below: MembersDock, bottom: MembersButton },
   commands: { team: () => openTeam() },
   useMenu: () => ({
     team: [menuItem("program-team", t("team.open"), keyFor.page("team"), () => openTeam())],
