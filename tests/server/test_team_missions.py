@@ -32,3 +32,31 @@ def test_a_team_s_program_is_reported_with_its_text(page):
     [report] = [one for one in answer.json()["programs"] if one["name"] == "haul"]
     assert report["lll"].endswith("PROGRAM p;\n")
     assert report["spans"][0]["vertex"] == "v1"
+
+
+def test_slots_say_what_they_name(page):
+    answer = page.get("/api/mission/new").json()["catalogue"]
+    slots = {
+        (one["name"], slot["name"]): slot["names"]
+        for group in answer["groups"]
+        for one in group["constructors"]
+        for slot in one["slots"]
+    }
+    assert slots["SeqOfPar", "members"] == slots["Move", "source"] == slots["Move", "target"] == "set"
+    assert (slots["Program", "name"], slots["Where", "condition"], slots["Move", "count"]) == ("program", "", "")
+
+
+def test_a_first_program_of_a_team_is_made_and_projected(page):
+    mission = page.get("/api/mission?path=blink.krt").json()["mission"]
+    wanted = {"mission": mission, "path": "blink.krt", "name": "team"}
+    after = page.post("/api/mission/team", json=wanted).json()
+    assert [(one["name"], one["level"]) for one in after["programs"]][-1] == ("team", "social")
+    report = page.post("/api/check", json={"mission": after, "path": "blink.krt"}).json()
+    assert report["problems"] == []
+    [projection] = report["projections"]
+    assert projection["robot"] == mission["programs"][0]["robot"]
+    assert {one["program"] for one in projection["spans"]} == {"team", mission["programs"][0]["name"]}
+    again = page.post("/api/mission/team", json={**wanted, "mission": after})
+    assert again.status_code == 422
+    assert again.json()["message"] == "The mission has a program of the whole team already."
+    assert page.post("/api/mission/team", json={**wanted, "name": ""}).status_code == 422

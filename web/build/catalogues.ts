@@ -1,6 +1,7 @@
 /**
  * Catalogues of translators (gettext, `.po`) as tables for `src/i18n/words.ts`: `import("./fr.po")` gives what each key
- * (msgctxt) is in that language, one form for each plural rule where a sentence counts.
+ * (msgctxt) is in that language, one form for each plural rule where a sentence counts. `import("./fr.po?later")` gives those
+ * of parts that are fetched later, which the first does not hold.
  */
 import type { Plugin } from "vite";
 
@@ -9,20 +10,26 @@ type Forms = Partial<Record<Intl.LDMLPluralRule, string>>;
 
 /** So many counts are tried to find which form each plural rule of a language takes. */
 const COUNTS = 200;
+/** The English of an entry that is fetched later, as its reference says. */
+const LATER = /^#: en-later\.ts$/m;
 
 export function catalogues(): Plugin {
   return {
     name: "catalogues",
     transform(code, id) {
-      return id.endsWith(".po") ? { code: `export default ${JSON.stringify(table(code))};`, map: null } : null;
+      const found = /\.po(\?later)?$/.exec(id);
+      if (found === null) return null;
+      return { code: `export default ${JSON.stringify(table(code, found[1] !== undefined))};`, map: null };
     },
   };
 }
 
-function table(text: string): Record<string, string | Forms> {
-  const [header, ...entries] = text.replaceAll("\r\n", "\n").split("\n\n").map(entryOf);
-  const language = /^Language: (\w+)$/m.exec(header?.["msgstr"] ?? "")?.[1];
-  const rule = /plural=([^;]+);/.exec(header?.["msgstr"] ?? "")?.[1];
+function table(text: string, later: boolean): Record<string, string | Forms> {
+  const [first = "", ...blocks] = text.replaceAll("\r\n", "\n").split("\n\n");
+  const header = entryOf(first);
+  const entries = blocks.filter((block) => LATER.test(block) === later).map(entryOf);
+  const language = /^Language: (\w+)$/m.exec(header["msgstr"] ?? "")?.[1];
+  const rule = /plural=([^;]+);/.exec(header["msgstr"] ?? "")?.[1];
   if (language === undefined || rule === undefined)
     throw new Error("a catalogue begins with Language and Plural-Forms");
   // eslint-disable-next-line @typescript-eslint/no-implied-eval -- C's expression in our own file reads the same in JavaScript

@@ -36,3 +36,10 @@ class DebugMap:
     def vertices_of(self, program: str) -> list[str | None]:
         """The same, without those of other programs that stand in this one."""
         return [origin.vertex if origin.program == program else None for origin in self.origins]
+
+    def inner_of(self, program: str) -> list[tuple[str, str] | None]:
+        """Of each instruction its program and vertex, where that is another program than this one."""
+        return [
+            (origin.program, origin.vertex) if origin.program not in ("", program) and origin.vertex else None
+            for origin in self.origins
+        ]

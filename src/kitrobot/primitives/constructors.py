@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import Literal
 
 from kitrobot.lll import Condition, Instr, Seq
 from kitrobot.primitives.levels import Level
@@ -36,7 +37,10 @@ class Role(StrEnum):
 
 @dataclass(frozen=True)
 class Slot:
-    """A hole of a constructor. A `repeat` slot holds any number of bodies; `least` of them come with a new vertex."""
+    """A hole of a constructor. A `repeat` slot holds any number of bodies; `least` of them come with a new vertex.
+
+    `names` says what a text slot names: "set" (roles, groups and agents) or "program"; "" for anything else.
+    """
 
     name: str
     kind: SlotKind
@@ -48,6 +52,7 @@ class Slot:
     default: str = ""
     unit: str = ""
     label: Texts = field(default_factory=dict)
+    names: Literal["", "set", "program"] = ""
 
 
 @dataclass(frozen=True)

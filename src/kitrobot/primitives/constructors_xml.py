@@ -20,7 +20,7 @@ from kitrobot.primitives.constructors import Constructor, Group, Role, Slot, Slo
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.robot import LARGEST_VALUE
 from kitrobot.primitives.template_xml import LONGEST_CODE, Template, read_template
-from kitrobot.primitives.templates import holes
+from kitrobot.primitives.templates import holes, named_by
 from kitrobot.text import Help, Sentence, one_of, shown
 from kitrobot.xml import (
     ICON,
@@ -197,6 +197,9 @@ def _constructor(element: Element) -> Constructor | None:
         _check_level(element, template)
     if element.faulty:
         return None
+    if template is not None:
+        named = named_by(template)
+        slots = [replace(slot, names=named.get(slot.name, "")) for slot in slots]
     return Constructor(
         name=name,
         group=group.attributes.get("name", ""),

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
+from typing import Literal
 
 from kitrobot.lll import (
     Call,
@@ -61,6 +62,17 @@ def holes(template: Node) -> Iterator[tuple[Hole, tuple[SlotKind, ...], bool]]:
         for child in children(node):
             if isinstance(child, Hole):
                 yield child, _TEXT if child is getattr(node, "members", None) else fitting, False
+
+
+def named_by(template: Node) -> dict[str, Literal["set", "program"]]:
+    """What the text slots of a template name: roles, groups and agents, or a program. Others are left out."""
+    found: dict[str, Literal["set", "program"]] = {}
+    for node in nodes(template):
+        if isinstance(node, ProgramCall) and isinstance(node.name, Hole):
+            found[node.name.name] = "program"
+        sets = (node.source, node.target) if isinstance(node, Move) else (getattr(node, "members", None),)
+        found.update({hole.name: "set" for hole in sets if isinstance(hole, Hole)})
+    return found
 
 
 def shape(node: Node) -> Shape:

@@ -57,7 +57,18 @@ def _report(report: Report) -> dict[str, Any]:
         }
         for one in report.programs
     ]
-    return {"programs": programs, "problems": _problems(report.problems)}
+    projections = [
+        {
+            "robot": one.robot,
+            "lll": one.lll,
+            "spans": [
+                {"vertex": at.vertex, "start": at.start, "end": at.end, "line": at.line, "program": at.program}
+                for at in one.spans
+            ],
+        }
+        for one in report.projections
+    ]
+    return {"programs": programs, "problems": _problems(report.problems), "projections": projections}
 
 
 def _drawn(before: Program, after: Program) -> dict[str, Any]:

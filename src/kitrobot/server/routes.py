@@ -16,8 +16,10 @@ from kitrobot.server.shapes import (
     CheckShape,
     ConflictShape,
     FailureShape,
+    FirstTeamShape,
     MissionEntryShape,
     MissionFileShape,
+    MissionShape,
     MissionTextShape,
     ReportShape,
     SavedShape,
@@ -34,6 +36,7 @@ from kitrobot.server.studio import Studio
 from kitrobot.sim import expect_run
 from kitrobot.text import Sentence, collection_paused
 from kitrobot.workspace import OpenMission, new_mission
+from kitrobot.workspace.first_team import first_team
 
 _FAILURES: dict[int | str, dict[str, object]] = {
     "4XX": {"model": FailureShape, "description": "Why it could not be done, and a way out."}
@@ -146,6 +149,13 @@ def check(studio: ThisStudio, wanted: CheckShape) -> Response:
         answer = report_answer(opened.check())
     expect_run(len(opened.mission.team.agents))
     return answer
+
+
+@routes.post("/mission/team")
+def mission_team(studio: ThisStudio, wanted: FirstTeamShape) -> MissionShape:
+    """The mission with a first program of the whole team, in which each robot does what it did before."""
+    opened = studio.open(sent_mission(wanted.mission, studio.programs.named), wanted.path)
+    return mission_shape(first_team(opened, wanted.name))
 
 
 def mission_file(studio: Studio, opened: OpenMission, path: str, revision: str) -> MissionFileShape:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from kitrobot.server.shapes import EVENT_CAUSES, EVENT_KINDS, StartedAgentShape, StartedMessage, world_shape
+from kitrobot.server.team_told import TeamTold
 from kitrobot.sim import DOING
 from kitrobot.text import Sentence, clipped
 from kitrobot.trace import (
@@ -22,6 +23,7 @@ from kitrobot.trace import (
     PROGRAM,
     TEAM,
     Ability,
+    Inner,
     Threads,
     TickRecord,
     TraceAgent,
@@ -60,6 +62,7 @@ class _Told:
     values: tuple[tuple[str, int], ...]
     shown: tuple[tuple[str, tuple[int, ...]], ...]
     vertices: tuple[str | None, ...]
+    inner: Inner
     watched: tuple[int, ...]
 
     def vertex(self, instruction: int) -> str | None:
@@ -70,6 +73,11 @@ class _Told:
         """(slot, vertex) of each live thread."""
         found = ((slot, self.vertex(instruction)) for slot, instruction in threads)
         return tuple((slot, vertex) for slot, vertex in found if vertex is not None)
+
+    def stands_within(self, threads: Threads) -> list[list[Any]]:
+        """[slot, program, vertex] of each live thread that is in another program than the agent's own."""
+        found = ((slot, self.inner[at] if at < len(self.inner) else None) for slot, at in threads)
+        return [[slot, *place] for slot, place in found if place is not None]
 
 
 class RunEncoder:
@@ -96,6 +104,7 @@ class RunEncoder:
         self._stock = _named("stock ", team)
         self._delivered = _named("delivered ", team)
         self._looked_at = self._first_ones()
+        self._team = TeamTold(header)
         self._before: list[tuple[object, ...] | None] = [None] * len(self._agents)
 
     def _plan(self, agent: TraceAgent, mine: Sequence[tuple[str, int]]) -> _Told:
@@ -108,7 +117,9 @@ class RunEncoder:
         watched = (at["doing"], at["forced"], at["fault"], *(place for _, place in (*inputs, *values)))
         watched += tuple(place for _, places in shown for place in places)
         vertices = self._header.vertices_of(agent)
-        return _Told(agent.name, pose, at["doing"], at["forced"], at["fault"], inputs, values, shown, vertices, watched)
+        inner = self._header.inner.get(self._header.image_name(agent), ())
+        doing, forced, fault = at["doing"], at["forced"], at["fault"]
+        return _Told(agent.name, pose, doing, forced, fault, inputs, values, shown, vertices, inner, watched)
 
     def _first_ones(self) -> frozenset[int]:
         """The first agent of each program."""
@@ -188,7 +199,7 @@ class RunEncoder:
             if key != self._before[index]:
                 self._before[index] = key
                 changed[agent.name] = self._report(agent, record.active[index], row)
-        return self._tick(record, latest, again, happened, changed)
+        return {**self._tick(record, latest, again, happened, changed), "team": self._team.news(row)}
 
     def whole(self, record: TickRecord, latest: int, happened: Iterable[TraceEvent]) -> dict[str, Any]:
         """Everything, for somebody who was told nothing yet, in the shape of a `TickMessage`; `happened` is everything
@@ -198,7 +209,8 @@ class RunEncoder:
             self._agents[index].name: self._report(self._agents[index], record.active[index], record.numbers)
             for index in sorted(self.reported)
         }
-        return self._tick(record, latest, True, happened, agents)
+        told = self._tick(record, latest, True, happened, agents)
+        return {**told, "team": self._team.now(record.numbers)}
 
     def _tick(
         self, record: TickRecord, latest: int, again: bool, happened: Iterable[TraceEvent], agents: dict[str, Any]
@@ -221,6 +233,7 @@ class RunEncoder:
         doing, forced = row[agent.doing], row[agent.forced]
         return {
             "active": [[slot, vertex] for slot, vertex in agent.stands(threads)],
+            "inner": agent.stands_within(threads),
             "state": DOING[doing] if 0 <= doing < len(DOING) else DOING[0],
             "values": {name: _bounded(row[at]) for name, at in agent.values},
             "inputs": {name: _bounded(row[at]) for name, at in agent.inputs},

@@ -24,7 +24,8 @@ _CAUSES: tuple[Cause, ...] = ("person", "mission", "chance", "world")
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that happened: `kind` is load, unload, message, collision, failure, revival or end.
+    """Something that happened: `kind` is load, unload, message, collision, failure, revival, member
+    (who is in which role or group) or end.
 
     `index` is the agent's number; `cause` says what brought it about: a program, the world, a person's hand during the
     run, the mission's schedule, or chance.
@@ -104,13 +105,13 @@ class EventText:
         if kind == c.HARMED:
             return "revival" if what == REVIVE else "failure", said_of(what, much)
         if kind == c.MOVED_OVER:
-            return "message", Recorded("goes over to {group}", self._groups[what])
+            return "member", Recorded("goes over to {group}", self._groups[what])
         if kind == c.MISSED:
-            return "message", Recorded("is missed by its team")
+            return "member", Recorded("is missed by its team")
         if kind == c.TAKEN_OVER:
-            return "message", Recorded("takes over for {agent}", self._members[what].name)
+            return "member", Recorded("takes over for {agent}", self._members[what].name)
         if kind == c.BACK:
-            return "message", Recorded("begins anew, as a spare one")
+            return "member", Recorded("begins anew, as a spare one")
         if kind == c.UNIT_LOST:
             return "message", Recorded(
                 "was too late: its unit of {work} is free again, or another's", self._works[what]

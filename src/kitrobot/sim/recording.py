@@ -18,6 +18,7 @@ from kitrobot.sim.columns import DELIVERED, HEADING, LOAD, X, Y
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.state import numbers
+from kitrobot.sim.team_record import TeamRecord
 from kitrobot.sim.timeline import Timeline
 from kitrobot.trace import (
     TEAM,
@@ -70,6 +71,14 @@ class Recorder:
         columns += [Column(TEAM, f"stock {house.name}") for house in simulation.world.storehouses]
         columns += [Column(TEAM, f"delivered {simulation.members[index].name}") for index in self._carriers]
         columns.append(Column(TEAM, "collisions"))
+        roles = [role.name for role in simulation.mission.team.roles]
+        self._team = TeamRecord(simulation.team_plan, roles, simulation.members, simulation.state)
+        columns += self._team.columns
+        inner = {
+            name: tuple(debug.inner_of(name.partition("\n")[0]))
+            for name, debug in sorted(simulation.debug.items())
+            if "\n" in name
+        }
         return TraceHeader(
             write_mission(simulation.mission).decode(),
             simulation.seed,
@@ -87,6 +96,8 @@ class Recorder:
             parts,
             simulation.total,
             simulation.fail_rate,
+            {name: found for name, found in inner.items() if any(found)},
+            self._team.plan,
         )
 
     def record(self, happened: Iterable[Event] | None = None, in_full: Collection[int] | None = None) -> TickRecord:
@@ -122,6 +133,7 @@ class Recorder:
         recorded += numbers(state.docks.stock)
         recorded += [int(state.robots.ints[DELIVERED][index]) for index in self._carriers]
         recorded.append(simulation.collisions)
+        recorded += self._team.numbers(state)
         active = [agent.active if in_full is None or agent.index in in_full else () for agent in simulation.members]
         events = [
             TraceEvent(event.tick, event.kind, event.index, event.text, event.cause)

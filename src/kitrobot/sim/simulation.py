@@ -117,6 +117,8 @@ class Simulation:
         self._event_text = EventText(world, self.members, shared.variables, self.state, groups, works)
         self._fault_plan = setup.tables.fault_plan
         self._team_text = TeamText(team, self.members)
+        self.team_plan = team
+        """The points of the program that agents run as a team; None where they run none."""
         self._goals = Goals(self.state.docks.goals, self.stage)
         self._sensors = sensor_names(self.state, self.members)
         self._sensors_of = [[self._sensors[one.index, s] for s in one.machine.layout.sensors] for one in self.members]

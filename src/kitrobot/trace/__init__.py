@@ -12,6 +12,7 @@ from kitrobot.trace.model import (
     TEAM,
     WORLD,
     Column,
+    Inner,
     Threads,
     TickRecord,
     TraceAgent,
@@ -20,6 +21,8 @@ from kitrobot.trace.model import (
     TraceEvent,
     TraceHeader,
     TracePart,
+    TracePlan,
+    TracePoint,
 )
 from kitrobot.trace.reading import TraceReader
 from kitrobot.trace.source import Ability, AbilityError, NewEvents, RecordingSource, RunSource
@@ -39,6 +42,7 @@ __all__ = [
     "Ability",
     "AbilityError",
     "Column",
+    "Inner",
     "NewEvents",
     "RecordingSource",
     "RunSource",
@@ -50,6 +54,8 @@ __all__ = [
     "TraceEvent",
     "TraceHeader",
     "TracePart",
+    "TracePlan",
+    "TracePoint",
     "TraceReader",
     "TraceWriter",
 ]

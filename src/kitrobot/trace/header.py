@@ -11,7 +11,7 @@ from itertools import groupby
 from typing import Any
 
 from kitrobot.text import Sentence
-from kitrobot.trace.model import TEAM, Column, TraceAgent, TraceError, TraceHeader, TracePart
+from kitrobot.trace.model import TEAM, Column, TraceAgent, TraceError, TraceHeader, TracePart, TracePlan, TracePoint
 
 MOST_AGENTS = 1_000_000
 MOST_COLUMNS = 4_000_000
@@ -52,6 +52,17 @@ def header_to_json(header: TraceHeader) -> dict[str, Any]:
         "team": [list(pair) for pair in mine[TEAM]],
         "vertices": {program: list(vertices) for program, vertices in header.vertices.items()},
         "parts": [[part.file, part.text] for part in header.parts],
+        **({"inner": {name: list(found) for name, found in header.inner.items()}} if header.inner else {}),
+        **({"plan": _plan_to_json(header.plan)} if header.plan is not None else {}),
+    }
+
+
+def _plan_to_json(plan: TracePlan) -> dict[str, Any]:
+    return {
+        "members": list(plan.members),
+        "roles": list(plan.roles),
+        "groups": list(plan.groups),
+        "points": [[one.program, one.vertex, one.waits, list(one.members)] for one in plan.points],
     }
 
 
@@ -73,6 +84,8 @@ def header_from_json(data: Any) -> TraceHeader:
             tuple(TracePart(_text(file), _text(text)) for file, text in data["parts"]),
             _whole(data["total"], 0, 2**53),
             _rate(data["fail_rate"]),
+            {_text(name): tuple(_inner(found)) for name, found in data.get("inner", {}).items()},
+            _plan(data["plan"]) if "plan" in data else None,
         )
     except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
         raise TraceError(Sentence("the header of this trace does not say what a trace's header says")) from error
@@ -131,3 +144,29 @@ def _vertices(rows: Any) -> Iterable[str | None]:
         raise TypeError("list")
     for vertex in rows:
         yield None if vertex is None else _text(vertex)
+
+
+def _inner(rows: Any) -> Iterable[tuple[str, str] | None]:
+    if not isinstance(rows, list):
+        raise TypeError("list")
+    for row in rows:
+        if row is None:
+            yield None
+        else:
+            program, vertex = row
+            yield _text(program), _text(vertex)
+
+
+def _names(rows: Any) -> tuple[str, ...]:
+    if not isinstance(rows, list):
+        raise TypeError("list")
+    return tuple(map(_text, rows))
+
+
+def _plan(data: Any) -> TracePlan:
+    points = []
+    for program, vertex, waits, members in data["points"]:
+        if not isinstance(waits, bool):
+            raise TypeError("waits")
+        points.append(TracePoint(_text(program), _text(vertex), waits, _names(members)))
+    return TracePlan(_names(data["members"]), _names(data["roles"]), _names(data["groups"]), tuple(points))

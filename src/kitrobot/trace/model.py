@@ -60,6 +60,37 @@ class TracePart:
     text: str
 
 
+@dataclass(frozen=True, slots=True)
+class TracePoint:
+    """A place of a team's program at which robots agree: `waits` says that all of `members` come there first.
+
+    `members` are names of roles, groups and agents, none for the whole team; `vertex` is "" where there is none.
+    """
+
+    program: str
+    vertex: str
+    waits: bool
+    members: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TracePlan:
+    """What the numbers of a team count: its agents (`members`), roles, groups and points, each in their order.
+
+    Among the numbers of the team stand `role of AGENT` (-1: spare), `seat of AGENT` (whose place it took, by number in
+    the run), `waits of AGENT` (the point, or -1), `missed of AGENT` (0 or 1), and `group N of AGENT` (0 or 1).
+    """
+
+    members: tuple[str, ...]
+    roles: tuple[str, ...]
+    groups: tuple[str, ...]
+    points: tuple[TracePoint, ...]
+
+
+Inner = tuple[tuple[str, str] | None, ...]
+"""Of each instruction the program and the vertex, where that program is another one than the agent's own."""
+
+
 @dataclass(frozen=True)
 class TraceHeader:
     """What holds for the whole run.
@@ -76,6 +107,8 @@ class TraceHeader:
         parts: XML files that the mission needs besides.
         total: all boxes there are.
         fail_rate: the probability that an agent fails by chance within a minute.
+        inner: like `vertices`, where those stand in another program that a team's program names.
+        plan: what the numbers of a team count; None where no team's program runs.
     """
 
     mission: str
@@ -88,6 +121,8 @@ class TraceHeader:
     parts: tuple[TracePart, ...] = ()
     total: int = 0
     fail_rate: float = 0.0
+    inner: Mapping[str, Inner] = field(default_factory=dict)
+    plan: TracePlan | None = None
 
     def vertices_of(self, agent: TraceAgent) -> tuple[str | None, ...]:
         """The vertex of each instruction of what an agent runs."""

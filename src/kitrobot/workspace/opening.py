@@ -22,7 +22,7 @@ from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Agent, Mission, Team, image_name, read_mission
 from kitrobot.primitives import Catalogue, Robot
 from kitrobot.text import COMMA, Sentence, Series
-from kitrobot.workspace.program_report import ProgramReport, program_report
+from kitrobot.workspace.program_report import ProgramReport, ProjectionReport, program_report, projection_report
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
 from kitrobot.workspace.team import team_problems
@@ -50,11 +50,15 @@ class NoProgramError(KitRobotError):
 
 @dataclass(frozen=True)
 class Report:
-    """A mission looked through: each program, every problem, and the texts that the problems point into."""
+    """A mission looked through: each program, every problem, and the texts that the problems point into.
+
+    `projections` are what the program of the whole team is for each kind of robot that runs it.
+    """
 
     programs: tuple[ProgramReport, ...]
     problems: tuple[Diagnostic, ...]
     sources: tuple[Source, ...] = ()
+    projections: tuple[ProjectionReport, ...] = ()
 
     @property
     def ok(self) -> bool:
@@ -156,7 +160,9 @@ class OpenMission:
         found = list(self.before_setup)
         if not any(item.is_error for item in found):
             found += self._stage_problems()
-        return Report(tuple(self._program_reports()), tuple(found), self.all_sources)
+        made = self.team.kinds if self.team is not None else {}
+        projections = tuple(projection_report(robot, compiled) for robot, compiled in made.items())
+        return Report(tuple(self._program_reports()), tuple(found), self.all_sources, projections)
 
     @property
     def all_sources(self) -> tuple[Source, ...]:

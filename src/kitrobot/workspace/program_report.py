@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from kitrobot.compiler import Compiled
 from kitrobot.image import disassemble
-from kitrobot.lll import nodes
+from kitrobot.lll import Instruction, nodes
 
 
 @dataclass(frozen=True)
@@ -33,6 +33,43 @@ class ProgramReport:
     listing: str
     instructions: int
     known: str = ""
+
+
+@dataclass(frozen=True)
+class ProjectionSpan:
+    """A stretch of a projected program, as `Span`, and the team's program in which its vertex stands."""
+
+    program: str
+    vertex: str
+    start: int
+    end: int
+    line: int
+
+
+@dataclass(frozen=True)
+class ProjectionReport:
+    """What a team's program is for a kind of robot."""
+
+    robot: str
+    lll: str
+    spans: tuple[ProjectionSpan, ...]
+
+
+def projection_report(robot: str, compiled: Compiled) -> ProjectionReport:
+    """The report of what a team's program is for a kind of robot."""
+    return ProjectionReport(robot, compiled.source.text, tuple(_projected(compiled)))
+
+
+def _projected(compiled: Compiled) -> Iterable[ProjectionSpan]:
+    """The outermost stretches of each vertex, in reading order; one of several lines may have many."""
+    ends: dict[tuple[str, str], int] = {}
+    for node in nodes(compiled.program):
+        if not isinstance(node, Instruction) or node.vertex is None:
+            continue
+        key = (node.program or "", node.vertex)
+        if node.start >= ends.get(key, 0) and node.end > node.start:
+            ends[key] = node.end
+            yield ProjectionSpan(*key, node.start, node.end, compiled.source.position(node.start)[0])
 
 
 def program_report(name: str, compiled: Compiled | None) -> ProgramReport:

@@ -44,9 +44,13 @@ export interface Agent {
   robot?: string;
 }
 
-/** What an agent does: where its threads stand, its variables and sensors, what its displays and the like show. */
+/**
+ * What an agent does: where its threads stand, its variables and sensors, what its displays and the like show. `active`
+ * are vertices of its program by slot, `inner` slot, program and vertex in others that stand in it.
+ */
 export interface AgentReport {
   active: [number, string][];
+  inner?: [number, string, string][];
   state: "running" | "waiting" | "idle" | "failed" | "stalled";
   values: Record<string, number>;
   inputs: Record<string, number>;
@@ -347,6 +351,13 @@ export interface Failure {
   problems?: Problem[];
 }
 
+/** A request for a program of the whole team, of that name, for a mission that has none. */
+export interface FirstTeam {
+  mission: SentMission;
+  path: string;
+  name: string;
+}
+
 /** The one right answer: `text` for the place, and what that is in a graph. */
 export interface Fix {
   text: string;
@@ -494,6 +505,29 @@ export interface Line {
 export interface LookRequest {
   type: "look";
   agents: string[];
+}
+
+/**
+ * A place of a team's program at which robots wait for others: who is there, who is missing, how many of how many.
+ * `vertex` is "" where there is none.
+ */
+export interface Meeting {
+  point: number;
+  program: string;
+  vertex: string;
+  here: string[];
+  missing: string[];
+  here_count: number;
+  count: number;
+}
+
+/** A robot of a team: its role ("" while it is spare), groups, in whose place it stands, whether it is missed. */
+export interface Member {
+  name: string;
+  role: string;
+  groups: string[];
+  stands_for: string;
+  missed: boolean;
 }
 
 /** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
@@ -886,6 +920,22 @@ export interface ProgramReport {
   known: string;
 }
 
+/** What the program of the whole team is for a kind of robot: LLL that nobody writes. */
+export interface Projection {
+  robot: string;
+  lll: string;
+  spans: ProjectionSpan[];
+}
+
+/** The same in a projected program; `program` is the team's program in which the vertex stands. */
+export interface ProjectionSpan {
+  vertex: string;
+  start: number;
+  end: number;
+  line: number;
+  program: string;
+}
+
 /** How the robots hear each other: how far (null: everywhere), how late, how many messages of a hundred get lost. */
 export interface Radio {
   range_mm?: number | null;
@@ -922,10 +972,11 @@ export interface ReplayRequest {
   speed: number;
 }
 
-/** A mission looked through. */
+/** A mission looked through. `projections`: one for each kind of robot that runs the program of the whole team. */
 export interface Report {
   programs: ProgramReport[];
   problems: Problem[];
+  projections?: Projection[];
 }
 
 /** Go on; with `latest` from the latest tick, which with real robots is now. */
@@ -997,7 +1048,7 @@ export interface Role {
 /** Something worth a mark on the timeline. */
 export interface RunEvent {
   tick: number;
-  kind: "load" | "unload" | "message" | "collision" | "failure" | "revival" | "end" | "outside";
+  kind: "load" | "unload" | "message" | "collision" | "failure" | "revival" | "member" | "end" | "outside";
   agent: string;
   text: string;
   cause: "program" | "world" | "person" | "mission" | "chance" | "robot" | "link";
@@ -1108,6 +1159,7 @@ export interface Slot {
   max: number | null;
   default: string;
   unit: string;
+  names?: "" | "set" | "program";
 }
 
 /** The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1. */
@@ -1225,6 +1277,12 @@ export interface TeamGroup {
   failure: "drop" | "substitute" | "abort";
 }
 
+/** A team as it stands: its members, and where some of them wait. */
+export interface TeamNow {
+  members: Member[];
+  meetings: Meeting[];
+}
+
 /** The canonical text of a `.krt`. */
 export interface Text {
   text: string;
@@ -1241,7 +1299,8 @@ export interface TextEdit {
 /**
  * The run as it stands; `agents` holds only those that changed since the last message, and of very many only those that
  * are looked at. `latest` is the furthest tick of this future: less than before when another one has begun. `events`
- * are those since the last message, or with `again` all up to `latest`.
+ * are those since the last message, or with `again` all up to `latest`. `team` is null where it stands as before, or
+ * there is none.
  */
 export interface TickMessage {
   type: "tick";
@@ -1254,6 +1313,7 @@ export interface TickMessage {
   delivered: Record<string, number>;
   collisions: number;
   events: RunEvent[];
+  team: TeamNow | null;
 }
 
 /** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */

@@ -7,6 +7,7 @@ import { useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import { text } from "../model/texts";
 import { addProgramFor } from "../session/actions";
+import { complain } from "../session/document";
 import { Menu } from "../ui/Menu";
 import { type MenuEntry, menuItem } from "../ui/menu-model";
 import { Tool } from "../ui/Tool";
@@ -17,7 +18,18 @@ export function robotEntries(robots: readonly { name: string; label: Record<stri
   return kinds.map(({ name, label }) => menuItem(`add-${name}`, text(label, name), null, () => addProgramFor(name)));
 }
 
+/** A program of the whole team; where there is one, of a group. */
+function teamEntry(social: boolean): MenuEntry {
+  const add = (what: "startTeam" | "addGroupProgram") => () => {
+    import("../session/first-team").then((team) => team[what]()).catch(complain);
+  };
+  return social
+    ? menuItem("add-group-program", t("first-team.group"), null, add("addGroupProgram"))
+    : menuItem("add-team-program", t("first-team.social"), null, add("startTeam"));
+}
+
 export function AddProgram() {
+  const social = useStudio((studio) => studio.mission.programs.some((one) => one.level === "social"));
   const robots = useStudio((studio) => studio.catalogue.robots);
   const [place, setPlace] = useState<{ left: number; top: number } | null>(null);
   const root = useRef<HTMLDivElement>(null);
@@ -57,7 +69,12 @@ export function AddProgram() {
           <Menu
             id="add-program-menu"
             label={t("program.add")}
-            entries={[{ kind: "heading", id: "for", label: t("program.add") }, ...robotEntries(robots)]}
+            entries={[
+              { kind: "heading", id: "for", label: t("program.add") },
+              ...robotEntries(robots),
+              { kind: "line", id: "team" },
+              teamEntry(social),
+            ]}
             onClose={close}
           />
         </div>

@@ -34,9 +34,9 @@ function NameField({ name }: { name: string }) {
   const [text, setText] = useState(name);
   const [left] = useState(() => document.getElementById(`tab-${name}`)?.offsetLeft ?? 0);
   const stop = () => useRenaming.setState({ program: null });
-  const { mission, execute } = useStudio.getState();
+  const { mission, catalogue, execute } = useStudio.getState();
   const wanted = text.trim();
-  const command = wanted === name ? null : renameProgram(mission, name, wanted);
+  const command = wanted === name ? null : renameProgram(mission, name, wanted, catalogue);
   const refused = command === null && wanted !== name;
   const keep = () => {
     if (command !== null) execute(command);

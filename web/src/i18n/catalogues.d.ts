@@ -3,3 +3,9 @@ declare module "*.po" {
   const table: Readonly<Record<string, string | ({ other: string } & Partial<Record<Intl.LDMLPluralRule, string>>)>>;
   export default table;
 }
+
+/** The sentences of what is fetched later. */
+declare module "*.po?later" {
+  const table: Readonly<Record<string, string | ({ other: string } & Partial<Record<Intl.LDMLPluralRule, string>>)>>;
+  export default table;
+}

@@ -22,6 +22,8 @@ export const FAILURES_EN = {
   "tabs.state-stalled": "stalled",
   "strip.failure": "failure",
   "strip.revival": "revival",
+  "strip.member": "team",
+  "members.title": "Members",
   "strip.planned": "Planned at {time}: {agent}: {kind}",
   "strip.failures": { one: "{count} failure.", other: "{count} failures." },
   "help.keys-robot-menu": "Menu of the robot that is chosen",

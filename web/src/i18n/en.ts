@@ -200,6 +200,7 @@ export const EN = {
 
   "code.lll": "Low Level Language",
   "code.listing": "Three-address code",
+  "code.projection": "Projection",
   "code.copy": "Copy",
   "code.copied": "Copied",
   "code.label": "Program {name} in the Low Level Language",

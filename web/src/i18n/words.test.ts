@@ -1,9 +1,22 @@
 import { afterEach, describe, expect, it } from "vitest";
 
-import { EN } from "./en";
+import { EN as FIRST_EN } from "./en";
+import { LATER_EN } from "./en-later";
 import FR from "./fr.po";
+import FR_LATER from "./fr.po?later";
 import UR from "./ur.po";
-import { bestLanguage, type Key, languageInUse, sentence, type Sentence, speak, t, type Table } from "./words";
+import UR_LATER from "./ur.po?later";
+import {
+  bestLanguage,
+  type Key,
+  languageInUse,
+  moreWords,
+  sentence,
+  type Sentence,
+  speak,
+  t,
+  type Table,
+} from "./words";
 
 afterEach(async () => {
   await speak("en");
@@ -37,9 +50,10 @@ it("finds the language of a dialect, and English for a language without a table"
 });
 
 const TABLES: [string, Table][] = [
-  ["French", FR],
-  ["Urdu", UR],
+  ["French", { ...FR, ...FR_LATER }],
+  ["Urdu", { ...UR, ...UR_LATER }],
 ];
+const EN = { ...FIRST_EN, ...LATER_EN };
 const keys = Object.keys(EN) as Key[];
 
 /** Sentences that are the same in another language: names, and words that French and English share. */
@@ -65,6 +79,8 @@ const NAMES: Key[] = [
   "strip.message",
   "strip.collision",
   "file.untitled",
+  "code.projection",
+  "members.who",
 ];
 
 function forms(sentence: Sentence): string[] {
@@ -76,6 +92,14 @@ function holes(sentence: Sentence): string[] {
     .map((form) => [...form.matchAll(/\{(\w+)\}/g)].map((match) => match[1]).sort())
     .reduce((all, one) => [...new Set([...all, ...one])].sort(), [] as (string | undefined)[]) as string[];
 }
+
+it("has the words of what is fetched later once they are asked for, in every language", async () => {
+  expect(Object.keys(FR).filter((key) => key in FR_LATER)).toEqual([]);
+  await moreWords();
+  expect(t("roster.roles")).toBe("Roles");
+  await speak("fr");
+  expect(t("roster.roles")).toBe("Rôles");
+});
 
 describe.each(TABLES)("%s", (_, table) => {
   it("lacks no sentence of English", () => {

@@ -7,8 +7,9 @@
  * page; nothing is drawn before there are words.
  */
 import type { EN } from "./en";
+import type { LATER_EN } from "./en-later";
 
-export type Key = keyof typeof EN;
+export type Key = keyof typeof EN | keyof typeof LATER_EN;
 export type Sentence = string | ({ other: string } & Partial<Record<Intl.LDMLPluralRule, string>>);
 export type Table = Readonly<Partial<Record<Key, Sentence>>>;
 type Holes = Readonly<Record<string, string | number>>;
@@ -28,7 +29,16 @@ const FETCH: Readonly<Record<Language, () => Promise<Table>>> = {
   ur: () => import("./ur.po").then((chunk) => chunk.default),
 };
 
+/** Words of parts of the page that are fetched later, and come with them. */
+const FETCH_MORE: Readonly<Record<Language, () => Promise<Table>>> = {
+  en: () => import("./en-later").then((chunk) => chunk.LATER_EN),
+  fr: () => import("./fr.po?later").then((chunk) => chunk.default),
+  ur: () => import("./ur.po?later").then((chunk) => chunk.default),
+};
+
 let language: Language = "en";
+/** Whether the words of parts that are fetched later are wanted. */
+let more = false;
 let table: Table | null = null;
 let plural = new Intl.PluralRules("en");
 
@@ -48,7 +58,8 @@ export function bestLanguage(wanted: readonly string[]): Language {
 /** Speaks that language from now on; when its words cannot be fetched, goes on as before. Gives the language in use. */
 export async function speak(wanted: Language): Promise<Language> {
   try {
-    table = await FETCH[wanted]();
+    const [words, others] = await Promise.all([FETCH[wanted](), more ? FETCH_MORE[wanted]() : {}]);
+    table = { ...words, ...others };
   } catch (cause) {
     if (table !== null) return language;
     // Nothing can be said yet: better English than nothing.
@@ -58,6 +69,16 @@ export async function speak(wanted: Language): Promise<Language> {
   language = wanted;
   plural = new Intl.PluralRules(wanted);
   return language;
+}
+
+/** Has the words of `en-later.ts` too from now on, in whatever language is spoken. */
+export async function moreWords(): Promise<void> {
+  if (more) return;
+  const spoken = language;
+  const words = await FETCH_MORE[spoken]();
+  more = true;
+  if (language === spoken) table = { ...table, ...words };
+  else await speak(language);
 }
 
 export function t(key: Key, holes: Holes = {}): string {

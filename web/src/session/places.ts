@@ -13,7 +13,7 @@ export function unitsOf(text: string): (characters: number) => number {
   return (characters) => characters + pairs.filter((at) => at < characters).length;
 }
 
-export function spansInUnits(spans: readonly SpanEntry[], text: string): readonly SpanEntry[] {
+export function spansInUnits<Span extends SpanEntry>(spans: readonly Span[], text: string): readonly Span[] {
   if (text.search(PAIRS) < 0) return spans;
   const units = unitsOf(text);
   return spans.map((span) => ({ ...span, start: units(span.start), end: units(span.end) }));

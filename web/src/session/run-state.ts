@@ -1,5 +1,5 @@
 /** What the page knows of a run, and what can be asked of it. */
-import type { RobotsRequest } from "../api/generated";
+import type { RobotsRequest, TeamNow } from "../api/generated";
 import type { Failure } from "../api/socket";
 import type { Ability, AgentReport, Harm, Hit, RunEvent, StartedAgent } from "../api/wire";
 import type { Breakpoint, Mission, Problem, World } from "../model/types";
@@ -26,6 +26,8 @@ export interface RunState {
   total: number;
   collisions: number;
   events: RunEvent[];
+  /** The team whose program runs, as it stands: who is in which role, and who waits for whom; null without one. */
+  team: TeamNow | null;
   seed: number;
   /** The probability (0…1) that a robot fails by chance within a minute, of this run and the next one. */
   failRate: number;

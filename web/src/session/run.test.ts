@@ -55,6 +55,7 @@ const STARTED: StartedMessage = {
 function tick(agents: Record<string, AgentReport>, at = 1): RunMessage {
   return {
     type: "tick",
+    team: null,
     tick: at,
     latest: at,
     again: false,

@@ -37,6 +37,7 @@ const NOTHING = {
   total: 0,
   collisions: 0,
   events: [] as RunEvent[],
+  team: null as RunState["team"],
   error: null,
   problems: [] as Problem[],
   mission: null as Mission | null,
@@ -129,6 +130,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
         delivered: message.delivered,
         collisions: message.collisions,
         events: eventsAfter(state.events, message),
+        team: message.team ?? state.team,
       };
     case "problems":
       return { ...NOTHING, problems: message.problems };
@@ -344,6 +346,27 @@ export function useActiveVertices(program: string): Map<string, number[]> {
     for (const [slot, vertex] of active) map.set(vertex, [...(map.get(vertex) ?? []), slot]);
     return map;
   }, [active]);
+}
+
+/** Vertex → agents of a team that stand there, by their place in `run.agents`, as `@PLACE`. */
+export type Standing = ReadonlyMap<string, readonly string[]>;
+
+const NOBODY_STANDS: Standing = new Map();
+
+/** Where each member of a team stands in a program: the team's own, or one that stands in it by name. */
+export function standingIn(
+  { agents, team, status }: Pick<RunState, "agents" | "team" | "status">,
+  program: string,
+): Standing {
+  if (team === null || status === "stopped") return NOBODY_STANDS;
+  const found = new Map<string, string[]>();
+  agents.forEach((agent, at) => {
+    const own = agent.program === program ? agent.active.map(([, vertex]) => vertex) : [];
+    const inner = (agent.inner ?? []).flatMap(([, name, vertex]) => (name === program ? [vertex] : []));
+    for (const vertex of new Set([...own, ...inner]))
+      found.set(vertex, [...(found.get(vertex) ?? []), `@${String(at)}`]);
+  });
+  return found;
 }
 
 /** The watched agent of a program, for live values beside the graph; undefined without a run. */

@@ -13,15 +13,23 @@ export interface Wanted {
   at: number;
 }
 
+/** What stands at the side of the graph in missions with a team: roles, groups and work, or the parts. */
+export type TeamSide = "team" | "parts";
+
 /** `open`: the team is shown; `world`: the world is. Never both. */
-export const useTeam = create<{ open: boolean; world: boolean; wanted: Wanted | null }>(() => ({
+export const useTeam = create<{ open: boolean; world: boolean; wanted: Wanted | null; side: TeamSide }>(() => ({
   open: false,
   world: false,
   wanted: null,
+  side: "parts",
 }));
 
+export function showSide(side: TeamSide): void {
+  useTeam.setState({ side });
+}
+
 export function openTeam(wanted: Wanted | null = null): void {
-  useTeam.setState({ open: true, world: false, wanted });
+  useTeam.setState({ open: true, world: false, wanted, side: "team" });
 }
 
 /** Shows the world in the place of a program. */
@@ -36,6 +44,7 @@ export function closeTeam(): void {
 }
 
 const OF_TEAM = ["agents", "goals", "failures", "world", "label", "help"] as const satisfies (keyof Mission)[];
+const DECLARED = ["roles", "groups", "works"] as const satisfies (keyof Mission)[];
 /** Codes of what is wrong with the team and its world. */
 const CODES =
   /^(?:mission|run)-(?:same-name|no-start|no-storehouse|no-world|no-program|too-many-agents|no-agent|start|device|goal|failure)$/;
@@ -77,6 +86,7 @@ export function keepTeamView(): () => void {
     if (state.change === before.change || (kind !== "undo" && kind !== "redo")) return;
     const [now, then] = [state.mission, before.mission];
     if (now.own_world !== then.own_world && now.programs === then.programs) showWorld();
+    else if (DECLARED.some((part) => now[part] !== then[part]) && now.agents === then.agents) showSide("team");
     else if (OF_TEAM.some((part) => now[part] !== then[part]) && now.programs === then.programs) openTeam();
     else if (now.programs !== then.programs) closeTeam();
   });

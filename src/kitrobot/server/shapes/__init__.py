@@ -58,7 +58,7 @@ from kitrobot.server.shapes.journal import (
 from kitrobot.server.shapes.mission import MissionShape, breakpoint_from_shape, mission_from_shape, mission_shape
 from kitrobot.server.shapes.problem import FailureShape, ProblemShape, problem_shapes
 from kitrobot.server.shapes.recording import RecordingEntryShape, RecordingShape
-from kitrobot.server.shapes.report import CheckShape, ProgramReportShape, ReportShape
+from kitrobot.server.shapes.report import CheckShape, FirstTeamShape, ProgramReportShape, ReportShape
 from kitrobot.server.shapes.run import (
     EVENT_CAUSES,
     EVENT_KINDS,
@@ -72,6 +72,8 @@ from kitrobot.server.shapes.run import (
     ForceRequest,
     HarmRequest,
     LookRequest,
+    MeetingShape,
+    MemberShape,
     PauseRequest,
     ProblemsMessage,
     ReplayRequest,
@@ -90,6 +92,7 @@ from kitrobot.server.shapes.run import (
     Steering,
     StepRequest,
     StopRequest,
+    TeamNowShape,
     TickMessage,
     WatchRequest,
 )
@@ -138,6 +141,7 @@ __all__ = [
     "DifferenceShape",
     "ErrorMessage",
     "FailureShape",
+    "FirstTeamShape",
     "ForceRequest",
     "ForgetShape",
     "HarmRequest",
@@ -146,6 +150,8 @@ __all__ = [
     "JournalShape",
     "JournalSizeShape",
     "LookRequest",
+    "MeetingShape",
+    "MemberShape",
     "MissionEntryShape",
     "MissionFileShape",
     "MissionShape",
@@ -178,6 +184,7 @@ __all__ = [
     "Steering",
     "StepRequest",
     "StopRequest",
+    "TeamNowShape",
     "TextShape",
     "TickMessage",
     "WatchRequest",

@@ -29,6 +29,7 @@ class SlotShape(View):
     max: Most[int | None]
     default: str
     unit: str
+    names: Literal["", "set", "program"] = ""
 
 
 class AddsShape(View):

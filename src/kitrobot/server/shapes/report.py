@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from pydantic import BaseModel
+from typing import Annotated
+
+from pydantic import BaseModel, Field
 
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.sent import SentMissionShape
@@ -31,11 +33,26 @@ class ProgramReportShape(BaseModel):
     known: str
 
 
+class ProjectionSpanShape(SpanEntryShape):
+    """The same in a projected program; `program` is the team's program in which the vertex stands."""
+
+    program: str
+
+
+class ProjectionShape(BaseModel):
+    """What the program of the whole team is for a kind of robot: LLL that nobody writes."""
+
+    robot: str
+    lll: str
+    spans: list[ProjectionSpanShape]
+
+
 class ReportShape(BaseModel):
-    """A mission looked through."""
+    """A mission looked through. `projections`: one for each kind of robot that runs the program of the whole team."""
 
     programs: list[ProgramReportShape]
     problems: list[ProblemShape]
+    projections: list[ProjectionShape] = []
 
 
 class CheckShape(BaseModel):
@@ -43,3 +60,9 @@ class CheckShape(BaseModel):
 
     mission: SentMissionShape
     path: str
+
+
+class FirstTeamShape(CheckShape):
+    """A request for a program of the whole team, of that name, for a mission that has none."""
+
+    name: Annotated[str, Field(min_length=1, max_length=1000)]

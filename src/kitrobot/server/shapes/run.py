@@ -225,9 +225,13 @@ class StateMessage(_Message):
 
 
 class AgentReportShape(BaseModel):
-    """What an agent does: where its threads stand, its variables and sensors, what its displays and the like show."""
+    """What an agent does: where its threads stand, its variables and sensors, what its displays and the like show.
+
+    `active` are vertices of its program by slot, `inner` slot, program and vertex in others that stand in it.
+    """
 
     active: list[tuple[int, str]]
+    inner: list[tuple[int, str, str]] = Field(default_factory=list)
     state: Literal["running", "waiting", "idle", "failed", "stalled"]
     values: dict[str, int]
     inputs: dict[str, int]
@@ -236,9 +240,40 @@ class AgentReportShape(BaseModel):
     forced: list[str]
 
 
-EventKind = Literal["load", "unload", "message", "collision", "failure", "revival", "end", "outside"]
+class MemberShape(BaseModel):
+    """A robot of a team: its role ("" while it is spare), groups, in whose place it stands, whether it is missed."""
+
+    name: str
+    role: str
+    groups: list[str]
+    stands_for: str
+    missed: bool
+
+
+class MeetingShape(BaseModel):
+    """A place of a team's program at which robots wait for others: who is there, who is missing, how many of how many.
+    `vertex` is "" where there is none.
+    """
+
+    point: int
+    program: str
+    vertex: str
+    here: list[str]
+    missing: list[str]
+    here_count: int
+    count: int
+
+
+class TeamNowShape(BaseModel):
+    """A team as it stands: its members, and where some of them wait."""
+
+    members: list[MemberShape]
+    meetings: list[MeetingShape]
+
+
+EventKind = Literal["load", "unload", "message", "collision", "failure", "revival", "member", "end", "outside"]
 EVENT_KINDS: tuple[str, ...] = get_args(EventKind)
-"""outside: what somebody did to the run."""
+"""outside: what somebody did to the run; member: who is in which role or group has changed."""
 EventCause = Literal["program", "world", "person", "mission", "chance", "robot", "link"]
 EVENT_CAUSES: tuple[str, ...] = get_args(EventCause)
 """What brings an event about: mission is its schedule, person a hand during the run; of a real
@@ -260,7 +295,7 @@ class TickMessage(_Message):
     of very many only those that are looked at.
 
     `latest` is the furthest tick of this future: less than before when another one has begun. `events` are those since
-    the last message, or with `again` all up to `latest`.
+    the last message, or with `again` all up to `latest`. `team` is null where it stands as before, or there is none.
     """
 
     type: Literal["tick"] = "tick"
@@ -273,6 +308,7 @@ class TickMessage(_Message):
     delivered: dict[str, int]
     collisions: int
     events: list[RunEventShape]
+    team: TeamNowShape | None
 
 
 class ProblemsMessage(_Message):

@@ -1,18 +1,35 @@
 /** What sits on a vertex's edge: its mark, the threads that stand on it, and what is wrong with it. */
-import { t } from "../../i18n/words";
+import { StateShape } from "../../components/StateShape";
+import { moreWords, t } from "../../i18n/words";
 import type { LayoutNode } from "../../model/layout";
 import { otherNotes } from "../../model/notes";
 import { title } from "../../model/parts";
+import { useStudio } from "../../model/studio";
+import { complain } from "../../session/document";
+import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
+import { later } from "../../ui/later";
 import { BreakpointSign } from "./BreakpointSign";
 import { NoteStrip } from "./Notes";
 import { useTroubled, useTroubles } from "./problem-badges";
+
+const Meeting = later(() => Promise.all([import("./Meeting"), moreWords()]).then(([chunk]) => chunk.Meeting), complain);
+
+/** Where members of the team wait for others, who is there and who is missing. */
+function MeetingAt({ vertex }: { vertex: string }) {
+  const program = useStudio((studio) => studio.activeProgram);
+  const meeting = useRun((run) =>
+    run.team?.meetings.find((one) => one.vertex === vertex && one.program === program && one.missing.length > 0),
+  );
+  return meeting === undefined ? null : <Meeting meeting={meeting} />;
+}
 
 export function Badges({ node, threads }: { node: LayoutNode; threads: string }) {
   return (
     <>
       {node.mark === null ? null : <Mark name={title(node.mark.shape)} colour={node.mark.shape.colour} />}
       <Threads threads={threads} />
+      <MeetingAt vertex={node.vertex} />
       <Troubles node={node} />
       <Noted node={node} />
       <NoteStrip node={node} />
@@ -59,16 +76,39 @@ export function Threads({ threads }: { threads: string }) {
   if (threads === "") return null;
   return (
     <span className="threads">
-      {[...new Set(threads.split(" "))].map((number) => (
-        <span key={number} className="thread" title={t("graph.thread", { number })}>
-          <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
-            <path d="M0 0.5v7L6.5 4Z" fill="currentColor" />
-          </svg>
-          {number}
-        </span>
-      ))}
+      {[...new Set(threads.split(" "))].map((number) =>
+        number.startsWith("@") ? (
+          <Member key={number} at={Number(number.slice(1))} />
+        ) : (
+          <span key={number} className="thread" title={t("graph.thread", { number })}>
+            <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
+              <path d="M0 0.5v7L6.5 4Z" fill="currentColor" />
+            </svg>
+            {number}
+          </span>
+        ),
+      )}
     </span>
   );
+}
+
+/** A member of a team that stands there: its state and number, and whom it stands for. */
+function Member({ at }: { at: number }) {
+  const agent = useRun((run) => run.agents[at]);
+  const stands = useRun((run) => run.team?.members.find((one) => one.name === agent?.name)?.stands_for);
+  if (agent === undefined) return null;
+  const other = stands === undefined || stands === "" || stands === agent.name ? "" : ` ← ${stands}`;
+  return (
+    <span className="thread" data-testid={`member-${agent.name}`} title={`${agent.name}${other}`}>
+      <StateShape state={agent.state} />
+      <bdi>{shortName(agent.name)}</bdi>
+    </span>
+  );
+}
+
+/** The number at the end of a name, else the name. */
+export function shortName(name: string): string {
+  return /\d+$/.exec(name)?.[0] ?? name;
 }
 
 /** Told apart by shape, as in the list of problems; red is for STOP only. */

@@ -1,15 +1,23 @@
 /** Which vertices are active in the run, by id; the list of nodes does not depend on it. */
-import { useEffect } from "react";
+import { useEffect, useMemo } from "react";
 import { create } from "zustand";
 
-import { useActiveVertices } from "../../session/run";
+import { standingIn, useActiveVertices, useRun } from "../../session/run";
 import { useView } from "../../session/view";
 
-const useActive = create<{ slots: Map<string, number[]> }>(() => ({ slots: new Map() }));
+/** Threads by their numbers; of a team its members, as `@PLACE`. */
+type Slots = ReadonlyMap<string, readonly (number | string)[]>;
+
+const useActive = create<{ slots: Slots }>(() => ({ slots: new Map() }));
 
 /** Follows the watched agent of that program; stands once in the canvas. */
 export function ActiveVertices({ program }: { program: string }): null {
-  const slots = useActiveVertices(program);
+  const threads = useActiveVertices(program);
+  const agents = useRun((run) => run.agents);
+  const team = useRun((run) => run.team);
+  const status = useRun((run) => run.status);
+  const members = useMemo(() => standingIn({ agents, team, status }, program), [agents, team, status, program]);
+  const slots: Slots = members.size > 0 ? members : threads;
   useEffect(() => {
     useActive.setState({ slots });
   }, [slots]);
@@ -29,7 +37,9 @@ function useFollowing(): void {
   const slots = useActive((state) => state.slots);
   useEffect(() => {
     if (!following) return;
-    const [first] = [...slots].sort(([, a], [, b]) => Math.min(...a) - Math.min(...b));
+    const least = (slots: readonly (number | string)[]) =>
+      Math.min(...slots.map((one) => Number(String(one).replace("@", ""))));
+    const [first] = [...slots].sort(([, a], [, b]) => least(a) - least(b));
     if (first !== undefined) useView.getState().viewport?.reveal(first[0]);
   }, [following, slots]);
 }
@@ -39,7 +49,7 @@ export function useThreadsAmong(ids: readonly string[]): string {
   return useActive(({ slots }) =>
     ids
       .flatMap((id) => slots.get(id) ?? [])
-      .sort((a, b) => a - b)
+      .sort((a, b) => (typeof a === "number" && typeof b === "number" ? a - b : 0))
       .join(" "),
   );
 }

@@ -8,15 +8,22 @@ import { useEffect, useState } from "react";
 
 import { listingExtensions } from "../../components/text/extensions";
 import { TextView } from "../../components/text/TextView";
-import { t } from "../../i18n/words";
+import { moreWords, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { TEAM_ROBOT } from "../../model/team-robot";
+import { complain } from "../../session/document";
 import { useTyping } from "../../session/typing";
+import { later } from "../../ui/later";
 import { Tool } from "../../ui/Tool";
 import { Lll } from "./Lll";
 import "./code.css";
 
-type Side = "lll" | "listing";
-const SIDES: Side[] = ["lll", "listing"];
+type Side = "lll" | "listing" | "projection";
+
+const Projection = later(
+  () => Promise.all([import("./Projection"), moreWords()]).then(([chunk]) => chunk.default),
+  complain,
+);
 const COPIED_MS = 1500;
 
 function CopyButton({ text }: { text: string }) {
@@ -44,7 +51,10 @@ function CopyButton({ text }: { text: string }) {
 }
 
 export function Code() {
-  const [side, setSide] = useState<Side>("lll");
+  const [wanted, setSide] = useState<Side>("lll");
+  const isTeam = useStudio((studio) => studio.mission.programs.some((one) => one.robot === TEAM_ROBOT));
+  const side = isTeam || wanted !== "projection" ? wanted : "lll";
+  const sides: Side[] = isTeam ? ["lll", "listing", "projection"] : ["lll", "listing"];
   const program = useStudio((studio) => studio.activeProgram);
   const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
   const lll = found?.lll ?? "";
@@ -55,7 +65,7 @@ export function Code() {
     <div className="code" data-testid="code">
       <header className="side-tabs">
         <div role="tablist" aria-label={t("view.code")} className="side-tablist">
-          {SIDES.map((one) => (
+          {sides.map((one) => (
             <button
               key={one}
               type="button"
@@ -70,7 +80,8 @@ export function Code() {
               onClick={() => setSide(one)}
               onKeyDown={(event) => {
                 if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
-                const next = one === "lll" ? "listing" : "lll";
+                const by = event.key === "ArrowRight" ? 1 : -1;
+                const next = sides[(sides.indexOf(one) + by + sides.length) % sides.length] ?? "lll";
                 setSide(next);
                 document.getElementById(`code-tab-${next}`)?.focus();
               }}
@@ -79,10 +90,12 @@ export function Code() {
             </button>
           ))}
         </div>
-        <CopyButton text={side === "lll" ? (typed ?? lll) : listing} />
+        {side === "projection" ? null : <CopyButton text={side === "lll" ? (typed ?? lll) : listing} />}
       </header>
       <div className="code-panel" id="code-panel" role="tabpanel" aria-labelledby={`code-tab-${side}`}>
-        {!loaded ? null : side === "lll" ? (
+        {side === "projection" ? (
+          <Projection />
+        ) : !loaded ? null : side === "lll" ? (
           <Lll printed={lll.trimEnd()} spans={found.spans} program={program} key={program} />
         ) : (
           <TextView

@@ -1,5 +1,6 @@
 /**
- * The timeline: what has happened so far, ▲ load ▼ unload ○ message ✕ collision ⊗ failure ⊕ revival ■ end, what
+ * The timeline: what has happened so far, ▲ load ▼ unload ○ message ✕ collision ⊗ failure ⊕ revival ↷ a role or
+ * group changed hands ■ end, what
  * is to go wrong on schedule (dashed), and a handle to go back to any moment
  * and on again.
  *
@@ -35,6 +36,7 @@ const GRAVITY: Record<RunEventKind, number> = {
   end: 0,
   failure: 1,
   revival: 1,
+  member: 1,
   outside: 2,
   collision: 3,
   load: 4,
@@ -65,6 +67,7 @@ function Mark({ kind, x, title }: { kind: RunEventKind; x: number; title: string
     collision: <path d="M-3-3l6 6M3-3l-6 6" stroke="currentColor" strokeWidth="1.8" />,
     failure: <path d="M-2.4-2.4l4.8 4.8M2.4-2.4l-4.8 4.8" stroke="currentColor" strokeWidth="1.6" />,
     revival: <path d="M0-3.2v6.4M-3.2 0h6.4" stroke="currentColor" strokeWidth="1.6" />,
+    member: <path d="M-4.5 3C-4.5-4 4-4 4 2M1.5-.5L4 2.5 6-1" fill="none" stroke="currentColor" strokeWidth="1.6" />,
     end: <rect x="-3.5" y="-3.5" width="7" height="7" fill="currentColor" />,
     outside: <path d="M0-4.5L4.5 0 0 4.5-4.5 0z" fill="none" stroke="currentColor" strokeWidth="1.6" />,
   }[kind];

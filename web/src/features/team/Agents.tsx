@@ -14,8 +14,11 @@ import {
   renameAgent,
   startOf,
 } from "../../model/commands/changeAgents";
+import { giveKind } from "../../model/commands/castAgents";
 import { placeAgents } from "../../model/commands/placeAgents";
 import { useStudio } from "../../model/studio";
+import { TEAM_ROBOT } from "../../model/team-robot";
+import { text } from "../../model/texts";
 import type { Agent } from "../../model/types";
 import { Icon } from "../../theme";
 import { Select } from "../../ui/Select";
@@ -64,6 +67,7 @@ interface RowProps {
 function Row({ agent, at, onKey, focus }: RowProps) {
   const programs = useStudio((studio) => studio.mission.programs);
   const agents = useStudio((studio) => studio.mission.agents);
+  const robots = useStudio((studio) => studio.catalogue.robots);
   const world = useStudio((studio) => studio.world);
   const { name, program } = agent;
   const start = startOf(agent);
@@ -95,16 +99,30 @@ function Row({ agent, at, onKey, focus }: RowProps) {
         label={`${t("team.agent")} ${String(at + 1)}`}
         testId={`agent-name-${String(at)}`}
         wrong={wrongName}
-        keep={(wanted) => execute(renameAgent(now(), at, wanted))}
+        keep={(wanted) => execute(renameAgent(now(), at, wanted, useStudio.getState().catalogue))}
       />
-      <Select
-        label={`${t("team.program")}: ${name}`}
-        testId={`agent-program-${String(at)}`}
-        value={program}
-        options={programs.map((one) => one.name)}
-        missing={t("team.no-program", { program })}
-        keep={(wanted) => execute(giveProgram(now(), at, wanted))}
-      />
+      <span className="team-runs">
+        <Select
+          label={`${t("team.program")}: ${name}`}
+          testId={`agent-program-${String(at)}`}
+          value={program}
+          options={programs.filter((one) => one.level !== "group" || one.name === program).map((one) => one.name)}
+          missing={t("team.no-program", { program })}
+          keep={(wanted) => execute(giveProgram(now(), at, wanted))}
+        />
+        {programs.some((one) => one.name === program && one.robot === TEAM_ROBOT) ? (
+          <Select
+            label={`${t("roster.robot")}: ${name}`}
+            testId={`agent-robot-${String(at)}`}
+            value={agent.robot ?? ""}
+            options={robots
+              .filter((one) => one.name !== TEAM_ROBOT)
+              .map((one) => [one.name, text(one.label, one.name)])}
+            missing={t("roster.no-robot", { robot: agent.robot ?? "" })}
+            keep={(wanted) => execute(giveKind(now(), at, wanted))}
+          />
+        ) : null}
+      </span>
       <Select
         label={`${t("team.start")}: ${name}`}
         testId={`agent-start-${String(at)}`}

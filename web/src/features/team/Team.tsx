@@ -11,6 +11,7 @@ import { About } from "./About";
 import { Agents } from "./Agents";
 import { Conditions } from "./Conditions";
 import { Failures } from "./Failures";
+import { FirstTeam } from "./FirstTeam";
 import { Goals } from "./Goals";
 import { Worlds } from "./Worlds";
 import "./team.css";
@@ -32,6 +33,7 @@ export default function Team() {
     <div className="team" id="team-panel" role="tabpanel" aria-label={t("team.tab")} data-testid="team" ref={root}>
       <div className="team-body">
         <Agents />
+        <FirstTeam />
         <Goals />
         <Failures />
         <Conditions />

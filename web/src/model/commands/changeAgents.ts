@@ -5,7 +5,10 @@
  */
 import { t } from "../../i18n/words";
 import { becomes, type Command } from "../command";
-import type { Agent, Mission } from "../types";
+import { TEAM_ROBOT } from "../team-robot";
+import type { Agent, Catalogue, Mission } from "../types";
+import { kindOf } from "./castAgents";
+import { declaredNames, groupsOf, rolesOf, withMember } from "./changeDeclared";
 
 function withAgents(label: string, before: Mission, agents: Agent[], trial: Partial<Mission> = {}): Command {
   return becomes(label, without({ ...before, agents, ...trial }, ["breakpoints", "failures"]));
@@ -53,8 +56,22 @@ function without(mission: Mission, parts: readonly ("breakpoints" | "failures")[
 /** A new agent at the end; null when the name is taken or empty. */
 export function addAgent(mission: Mission, name: string, program: string, start: string): Command | null {
   if (name === "" || has(mission, name)) return null;
-  const agent = startingAt({ name, program, start: "" }, start === "" ? name : start);
+  const like = mission.agents.findLast((one) => one.program === program)?.robot ?? rolesOf(mission)[0]?.robot;
+  const made = running(
+    mission,
+    { name, program: "", start: "", ...(like === undefined ? {} : { robot: like }) },
+    program,
+  );
+  const agent = startingAt(made, start === "" ? name : start);
   return withAgents(t("command.add", { name }), mission, [...mission.agents, agent]);
+}
+
+/** The agent with that program: one of the whole team runs it as the kind of robot that it was before. */
+function running(mission: Mission, agent: Agent, program: string): Agent {
+  const { robot: _, ...rest } = agent;
+  const ofTeam = mission.programs.find((one) => one.name === program)?.robot === TEAM_ROBOT;
+  const robot = kindOf(mission, agent);
+  return ofTeam && robot !== "" ? { ...rest, program, robot } : { ...rest, program };
 }
 
 /** The agent with another program; null when that is none, or the one it has. */
@@ -62,7 +79,8 @@ export function giveProgram(mission: Mission, at: number, program: string): Comm
   const agent = mission.agents[at];
   if (agent === undefined || agent.program === program) return null;
   if (!mission.programs.some((one) => one.name === program)) return null;
-  return withAgents(t("command.edit", { name: agent.name }), mission, mission.agents.with(at, { ...agent, program }));
+  const label = t("command.edit", { name: agent.name });
+  return withAgents(label, mission, mission.agents.with(at, running(mission, agent, program)));
 }
 
 /** The agent at another start of the world; null when it starts there already. */
@@ -73,13 +91,19 @@ export function giveStart(mission: Mission, at: number, start: string): Command 
   return withAgents(label, mission, mission.agents.with(at, startingAt(agent, start)));
 }
 
-/** The agent under another name, at the place where it was, and so in breakpoints and failures; null when that name is taken or empty. */
-export function renameAgent(mission: Mission, at: number, name: string): Command | null {
+/**
+ * The agent under another name, at the place where it was, and so in breakpoints, failures, groups and the sets of the
+ * team's programs; null when that name is taken or empty.
+ */
+export function renameAgent(mission: Mission, at: number, name: string, catalogue?: Catalogue): Command | null {
   const agent = mission.agents[at];
   if (agent === undefined || name === "" || has(mission, name)) return null;
   const renamed = startingAt({ ...agent, name }, startOf(agent));
   const trial = trialWith(mission, agent.name, name);
-  return withAgents(t("command.rename", { name: agent.name }), mission, mission.agents.with(at, renamed), trial);
+  // A role or a group of that name is meant before the agent.
+  const meant = catalogue !== undefined && !declaredNames(mission).includes(agent.name);
+  const named = meant ? withMember(mission, catalogue, agent.name, name) : mission;
+  return withAgents(t("command.rename", { name: agent.name }), named, mission.agents.with(at, renamed), trial);
 }
 
 /** Another agent like that one, behind it, under a name and at a start of its own. */
@@ -98,9 +122,20 @@ export function moveAgent(mission: Mission, at: number, to: number): Command | n
   return withAgents(t("command.move", { name: agent.name }), mission, agents);
 }
 
+/** Groups without an agent, as far as they hold others. */
+function groupsWithout(mission: Mission, name: string): Partial<Mission> {
+  if (declaredNames(mission).includes(name) || groupsOf(mission).every((one) => !one.members.includes(name))) return {};
+  const without = (members: string[]) => members.filter((one) => one !== name);
+  return {
+    groups: groupsOf(mission).map((one) =>
+      without(one.members).length === 0 ? one : { ...one, members: without(one.members) },
+    ),
+  };
+}
+
 export function removeAgent(mission: Mission, at: number): Command | null {
   const agent = mission.agents[at];
   if (agent === undefined) return null;
-  const trial = trialWith(mission, agent.name, null);
+  const trial = { ...trialWith(mission, agent.name, null), ...groupsWithout(mission, agent.name) };
   return withAgents(t("command.delete", { name: agent.name }), mission, mission.agents.toSpliced(at, 1), trial);
 }

@@ -1,14 +1,16 @@
 /** Adds, renames and removes whole programs of the mission. Agents follow a renamed program. */
 import { t } from "../../i18n/words";
 import { becomes, type Command } from "../command";
-import type { Mission, Program } from "../types";
+import { withNamed } from "../team-names";
+import type { Catalogue, Mission, Program } from "../types";
 import { breakpointsRenamed } from "./changeTrial";
 
 /** The paper's smallest graph: Start, then Stop. */
-export function emptyProgram(name: string, robot: string): Program {
+export function emptyProgram(name: string, robot: string, level: Program["level"] = "agent"): Program {
   return {
     name,
     robot,
+    ...(level === "agent" ? {} : { level }),
     vertices: [
       { id: "start", element: "Start", settings: {}, notes: [] },
       { id: "stop", element: "Stop", settings: {}, notes: [] },
@@ -18,21 +20,31 @@ export function emptyProgram(name: string, robot: string): Program {
 }
 
 /** A new, empty program at the end, or null when the name is taken or empty. */
-export function addProgram(mission: Mission, name: string, robot: string): Command | null {
+export function addProgram(
+  mission: Mission,
+  name: string,
+  robot: string,
+  level: Program["level"] = "agent",
+): Command | null {
   if (name === "" || mission.programs.some((one) => one.name === name)) return null;
   return becomes(t("command.add", { name }), {
     ...mission,
-    programs: [...mission.programs, emptyProgram(name, robot)],
+    programs: [...mission.programs, emptyProgram(name, robot, level)],
   });
 }
 
-/** The program under another name, its agents with it, or null when that name is taken or empty. */
-export function renameProgram(mission: Mission, name: string, to: string): Command | null {
+/**
+ * The program under another name, its agents and the team's programs that name it with it, or null when that name is
+ * taken or empty.
+ */
+export function renameProgram(mission: Mission, name: string, to: string, catalogue?: Catalogue): Command | null {
   if (to === "" || mission.programs.some((one) => one.name === to)) return null;
   if (!mission.programs.some((one) => one.name === name)) return null;
+  const named =
+    catalogue === undefined ? mission.programs : withNamed(mission.programs, catalogue, "program", [name, to]);
   return becomes(t("command.rename", { name }), {
     ...mission,
-    programs: mission.programs.map((one) => (one.name === name ? { ...one, name: to } : one)),
+    programs: named.map((one) => (one.name === name ? { ...one, name: to } : one)),
     agents: mission.agents.map((one) => (one.program === name ? { ...one, program: to } : one)),
     ...breakpointsRenamed(mission, name, to),
   });

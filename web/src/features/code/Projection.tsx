@@ -1,0 +1,133 @@
+/**
+ * What the program of the whole team is for each kind of robot: LLL that is read, not written, as the newest check says it.
+ *
+ * A line shows its vertex, in whichever program that stands; selected vertices show their lines. Fetched when it is opened.
+ */
+import { type KeyboardEvent, useCallback, useMemo, useState } from "react";
+
+import { lllExtensions } from "../../components/text/extensions";
+import { TextView } from "../../components/text/TextView";
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import type { Mission, Projection as Projected } from "../../model/types";
+import { useBehind } from "../../session/checked";
+import { spansInUnits } from "../../session/places";
+import { closeTeam } from "../../session/team-view";
+import { useView } from "../../session/view";
+import { Icon } from "../../theme";
+import { vertexAt } from "./spans";
+import "./projection.css";
+
+const NOWHERE: ReadonlyMap<number, number[]> = new Map();
+const NONE: readonly Projected[] = [];
+
+/** A kind of robot and the roles that it plays. */
+function tabName(robot: string, { roles = [] }: Mission): string {
+  const names = roles.filter((role) => role.robot === robot).map((role) => role.name);
+  return names.length === 0 ? robot : names.join(", ");
+}
+
+function Text({ projection }: { projection: Projected }) {
+  const program = useStudio((studio) => studio.activeProgram);
+  const selection = useStudio((studio) => studio.selection);
+  const text = projection.lll.trimEnd();
+  const spans = useMemo(() => spansInUnits(projection.spans, text), [projection, text]);
+  const shown = useMemo(
+    () => ({
+      active: NOWHERE,
+      selected: spans.filter((span) => span.program === program && selection.includes(span.vertex)),
+    }),
+    [spans, program, selection],
+  );
+  const onPick = useCallback(
+    (offset: number, byMouse: boolean) => {
+      const line = text.slice(0, offset).split("\n").length;
+      const vertex = vertexAt(spans, offset);
+      const span =
+        spans.find((one) => one.vertex === vertex && one.line === line) ?? spans.find((one) => one.line === line);
+      if (span === undefined) return;
+      const { activeProgram, setActiveProgram, select } = useStudio.getState();
+      if (span.program !== activeProgram) {
+        // The arrows walk the text; only a click leaves the program for another.
+        if (!byMouse) return;
+        closeTeam();
+        setActiveProgram(span.program);
+      }
+      select([span.vertex]);
+      useView.getState().viewport?.reveal(span.vertex);
+    },
+    [spans, text],
+  );
+  return (
+    <TextView
+      text={text}
+      label={t("projection.label", { robot: projection.robot })}
+      extensions={lllExtensions}
+      shown={shown}
+      onPick={onPick}
+    />
+  );
+}
+
+export default function Projection() {
+  const projections = useStudio((studio) => studio.report?.projections ?? NONE);
+  const mission = useStudio((studio) => studio.mission);
+  const behind = useBehind();
+  const [wanted, setWanted] = useState("");
+  const shown = projections.find((one) => one.robot === wanted) ?? projections[0];
+  if (shown === undefined) {
+    const social = mission.programs.some((one) => one.level === "social");
+    const why = !social ? "projection.no-social" : behind ? "projection.waits" : "projection.none";
+    return (
+      <p className="projection-none" role="status" data-testid="projection-none">
+        {t(why)}
+      </p>
+    );
+  }
+  const onKey = (event: KeyboardEvent) => {
+    const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+    if (by === 0) return;
+    event.preventDefault();
+    const at = projections.indexOf(shown) + by;
+    const next = projections[(at + projections.length) % projections.length];
+    setWanted(next?.robot ?? "");
+    document.getElementById(`projection-${next?.robot ?? ""}`)?.focus();
+  };
+  return (
+    <div className="projection" data-testid="projection">
+      <div className="projection-head">
+        <div className="side-tablist" role="tablist" aria-label={t("projection.kinds")} onKeyDown={onKey}>
+          {projections.map(({ robot }) => (
+            <button
+              key={robot}
+              type="button"
+              role="tab"
+              className="side-tab"
+              id={`projection-${robot}`}
+              title={robot}
+              data-testid={`projection-${robot}`}
+              aria-selected={robot === shown.robot}
+              aria-controls="projection-text"
+              tabIndex={robot === shown.robot ? 0 : -1}
+              onClick={() => setWanted(robot)}
+            >
+              <bdi>{tabName(robot, mission)}</bdi>
+            </button>
+          ))}
+        </div>
+        <small className="projection-read">
+          <Icon name="eye" size={14} /> {t("projection.read-only")}
+        </small>
+      </div>
+      <div
+        className="projection-text"
+        id="projection-text"
+        role="tabpanel"
+        aria-labelledby={`projection-${shown.robot}`}
+        aria-busy={behind}
+      >
+        <Text projection={shown} />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,126 @@
+/**
+ * Who is in which role and group at the moment that the run stands at, since when and why; where members wait for each
+ * other; and each change so far, which a click goes to.
+ */
+import { useMemo } from "react";
+
+import type { RunEvent } from "../../api/wire";
+import { StateShape } from "../../components/StateShape";
+import { clock } from "../../i18n/numbers";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { showMembers } from "../../session/members";
+import { meetingSaid } from "../../session/meetings";
+import { can, useRun } from "../../session/run";
+import { Tool } from "../../ui/Tool";
+import "./members.css";
+
+const SHOWN = 100;
+
+/** What changes who is in a team, or is why. */
+export function changesOf(events: readonly RunEvent[], tick: number): RunEvent[] {
+  return events.filter(
+    (event) => event.tick <= tick && (event.kind === "member" || event.kind === "failure" || event.kind === "revival"),
+  );
+}
+
+function Moment({ tick }: { tick: number }) {
+  const tickMs = useRun((run) => run.tickMs);
+  const goes = useRun((run) => can("seek", run));
+  const time = clock((tick * tickMs) / 1000);
+  return (
+    <button
+      type="button"
+      className="members-moment"
+      disabled={!goes}
+      title={t("members.go", { time })}
+      onClick={() => useRun.getState().seek(tick)}
+    >
+      {time}
+    </button>
+  );
+}
+
+export function Members() {
+  const team = useRun((run) => run.team);
+  const agents = useRun((run) => run.agents);
+  const events = useRun((run) => run.events);
+  const tick = useRun((run) => run.tick);
+  const changes = useMemo(() => changesOf(events, tick), [events, tick]);
+  if (team === null) return null;
+  const waits = team.meetings.filter((one) => one.missing.length > 0);
+  return (
+    <section
+      className="dock-panel members-panel"
+      id="members-panel"
+      data-testid="members"
+      aria-label={t("members.title")}
+    >
+      <header className="dock-head">
+        <h2>{t("members.title")}</h2>
+        <Tool small icon="x" label={t("members.close")} titled={false} onClick={() => showMembers(false)} />
+      </header>
+      <div className="members-columns">
+        <table className="members-table" data-testid="members-table">
+          <thead>
+            <tr>
+              <th scope="col">{t("members.who")}</th>
+              <th scope="col">{t("members.role")}</th>
+              <th scope="col">{t("members.groups")}</th>
+              <th scope="col">{t("members.since")}</th>
+              <th scope="col">{t("members.why")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {team.members.map(({ name, role, groups, stands_for, missed }) => {
+              const last = changes.findLast((event) => event.agent === name);
+              const state = agents.find((one) => one.name === name)?.state ?? "idle";
+              return (
+                <tr key={name} data-testid={`member-row-${name}`}>
+                  <th scope="row">
+                    <StateShape state={state} /> <bdi>{name}</bdi>
+                  </th>
+                  <td>
+                    {role === "" ? (
+                      <span className="members-quiet">{t(missed ? "members.missed" : "members.spare")}</span>
+                    ) : stands_for === name || stands_for === "" ? (
+                      <bdi>{role}</bdi>
+                    ) : (
+                      t("members.for", { role, name: stands_for })
+                    )}
+                  </td>
+                  <td>{groups.join(", ")}</td>
+                  <td>
+                    <Moment tick={last?.tick ?? 0} />
+                  </td>
+                  <td>{last === undefined ? t("members.began") : <Said text={last.text} />}</td>
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+        <div>
+          {waits.map((meeting) => (
+            <p key={meeting.point} className="members-wait">
+              {meetingSaid(meeting)}
+            </p>
+          ))}
+          {changes.length === 0 ? (
+            <p className="members-quiet">{t("members.unchanged")}</p>
+          ) : (
+            <ol className="members-changes" aria-label={t("members.changes")} data-testid="members-changes">
+              {changes
+                .slice(-SHOWN)
+                .reverse()
+                .map((event, index) => (
+                  <li key={index}>
+                    <Moment tick={event.tick} /> <strong dir="auto">{event.agent}</strong> <Said text={event.text} />
+                  </li>
+                ))}
+            </ol>
+          )}
+        </div>
+      </div>
+    </section>
+  );
+}

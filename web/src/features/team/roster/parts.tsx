@@ -1,0 +1,169 @@
+/** What the cards of roles, groups and work have in common. */
+import { type ReactNode, useState } from "react";
+
+import { NameCell } from "../../../components/NameCell";
+import { Said } from "../../../i18n/Said";
+import { sentence, t } from "../../../i18n/words";
+import type { Command } from "../../../model/command";
+import { declaredNames, removeDeclared, renameDeclared } from "../../../model/commands/changeDeclared";
+import { useStudio } from "../../../model/studio";
+import type { Problem } from "../../../model/types";
+import { Icon } from "../../../theme";
+import { Tool } from "../../../ui/Tool";
+import { useOver } from "./Chip";
+import type { Goal } from "./moving";
+
+export function execute(command: Command | null): boolean {
+  if (command === null) return false;
+  useStudio.getState().execute(command);
+  return true;
+}
+
+/** Why nothing declared can have that name, or "". */
+export function wrongName(name: string, work = false): string {
+  if (name === "") return t("roster.name-empty");
+  if (work && !/^[\p{L}_][\p{L}\p{M}\p{N}_]*$/u.test(name)) return t("roster.name-work");
+  return declaredNames(useStudio.getState().mission).includes(name) ? t("roster.name-taken", { name }) : "";
+}
+
+/** A name like the given one that nothing declared has. */
+export function freeDeclared(name: string): string {
+  const { mission } = useStudio.getState();
+  const taken = new Set([...declaredNames(mission), ...mission.agents.map((one) => one.name)]);
+  for (let number = 1; ; number++) {
+    const next = number === 1 ? name : `${name}${String(number)}`;
+    if (!taken.has(next)) return next;
+  }
+}
+
+function isAbout({ code, message }: Problem, name: string): boolean {
+  return code.startsWith("team-") && message.includes(`\`${name}\``);
+}
+
+/** What the check says of a declaration. */
+function Trouble({ name }: { name: string }) {
+  const found = useStudio((studio) => studio.report?.problems.find((one) => one.program === "" && isAbout(one, name)));
+  const elsewhere = useStudio((studio) => studio.report?.problems.find((one) => isAbout(one, name)));
+  const one = found ?? elsewhere;
+  if (one === undefined) return null;
+  return (
+    <p className="card-trouble" role="status" data-testid={`trouble-${name}`}>
+      <Icon name={one.severity === "error" ? "octagon-x" : "triangle-alert"} size={14} />{" "}
+      <span>
+        <Said text={sentence(one.message)} />
+      </span>
+    </p>
+  );
+}
+
+interface CardProps {
+  name: string;
+  /** What stands beside the name. */
+  note: string;
+  icon: string;
+  work?: boolean;
+  goal?: Goal;
+  /** What can be changed, shown when the pencil was pressed. */
+  fields: ReactNode;
+  children: ReactNode;
+}
+
+/** A declaration: its name, what can be changed of it, and what is in it. A place to drop where it has a `goal`. */
+export function Card({ name, note, icon, work = false, goal, fields, children }: CardProps) {
+  const [open, setOpen] = useState(false);
+  const { over, why } = useOver(goal ?? { kind: "spare", name: `no ${name}` });
+  const place = goal === undefined ? {} : { "data-goal": goal.kind, "data-name": goal.name };
+  return (
+    <li
+      className="card"
+      data-testid={`card-${name}`}
+      data-over={over ? (why === "" ? "takes" : "refuses") : undefined}
+      {...place}
+    >
+      <div className="card-head">
+        <Icon name={icon} size={16} />
+        <strong dir="auto" title={name}>
+          {name}
+        </strong>
+        <small>{note}</small>
+        <Tool
+          small
+          icon="pencil"
+          iconSize={14}
+          label={t("roster.change", { name })}
+          testId={`change-${name}`}
+          aria-expanded={open}
+          onClick={() => setOpen(!open)}
+        />
+      </div>
+      {open ? (
+        <div className="card-fields">
+          <div className="card-name">
+            <NameCell
+              name={name}
+              label={t("roster.name", { name })}
+              testId={`name-${name}`}
+              wrong={(wanted) => wrongName(wanted, work)}
+              keep={(to) => {
+                const { mission, catalogue } = useStudio.getState();
+                execute(renameDeclared(mission, catalogue, name, to));
+              }}
+            />
+            <Tool
+              small
+              icon="trash-2"
+              label={t("roster.remove", { name })}
+              testId={`remove-${name}`}
+              onClick={() => execute(removeDeclared(useStudio.getState().mission, name))}
+            />
+          </div>
+          {fields}
+        </div>
+      ) : null}
+      {children}
+      {over && why !== "" ? (
+        <p className="card-why" role="status" data-testid="drop-why">
+          {why}
+        </p>
+      ) : null}
+      <Trouble name={name} />
+    </li>
+  );
+}
+
+interface CountProps {
+  label: string;
+  testId: string;
+  value: number | null;
+  least?: number;
+  title?: string;
+  keep: (value: number | null) => void;
+}
+
+/** A whole number; with `value` null it may be empty. */
+export function Count({ label, testId, value, least = 0, title, keep }: CountProps) {
+  const shown = value === null ? "" : String(value);
+  const done = (text: string) => {
+    if (text.trim() === "") keep(null);
+    else if (Number.isFinite(Number(text))) keep(Math.min(Math.max(Math.round(Number(text)), least), 65_535));
+  };
+  return (
+    <label className="card-count" title={title}>
+      {label}
+      <input
+        key={shown}
+        className="field"
+        type="number"
+        min={least}
+        max={65_535}
+        step={1}
+        data-testid={testId}
+        defaultValue={shown}
+        onBlur={(event) => done(event.target.value)}
+        onKeyDown={(event) => {
+          if (event.key === "Enter") done(event.currentTarget.value);
+        }}
+      />
+    </label>
+  );
+}

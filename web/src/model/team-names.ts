@@ -1,0 +1,51 @@
+/** Names in the fields of a team's programs: sets of roles, groups and agents, and names of programs. */
+import { TEAM_ROBOT } from "./team-robot";
+import type { Catalogue, Program } from "./types";
+
+/** A name as it stands in a set: between double quotes where it is not made of letters and digits joined by hyphens. */
+export function inSet(name: string): string {
+  return /^[\p{L}_][\p{L}\p{M}\p{N}_]*(?:-[\p{L}\p{M}\p{N}_]+)*$/u.test(name)
+    ? name
+    : `"${name.replaceAll('"', '""')}"`;
+}
+
+/** A text of names in which one has another name. */
+export function renamedInSet(text: string, name: string, to: string): string {
+  return text.replace(/"(?:[^"]|"")*"|[^\s{},"]+/gu, (found) => {
+    const plain = found.startsWith('"') ? found.slice(1, -1).replaceAll('""', '"') : found;
+    return plain === name ? inSet(to) : found;
+  });
+}
+
+/** Fields of elements that hold names of a kind. */
+function namingFields({ groups }: Catalogue, kind: "set" | "program"): Map<string, string[]> {
+  const found = new Map<string, string[]>();
+  for (const { name, slots } of groups.flatMap(({ constructors }) => constructors)) {
+    const fields = slots.filter((slot) => slot.names === kind).map((slot) => slot.name);
+    if (fields.length > 0) found.set(name, fields);
+  }
+  return found;
+}
+
+/** The team's programs in which what is named in fields of that kind has another name. */
+export function withNamed(
+  programs: readonly Program[],
+  catalogue: Catalogue,
+  kind: "set" | "program",
+  [name, to]: readonly [string, string],
+): Program[] {
+  const fields = namingFields(catalogue, kind);
+  return programs.map((program) => {
+    if (program.robot !== TEAM_ROBOT) return program;
+    const vertices = program.vertices.map((vertex) => {
+      const settings = { ...vertex.settings };
+      for (const field of fields.get(vertex.element) ?? []) {
+        const text = settings[field];
+        if (text !== undefined) settings[field] = renamedInSet(text, name, to);
+      }
+      const same = Object.keys(settings).every((field) => settings[field] === vertex.settings[field]);
+      return same ? vertex : { ...vertex, settings };
+    });
+    return vertices.every((vertex, at) => vertex === program.vertices[at]) ? program : { ...program, vertices };
+  });
+}
