@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import secrets
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -171,6 +172,8 @@ class TeamProcess:
         sentence = simulation.sentence if simulation.outcome else Sentence("Stopped by the emergency stop.")
         for _ in range(3):
             self.channel.send(EVERYBODY, kinds.BYE, json.dumps([outcome, sentence]).encode())
+            # What is closed at once may not be sent.
+            time.sleep(0.1)
         return FleetRun(outcome, sentence, world.replica.slot, world.replica.units_done(), self.stopped_ms)
 
     def _take(self, now: int, envelope: Envelope) -> None:

@@ -38,7 +38,7 @@ class Link:
         serial: the number of the last frame.
         waiting: frames without an answer that was taken, in their order; early: answers to others than the first.
         sent: when each of these was sent last, and again: those that were sent more than once.
-        trip: how long an answer takes, ms, smoothed.
+        trip: how long an answer takes, ms; -1: not known yet.
         ticked: what came of its ticks and is not in the tables, with the numbers of the frames.
         answered: the last frame whose answer was taken.
         taken: the last frame of which the commands are in the tables.
@@ -52,7 +52,7 @@ class Link:
     early: dict[int, Reply] = field(default_factory=dict)
     sent: dict[int, int] = field(default_factory=dict)
     again: set[int] = field(default_factory=set)
-    trip: float = 0.0
+    trip: float = -1.0
     ticked: list[tuple[int, Ticked]] = field(default_factory=list)
     answered: int = 0
     taken: int = 0
@@ -65,6 +65,15 @@ class Link:
     def first(self) -> int:
         """The oldest frame without an answer; the next one where there is none."""
         return next(iter(self.waiting), self.serial + 1)
+
+    def timed(self, ms: int) -> None:
+        """An answer took so long. One that had to wait for an earlier frame says little of the way, so short ones
+        count at once, longer ones slowly: else each loss would make the patience with the next one longer.
+        """
+        if self.trip < 0 or ms < self.trip:
+            self.trip = ms
+        else:
+            self.trip += (ms - self.trip) / 64
 
     def next_ticks(self) -> list[Ticked]:
         """What is put into the tables with the next step: the next tick with commands, and those before it."""
@@ -115,7 +124,7 @@ class WorldHost:
         if reply.serial not in link.waiting:
             return
         if reply.serial not in link.early and reply.serial not in link.again:
-            link.trip += (now - link.sent[reply.serial] - link.trip) / 8
+            link.timed(now - link.sent[reply.serial])
         link.early[reply.serial] = reply
         while link.first in link.early:
             first = link.first
@@ -236,7 +245,7 @@ class WorldHost:
                 continue
             first = link.first
             for serial, frame in link.waiting.items():
-                if serial not in link.early and now - link.sent[serial] >= AGAIN_MS + 2 * link.trip:
+                if serial not in link.early and now - link.sent[serial] >= AGAIN_MS + 2 * max(0.0, link.trip):
                     link.sent[serial] = now
                     link.again.add(serial)
                     self.frames.append((i, replace(frame, first=first)))
