@@ -74,7 +74,7 @@ export function DragGhost() {
   const { thing, at } = useDragged();
   if (thing === null) return null;
   return createPortal(
-    <div className="ghost" style={{ transform: `translate(${String(at.x + 10)}px, ${String(at.y + 12)}px)` }}>
+    <div className="member-ghost" style={{ transform: `translate(${String(at.x + 10)}px, ${String(at.y + 12)}px)` }}>
       <strong>{thing.name}</strong>
     </div>,
     document.body,
