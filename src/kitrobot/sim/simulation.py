@@ -30,16 +30,9 @@ from kitrobot.sim.arrays import as_arrays
 from kitrobot.sim.bodies import Stage
 from kitrobot.sim.columns import (
     ASLEEP,
-    CHANCE,
     COLLISIONS,
     EVENTS,
-    S_DROPOUT,
-    S_FORCE,
     S_FORCED,
-    S_NOISE,
-    S_PLAIN,
-    S_RESTLESS,
-    S_SIZE,
     STUCK,
     TICK,
 )
@@ -47,6 +40,7 @@ from kitrobot.sim.deadlock_detection import stirred
 from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_team_over, say_time
 from kitrobot.sim.event_text import Event, EventText, sensor_names
 from kitrobot.sim.failures import harm_by_hand, keep_untold, plan_more, room_to_tell
+from kitrobot.sim.forcing import force_sensor
 from kitrobot.sim.jit_policy import JitPolicy
 from kitrobot.sim.limits import check_limits
 from kitrobot.sim.packing import Packing
@@ -175,14 +169,15 @@ class Simulation:
             if ran < part:
                 break
         self.events = self._event_text.events(self.state)
-        self._look_for_an_end()
+        self.look_for_an_end()
         return done
 
     def compile_step(self) -> bool:
         """Waits until the step is compiled, and takes it from now on; False where it cannot be. Changes no run."""
         return self._jit.wait()
 
-    def _look_for_an_end(self) -> None:
+    def look_for_an_end(self) -> None:
+        """Ends the run if it is over."""
         clock, goals, members = self.state.clock, self._goals, self.members
         if self.state.team.numbers[TEAM_OVER]:
             self._end("failed", say_team_over(self._team_text.over(self.state), goals, members))
@@ -221,10 +216,6 @@ class Simulation:
         """The events that are in the tables."""
         return self._event_text.events(self.state)
 
-    def look_for_an_end(self) -> None:
-        """Ends the run if it is over, for who takes its steps by itself (see hosted)."""
-        self._look_for_an_end()
-
     def watch_programs(self) -> None:
         """From the first step on, `machine.seen` of each member says which instructions ran in its last tick.
 
@@ -249,16 +240,7 @@ class Simulation:
             raise KitRobotError(
                 Sentence("no agent {agent} with a sensor {sensor} takes part in this run", agent, sensor)
             )
-        table, clock = self.state.sensors.ints, self.state.clock
-        by_chance = self.state.sensors.floats[S_NOISE][k] > 0 or self.state.sensors.floats[S_DROPOUT][k] > 0
-        was_forced, is_forced = bool(table[S_FORCED][k]), value is not None
-        if table[S_RESTLESS][k] and was_forced != is_forced:
-            clock[CHANCE] += -1 if is_forced else 1
-        table[S_FORCED][k] = 1 if is_forced else 0
-        # A noise of ten million or a forced value beyond all range would not fit the tables.
-        table[S_FORCE][k] = max(-(2**40), min(2**40, value)) if value is not None else 0
-        table[S_PLAIN][k] = 1 if not is_forced and table[S_SIZE][k] == 1 and not by_chance else 0
-        stirred(clock)
+        force_sensor(k, value, self.state)
 
     def forced(self, agent: str) -> list[str]:
         """The sensors of an agent in whose place a value stands."""
@@ -311,7 +293,7 @@ class Simulation:
             return False
         self.state.clock[STUCK] = 0
         self.outcome, self.sentence = None, ""
-        self._look_for_an_end()
+        self.look_for_an_end()
         return True
 
     def plan_failures(self, failures: Sequence[tuple[int, int]]) -> None:
@@ -368,7 +350,7 @@ class Simulation:
             raise damaged() from error
         self.outcome, self.sentence = None, ""
         self.events = [event for event in self._event_text.events(self.state) if event.tick < self.tick]
-        self._look_for_an_end()
+        self.look_for_an_end()
 
     # -- looking
 

@@ -7,8 +7,7 @@ Who may stand where, and what a robot's XML may say, was decided before (setup).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from kitrobot.image import Machine
 from kitrobot.mission import Breakdown, BreakdownRule, Radio
@@ -19,6 +18,7 @@ from kitrobot.sim.angles import direction
 from kitrobot.sim.chance import keys
 from kitrobot.sim.contacts import TOUCH_MM
 from kitrobot.sim.deadlock_detection import HELD_ROWS, QUIET_STEPS
+from kitrobot.sim.device_tables import DeviceTables, Fitted
 from kitrobot.sim.devices import Actuator, Device, Sensor, Standing, Values, actuators, sensors, ticks
 from kitrobot.sim.failures import FaultPlan
 from kitrobot.sim.grids import FEW
@@ -46,19 +46,6 @@ NEVER = -(1 << 40)
 
 BY_HAND_AT_ONCE = 64
 """So much can be done to the robots of any run by hand between two steps, and be told."""
-
-
-@dataclass(frozen=True, slots=True)
-class Fitted:
-    """A device on its robot: `number` is its place among the robot's sensors, or actuators, as its XML lists them."""
-
-    robot: int
-    number: int
-    part: RobotObject
-    device: type[Device]
-    values: Values
-    standing: Standing
-    keys: tuple[int, int]
 
 
 class Tables:
@@ -259,7 +246,7 @@ class Tables:
             arrange(state.robots, state.roads)
         return state
 
-    def _team(self, actuator: _DeviceTables) -> Team:
+    def _team(self, actuator: DeviceTables) -> Team:
         if self.team is None:
             return no_team()
         links = {one.robot: k for k, one in enumerate(actuator.fitted) if one.part.name == TEAM}
@@ -293,8 +280,8 @@ class Tables:
             kept_pars=[[] for _ in machines],
         )
 
-    def _sensor_tables(self) -> _DeviceTables:
-        made = _DeviceTables(self._sensors, len(sensors()), c.SENSOR_WHOLES, c.SENSOR_REALS)
+    def _sensor_tables(self) -> DeviceTables:
+        made = DeviceTables(self._sensors, len(sensors()), c.SENSOR_WHOLES, c.SENSOR_REALS)
         for k, item in enumerate(made.fitted):
             robot = self.robots[item.robot]
             size = ticks(item.values.number("latency"), robot.tick_ms / 1000) + 1
@@ -334,8 +321,8 @@ class Tables:
             made.room += size
         return made
 
-    def _actuator_tables(self) -> _DeviceTables:
-        made = _DeviceTables(self._actuators, len(actuators()), c.ACTUATOR_WHOLES, c.ACTUATOR_REALS)
+    def _actuator_tables(self) -> DeviceTables:
+        made = DeviceTables(self._actuators, len(actuators()), c.ACTUATOR_WHOLES, c.ACTUATOR_REALS)
         for k, item in enumerate(made.fitted):
             delay = ticks(item.values.number("latency"), self.dt)
             size = delay // self.ints[c.PERIOD][item.robot] + 2 if delay else 0
@@ -372,32 +359,3 @@ def _halt(fitted: Fitted) -> int:
     stops = [methods[method.stop] for method in fitted.part.methods if method.stop in methods]
     found = next((method for method in stops if not method.parameters), None)
     return -1 if found is None else fitted.device.procedure_number(fitted.part, found, fitted.values)
-
-
-class _DeviceTables:
-    """Sensors, or actuators, sorted by their kind; `actuator_index[n]` is where the n-th that was added stands."""
-
-    def __init__(self, fitted: Sequence[Fitted], kinds: int, int_columns: int, float_columns: int) -> None:
-        order = sorted(range(len(fitted)), key=lambda n: fitted[n].device.kind)
-        self.fitted = [fitted[n] for n in order]
-        self.actuator_index = [0] * len(fitted)
-        for k, n in enumerate(order):
-            self.actuator_index[n] = k
-        counts = [0] * kinds
-        for item in fitted:
-            counts[item.device.kind] += 1
-        self.bank = [sum(counts[:kind]) for kind in range(kinds + 1)]
-        self.ints = [[0] * len(fitted) for _ in range(int_columns)]
-        self.floats = [[0.0] * len(fitted) for _ in range(float_columns)]
-        self.takens: list[list[int]] = []
-        self.outputs: list[list[int]] = []
-        self.numbers: list[float] = []
-        self.room = 0
-
-    def put_ints(self, k: int, numbers: dict[int, int]) -> None:
-        for column, number in numbers.items():
-            self.ints[column][k] = number
-
-    def put_floats(self, k: int, numbers: Sequence[float]) -> None:
-        for column, number in enumerate(numbers):
-            self.floats[column][k] = number
