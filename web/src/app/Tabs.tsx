@@ -13,6 +13,7 @@ import { mirrored } from "../i18n/language";
 import { t } from "../i18n/words";
 import { renameProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
+import { TEAM_ROBOT } from "../model/team-robot";
 import { removeProgramNamed } from "../session/actions";
 import { complain } from "../session/document";
 import type { FeatureTab } from "../session/features";
@@ -104,6 +105,8 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
   const covered = useTeam((state) => state.open || state.world);
   const active = useStudio((studio) => studio.activeProgram === name) && !covered;
   const count = useStudio((studio) => studio.mission.agents.filter((agent) => agent.program === name).length);
+  // Where there is a program of the team, others run as a part of it, and are no agent's own.
+  const inTeam = useStudio((studio) => studio.mission.programs.some((program) => program.robot === TEAM_ROBOT));
   const errors = useStudio((studio) =>
     studio.report?.problems.some((one) => one.program === name && one.severity === "error"),
   );
@@ -131,7 +134,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
       <span className="tab-name" dir="auto">
         {name}
       </span>
-      <Count count={count === 1 ? undefined : count} sign="×" />
+      <Count count={count === 1 || (count === 0 && inTeam) ? undefined : count} sign="×" />
       <Errors there={errors === true} />
     </button>
   );

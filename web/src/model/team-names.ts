@@ -9,12 +9,38 @@ export function inSet(name: string): string {
     : `"${name.replaceAll('"', '""')}"`;
 }
 
+const NAME = /"(?:[^"]|"")*"|[^\s{},"]+/gu;
+
+/** The name that is written so in a set. */
+function plainName(written: string): string {
+  return written.startsWith('"') ? written.slice(1, -1).replaceAll('""', '"') : written;
+}
+
 /** A text of names in which one has another name. */
 export function renamedInSet(text: string, name: string, to: string): string {
-  return text.replace(/"(?:[^"]|"")*"|[^\s{},"]+/gu, (found) => {
-    const plain = found.startsWith('"') ? found.slice(1, -1).replaceAll('""', '"') : found;
-    return plain === name ? inSet(to) : found;
-  });
+  return text.replace(NAME, (found) => (plainName(found) === name ? inSet(to) : found));
+}
+
+/** Where a program stands in a team's program by its name. */
+export interface Call {
+  program: string;
+  vertex: string;
+}
+
+/** Of each program that stands in exactly one place of the team's programs by its name, that place. */
+export function onlyCalls(programs: readonly Program[], catalogue: Catalogue): ReadonlyMap<string, Call> {
+  const fields = namingFields(catalogue, "program");
+  const found = new Map<string, Call | null>();
+  for (const { name: program, robot, vertices } of programs) {
+    if (robot !== TEAM_ROBOT) continue;
+    for (const { id: vertex, element, settings } of vertices) {
+      for (const written of (fields.get(element) ?? []).flatMap((field) => settings[field]?.match(NAME) ?? [])) {
+        const called = plainName(written);
+        found.set(called, found.has(called) ? null : { program, vertex });
+      }
+    }
+  }
+  return new Map([...found].flatMap(([name, call]) => (call === null ? [] : [[name, call] as const])));
 }
 
 /** Fields of elements that hold names of a kind. */

@@ -14,6 +14,7 @@ import { create } from "zustand";
 import { openRunSocket, type RunSocket } from "../api/socket";
 import type { Ability, AgentReport, Hit, RunEvent, RunMessage, RunRequest, StartedAgent } from "../api/wire";
 import { useStudio } from "../model/studio";
+import type { Call } from "../model/team-names";
 import type { Mission, Problem } from "../model/types";
 import { clearFrames, pushFrame } from "./poses";
 import type { RunAgent, RunState, RunStatus } from "./run-state";
@@ -353,16 +354,25 @@ export type Standing = ReadonlyMap<string, readonly string[]>;
 
 const NOBODY_STANDS: Standing = new Map();
 
-/** Where each member of a team stands in a program: the team's own, or one that stands in it by name. */
+/**
+ * Where each member of a team stands in a program: the team's own, or one that stands in it by name. Who is in such a one
+ * stands on the vertex with its name too, as far as `calls` says which that is.
+ */
 export function standingIn(
   { agents, team, status }: Pick<RunState, "agents" | "team" | "status">,
   program: string,
+  calls: ReadonlyMap<string, Call>,
 ): Standing {
   if (team === null || status === "stopped") return NOBODY_STANDS;
   const found = new Map<string, string[]>();
   agents.forEach((agent, at) => {
     const own = agent.program === program ? agent.active.map(([, vertex]) => vertex) : [];
-    const inner = (agent.inner ?? []).flatMap(([, name, vertex]) => (name === program ? [vertex] : []));
+    const inner = (agent.inner ?? []).flatMap(([, name, vertex]) => {
+      const path: Call[] = [{ program: name, vertex }];
+      for (let call = calls.get(name); call !== undefined && path.length <= calls.size; call = calls.get(call.program))
+        path.push(call);
+      return path.flatMap((one) => (one.program === program ? [one.vertex] : []));
+    });
     for (const vertex of new Set([...own, ...inner]))
       found.set(vertex, [...(found.get(vertex) ?? []), `@${String(at)}`]);
   });

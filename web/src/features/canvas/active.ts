@@ -2,6 +2,8 @@
 import { useEffect, useMemo } from "react";
 import { create } from "zustand";
 
+import { useStudio } from "../../model/studio";
+import { onlyCalls } from "../../model/team-names";
 import { standingIn, useActiveVertices, useRun } from "../../session/run";
 import { useView } from "../../session/view";
 
@@ -16,7 +18,13 @@ export function ActiveVertices({ program }: { program: string }): null {
   const agents = useRun((run) => run.agents);
   const team = useRun((run) => run.team);
   const status = useRun((run) => run.status);
-  const members = useMemo(() => standingIn({ agents, team, status }, program), [agents, team, status, program]);
+  const mission = useRun((run) => run.mission);
+  const catalogue = useStudio((studio) => studio.catalogue);
+  const calls = useMemo(() => onlyCalls(mission?.programs ?? [], catalogue), [mission, catalogue]);
+  const members = useMemo(
+    () => standingIn({ agents, team, status }, program, calls),
+    [agents, team, status, program, calls],
+  );
   const slots: Slots = members.size > 0 ? members : threads;
   useEffect(() => {
     useActive.setState({ slots });
