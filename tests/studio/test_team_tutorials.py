@@ -1,4 +1,4 @@
-"""The tutorials about teams, gone through with mouse and keys; with a step skipped, gone back to, and done another way."""
+"""The tutorials about teams, gone through with mouse and keys; with a step skipped and gone back to."""
 
 from __future__ import annotations
 
