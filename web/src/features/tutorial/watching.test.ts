@@ -12,7 +12,10 @@ function meeting(here: number): Meeting {
   return { point: 0, program: "p", vertex: "v", here: [], missing: [], here_count: here, count: 3 };
 }
 
-const NOTHING = { team: { members: [member("a"), member("b"), member("c", { role: "", stands_for: "" })], meetings: [] }, events: [] };
+const NOTHING = {
+  team: { members: [member("a"), member("b"), member("c", { role: "", stands_for: "" })], meetings: [] },
+  events: [],
+};
 const GONE = member("a", { role: "", stands_for: "", missed: true });
 
 describe("a run in the words of tutorials", () => {
