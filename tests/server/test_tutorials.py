@@ -26,24 +26,27 @@ def mission_of(page, path: str) -> dict:
     return mission
 
 
-def test_three_tutorials_come_along_in_three_languages_without_a_problem(page):
+def test_five_tutorials_come_along_in_three_languages_without_a_problem(page):
     tutorials = listed(page)
-    assert len(tutorials) == 3
+    assert len(tutorials) == 5
     for tutorial in tutorials.values():
         assert tutorial["problems"] == []
         assert {"", "fr", "ur"} == set(tutorial["label"]) == set(tutorial["help"])
         for step in tutorial["steps"]:
             assert {"", "fr", "ur"} == set(step["label"]) == set(step["help"])
             assert set(step["hint"]) in ({"", "fr", "ur"}, set())
-            assert step["asks"]
+            assert step["asks"] or step["events"]
             assert step["points"]
 
 
-@pytest.mark.parametrize("name", ["first-steps", "sensing", "together"])
+@pytest.mark.parametrize("name", ["first-steps", "sensing", "together", "in-step", "when-one-fails"])
 def test_a_tutorial_begins_with_a_mission_of_which_no_step_is_done(page, name):
     tutorial = listed(page)[f"example:tutorials/{name}/{name}.tutorial.xml"]
     mission = mission_of(page, tutorial["start"])
-    assert watch(page, tutorial["name"], mission).json() == {"fits": [False] * len(tutorial["steps"])}
+    fits = watch(page, tutorial["name"], mission).json()["fits"]
+    # A step with events is done by one of them only.
+    done = [fit and not step["events"] for fit, step in zip(fits, tutorial["steps"], strict=True)]
+    assert done == [False] * len(tutorial["steps"])
 
 
 def test_what_a_tutorial_begins_with_is_no_example(page):
@@ -104,3 +107,37 @@ def test_a_tutorial_that_went_away_is_said_without_telling_where_it_was(page, fo
     assert answer.status_code == 422
     assert str(folder.parent) not in answer.text
     assert "gone.tutorial.xml" in answer.text
+
+
+def test_a_team_s_program_is_held_against_a_tutorial_in_step_and_each_on_its_own(page):
+    name = "example:tutorials/in-step/in-step.tutorial.xml"
+    mission = mission_of(page, "example:tutorials/in-step/in-step.krt")
+    program = mission["programs"][0]
+    assert watch(page, name, mission).json()["fits"] == [True, False, False, False, False, True]
+    lamp = {"id": "lamp", "element": "Light.LightOn", "settings": {}, "notes": []}
+    program["vertices"].append(lamp)
+    arc = next(arc for arc in program["arcs"] if (arc["source"], arc["target"]) == ("v2", "v1"))
+    arc["target"], arc["at"] = "lamp", "in"
+    program["arcs"].append({"source": "lamp", "out": "next", "target": "v1", "at": "return"})
+    assert watch(page, name, mission).json()["fits"] == [True, True, True, False, False, True]
+    next(vertex for vertex in program["vertices"] if vertex["id"] == "v1")["element"] = "ParOfSeq"
+    assert watch(page, name, mission).json()["fits"] == [False, True, False, True, True, True]
+
+
+def test_the_rule_of_a_group_and_the_spare_robots_are_held_against_a_tutorial(page):
+    name = "example:tutorials/when-one-fails/when-one-fails.tutorial.xml"
+    mission = mission_of(page, "example:tutorials/when-one-fails/when-one-fails.krt")
+    # The rule is to drop at first: that step only waits for its event.
+    assert watch(page, name, mission).json()["fits"] == [False, False, False, False, True, False]
+    mission["groups"][0]["failure"] = "substitute"
+    assert watch(page, name, mission).json()["fits"] == [True, False, False, True, False, False]
+    mission["agents"].append({**mission["agents"][0], "name": "robot-4"})
+    assert watch(page, name, mission).json()["fits"] == [True, True, True, True, False, False]
+    # A robot that runs another program is not spare, nor one that a role takes.
+    mission["agents"][3]["program"] = "other"
+    assert watch(page, name, mission).json()["fits"][1] is False
+    mission["agents"][3]["program"] = mission["agents"][0]["program"]
+    mission["roles"][0]["most"] = 4
+    assert watch(page, name, mission).json()["fits"][1] is False
+    mission["groups"][0]["failure"] = "abort"
+    assert watch(page, name, mission).json()["fits"][5] is True

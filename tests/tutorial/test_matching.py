@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kitrobot.lll import Call, Hole, Number, Repeat, Seq, Wait, nodes, parse, parse_template
+from kitrobot.lll import Call, Hole, Number, Repeat, Seq, Wait, nodes, parse, parse_team, parse_template
 from kitrobot.tutorial import Pattern, Step, Tutorial, fits, steps_fit
 from tests.counting import MOST, growth
 from tests.strategies import random_program, shipped_robots
@@ -143,6 +143,29 @@ def test_steps_ask_a_certain_program_any_program_or_several() -> None:
     assert steps_fit(tutorial, programs) == [True, False, False, False, True, True]
     programs["b"] = program("Wheel.Advance(1); WAIT(1);")
     assert steps_fit(tutorial, programs) == [True, True, True, False, False, True]
+
+
+@pytest.mark.parametrize(
+    ("code", "text", "found"),
+    [
+        ("SeqOfPar {who} ()", "2*(SeqOfPar crew (WAIT(1)));", True),
+        ("SeqOfPar {who} ()", "ParOfSeq crew (WAIT(1));", False),
+        ("SeqOfPar {a, b} (WAIT({t}))", "SeqOfPar {b, a} (Wheel.Stop(); WAIT(1));", True),
+        ("SeqOfPar crew (WAIT({t}))", "SeqOfPar a (WAIT(1));", False),
+        ("SeqOfPar {x} (); ParOfSeq {x} ()", "SeqOfPar a (); ParOfSeq b ();", False),
+        ("Where {who} [Button.IsPressed()](WAIT(1))", "Where a [Button.IsPressed()](WAIT(1))!(WAIT(2));", True),
+        ("PROGRAM {p}", "ParOfSeq crew (PROGRAM dance);", True),
+        ("PROGRAM dance", "PROGRAM walk;", False),
+        ("MOVE {n} a -> {b}", "MOVE 2 a -> b;", True),
+        ("MOVE 1 a -> {b}", "MOVE 2 a -> b;", False),
+        ("*[any {who} (Button.IsPressed())]()", "*[any a (Button.IsPressed())](WAIT(1));", True),
+        ("*[any {who} (Button.IsPressed())]()", "*[all a (Button.IsPressed())](WAIT(1));", False),
+    ],
+)
+def test_a_team_s_program_is_compared_too(code: str, text: str, found: bool) -> None:
+    parsed = parse_team(f"group crew = {{a, b}};\n{text}")
+    assert parsed.ok
+    assert fits(pattern(code), parsed.program.seq) is found
 
 
 # -- random programs

@@ -10,7 +10,7 @@ import xmlschema
 
 import kitrobot.primitives
 from kitrobot.lll import Call, Repeat, While, parse
-from kitrobot.tutorial import EVENTS, Point, read_tutorial, steps_fit
+from kitrobot.tutorial import EVENTS, GroupWant, Point, SpareWant, read_tutorial, steps_fit
 from kitrobot.tutorial.reading import BUTTONS, DEEPEST_PATTERN, MOST_STEPS, PANELS
 from tests.primitives.samples import TUTORIAL, messages
 
@@ -72,6 +72,20 @@ def test_everything_of_the_page_that_has_a_name_can_be_pointed_at(kind: str, nam
     SCHEMA.validate(text)
 
 
+def test_what_is_wanted_of_a_team_and_a_point_into_a_group_are_read() -> None:
+    text = tutorial(
+        '<group failure="drop" name="crew"/><group failure="abort"/><spare/><spare robots="2"/>'
+        '<point group="crew" failure="substitute"/><point group="crew"/>'
+    )
+    found, problems = read_tutorial(text.encode(), "x")
+    SCHEMA.validate(text)
+    assert problems == []
+    assert found is not None
+    [step] = found.steps
+    assert step.team == (GroupWant("drop", "crew"), GroupWant("abort"), SpareWant(), SpareWant(2))
+    assert step.points == (Point("group", "crew", "substitute"), Point("group", "crew"))
+
+
 MISTAKES = [
     (
         "<contains><code>4*(</code></contains>",
@@ -104,11 +118,21 @@ MISTAKES = [
         "2 | tutorial-pattern | expected either program or programs, found both",
     ),
     ("<any></any>", "<any | tutorial-pattern | expected <contains> or <matches> in <any>, found none"),
-    ('<event name="run-starts"/>', "run-starts | xml-bad-value | expected run-started, run-done, run-ended or saved"),
-    ("<point/>", "<point | tutorial-point | expected part, vertex, button, panel or program on <point>, found none"),
-    ('<point part="a" vertex="b"/>', "<point | tutorial-point | expected part, vertex, button, panel or program"),
+    ('<event name="run-starts"/>', "run-starts | xml-bad-value | expected run-started, run-done,"),
+    (
+        "<point/>",
+        "<point | tutorial-point | expected part, vertex, button, panel, program or group on <point>, found none",
+    ),
+    (
+        '<point part="a" vertex="b"/>',
+        "<point | tutorial-point | expected part, vertex, button, panel, program or group",
+    ),
     ('<point part="a" slot="b"/>', "b | tutorial-point | expected no slot here, found one"),
     ('<point vertex="a" slot="b" setting="c"/>', "b | tutorial-point | expected no slot here, found one"),
+    ('<point group="a" slot="b"/>', "b | tutorial-point | expected no slot here, found one"),
+    ('<point vertex="a" failure="drop"/>', "drop | tutorial-point | expected no failure here, found one"),
+    ('<group failure="help"/>', "help | xml-bad-value | expected drop, substitute or abort"),
+    ('<spare robots="0"/>', "0 | xml-bad-value | expected a whole number from 1 to 100"),
     ('<point button="stpo"/>', "stpo | xml-bad-value | expected run,"),
 ]
 

@@ -26,30 +26,43 @@ from kitrobot.lll import (
     Event,
     Hole,
     Interrupt,
+    Joint,
+    Members,
+    Move,
     Node,
     Not,
     Number,
     Or,
     Parallel,
+    ParOfSeq,
+    ProgramCall,
     Repeat,
     Seq,
+    SeqOfPar,
     Wait,
+    Where,
     While,
     children,
     nodes,
 )
-from kitrobot.primitives import holes
+from kitrobot.primitives import Crew, holes
 from kitrobot.tutorial.model import Pattern, Tutorial
+from kitrobot.tutorial.teams import team_fits
 
 MOST_STEPS = 200_000
 """Comparisons of two nodes for one pattern and program, at most."""
 
 
-def steps_fit(tutorial: Tutorial, programs: Mapping[str, Seq]) -> list[bool]:
-    """For each step, whether the programs (by name) are as it wants them; events are no matter here."""
+def steps_fit(tutorial: Tutorial, programs: Mapping[str, Seq], crew: Crew | None = None) -> list[bool]:
+    """For each step, whether the programs (by name) and the team are as it wants them; events are no matter here.
+
+    The `agents` of `crew` are those that run the team's program; without a crew nothing that is wanted of a team holds.
+    """
     walked: dict[int, list[Node]] = {}
     return [
-        all(any(_holds(pattern, programs, walked) for pattern in row) for row in step.wants) for step in tutorial.steps
+        all(team_fits(want, crew) for want in step.team)
+        and all(any(_holds(pattern, programs, walked) for pattern in row) for row in step.wants)
+        for step in tutorial.steps
     ]
 
 
@@ -141,7 +154,7 @@ class _Matching:
     def _ways(self, pattern: Any, value: Any) -> Iterator[None]:
         if isinstance(pattern, Hole):
             yield from self.hole(pattern, value)
-        elif isinstance(pattern, int):
+        elif isinstance(pattern, int | str):
             if pattern == value:
                 yield
         elif isinstance(pattern, Seq):
@@ -185,6 +198,8 @@ class _Matching:
                     yield from self.branches(pattern.branches, value.branches)
             case Wait():
                 yield from self.ways(pattern.duration, value.duration)
+            case SeqOfPar() | ParOfSeq() | Where() | Joint() | Members() | ProgramCall() | Move():
+                yield from self.of_team(pattern, value)
             case Break():
                 yield
             case And() | Or():
@@ -193,6 +208,32 @@ class _Matching:
                     yield from self.all([(pattern.left, value.right), (pattern.right, value.left)])
             case Not():
                 yield from self.ways(pattern.condition, value.condition)
+
+    def of_team(self, pattern: Node, value: Any) -> Iterator[None]:
+        """What stands in a team's program only. A set is the same in any order; a hole takes any set."""
+        match pattern:
+            case Members():
+                if set(pattern.names) == set(value.names):
+                    yield
+            case SeqOfPar() | ParOfSeq():
+                yield from self.all([(pattern.members, value.members), (pattern.body, value.body)])
+            case Where():
+                bodies = [(pattern.members, value.members), (pattern.then, value.then)]
+                if pattern.orelse is not None:
+                    bodies.append((pattern.orelse, value.orelse))
+                elif self.whole and value.orelse is not None:
+                    return
+                for _ in self.condition(pattern.condition, value.condition):
+                    yield from self.all(bodies)
+            case Joint():
+                if pattern.quantifier == value.quantifier:
+                    for _ in self.ways(pattern.members, value.members):
+                        yield from self.condition(pattern.condition, value.condition)
+            case ProgramCall():
+                yield from self.ways(pattern.name, value.name)
+            case Move():
+                names = [(pattern.source, value.source), (pattern.target, value.target)]
+                yield from self.all([(pattern.count, value.count), *names])
 
     def all(self, pairs: list[tuple[Any, Any]]) -> Iterator[None]:
         if not pairs:

@@ -1,7 +1,8 @@
 """A tutorial as it was read: steps, and for each step what has to be so that it is done.
 
-A step wants every one of its `wants`; each of them is a row of patterns of which one is enough. It may also want
-something to happen (`events`) while the program is like that. A step that wants nothing is read and gone on from.
+A step wants every one of its `wants`; each of them is a row of patterns of which one is enough. It may want something
+of the team (`team`), and something to happen (`events`) while the mission is like that. A step that wants nothing is
+read and gone on from.
 """
 
 from __future__ import annotations
@@ -10,16 +11,33 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from kitrobot.lll import Condition, Instr, Seq
+from kitrobot.lll import Condition, Failure, Instr, Seq
 from kitrobot.primitives import Texts
 
-EVENTS = ("run-started", "run-done", "run-ended", "saved")
-"""What can happen in the studio: a run began; it ended because every program was done; it ended in any way; the
-mission was saved.
+EVENTS = (
+    "run-started",
+    "run-done",
+    "run-failed",
+    "run-ended",
+    "saved",
+    "edited",
+    "member-waits",
+    "robot-failed",
+    "robot-replaced",
+    "robot-dropped",
+    "members-shown",
+    "projection-shown",
+)
+"""What can happen in the studio.
+
+A run began; it ended because every program was done; it failed; it ended in any way; the mission was saved; it
+was edited. In a team's
+run: a member waits for others; a robot failed; another one took over for it; the team goes on without one; the list of
+the members was open while one is missed. The projection of the team's program was shown.
 """
 
 Range = tuple[int, int]
-PointKind = Literal["part", "vertex", "button", "panel", "program"]
+PointKind = Literal["part", "vertex", "button", "panel", "program", "group"]
 
 
 @dataclass(frozen=True)
@@ -39,10 +57,28 @@ class Pattern:
 
 
 @dataclass(frozen=True)
+class GroupWant:
+    """A group of the team with this rule on failure; `name` is which one, "" any."""
+
+    failure: Failure
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class SpareWant:
+    """At least so many robots of the team that play no role."""
+
+    robots: int = 1
+
+
+TeamWant = GroupWant | SpareWant
+
+
+@dataclass(frozen=True)
 class Point:
     """Something of the page that a step points at: `kind` is an attribute of `<point>`, `name` its value.
 
-    `inner` is a setting or a slot of the vertex that is pointed at; "" for the vertex itself.
+    `inner` is a setting or a slot of the vertex, or a rule on failure of the group; "" for the vertex or group itself.
     """
 
     kind: PointKind
@@ -60,6 +96,7 @@ class Step:
     points: tuple[Point, ...]
     wants: tuple[tuple[Pattern, ...], ...]
     events: tuple[str, ...]
+    team: tuple[TeamWant, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -8,14 +8,24 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from typing import get_args
+from typing import cast, get_args
 
 from kitrobot.diagnostics import Diagnostic
-from kitrobot.lll import Node, children
+from kitrobot.lll import FAILURES, Failure, Node, children
 from kitrobot.primitives import IDENTIFIER, Template, holes, read_template
 from kitrobot.text import Sentence, Series, Word, one_of
 from kitrobot.tutorial import rules
-from kitrobot.tutorial.model import EVENTS, Pattern, Point, PointKind, Range, Step, Tutorial
+from kitrobot.tutorial.model import (
+    EVENTS,
+    GroupWant,
+    Pattern,
+    Point,
+    PointKind,
+    Range,
+    SpareWant,
+    Step,
+    Tutorial,
+)
 from kitrobot.xml import (
     ICON,
     LONGEST_NAME,
@@ -41,10 +51,13 @@ MOST_PROGRAMS = 100
 DEEPEST_PATTERN = 20
 """Levels of a pattern, at most: what is looked for is small, and looking for it recurs into it."""
 
-BUTTONS = ("run", "pause", "step", "stop", "speed", "undo", "redo", "add-program", "problems", "file-menu")
-PANELS = ("palette", "canvas", "inspector", "code", "arena")
+BUTTONS = (
+    *("run", "pause", "step", "stop", "speed", "undo", "redo", "add-program", "problems", "file-menu"),
+    *("team-tab", "team-side", "parts-side", "members", "projection"),
+)
+PANELS = ("palette", "canvas", "inspector", "code", "arena", "roster", "spare", "members")
 _POINTS = get_args(PointKind)
-_INNER = ("setting", "slot")
+_INNER = {"setting": "vertex", "slot": "vertex", "failure": "group"}
 
 _START = re.compile(r"""[^\\/:*?"<>|\x00-\x1f]+\.krt""", re.IGNORECASE)
 
@@ -171,10 +184,21 @@ def _point(element: Element) -> Point | None:
         return None
     [kind] = kinds
     name = element.choice(kind) if kind in ("button", "panel") else ""
-    if len(inner) > (kind == "vertex"):
+    if [_INNER[one] for one in inner] not in ([], [kind]):
         element.report(rules.POINT, Sentence("expected no {element} here, found one", inner[-1]), inner[-1])
         return None
-    return Point(kind, name or element.required(kind), element.required(inner[0]) if inner else "")
+    name = name or element.required(kind)
+    if kind == "group":
+        return Point(kind, name, element.choice("failure") if inner else "")
+    return Point(kind, name, element.required(inner[0]) if inner else "")
+
+
+def _group(element: Element) -> GroupWant:
+    return GroupWant(cast("Failure", element.choice("failure")), element.optional("name"))
+
+
+def _spare(element: Element) -> SpareWant:
+    return SpareWant(element.integer("robots"))
 
 
 def _step(element: Element) -> Step:
@@ -194,6 +218,7 @@ def _step(element: Element) -> Step:
         tuple(element.found(Point)),
         tuple(wants),
         tuple(map(str, element.found(_Event))),
+        (*element.found(GroupWant), *element.found(SpareWant)),
     )
 
 
@@ -230,8 +255,10 @@ _POINT = Tag(
         "button": optional(one(*BUTTONS)),
         "panel": optional(one(*PANELS)),
         "program": optional(NAME),
+        "group": optional(NAME),
+        "failure": optional(one(*FAILURES)),
     },
-    about="What the step points at: one of part, vertex, button, panel, program.",
+    about="What the step points at: one of part, vertex, button, panel, program, group.",
 )
 _STEP = Tag(
     _step,
@@ -240,12 +267,25 @@ _STEP = Tag(
         **_PATTERNS,
         "hint": replace(TEXT, about="What is said when somebody asks to be shown."),
         "any": Tag(_any, children=_PATTERNS, least=1, about="Several right ways."),
+        "group": Tag(
+            _group,
+            {
+                "failure": needed(one(*FAILURES)),
+                "name": optional(NAME, about="The group that is meant; any, when left out."),
+            },
+            about="A group of the team has this rule on failure.",
+        ),
+        "spare": Tag(
+            _spare,
+            {"robots": optional(whole(1, MOST_PROGRAMS), "1", about="How many, at least.")},
+            about="Robots of the team play no role when a run begins.",
+        ),
         "event": Tag(_event, {"name": needed(one(*EVENTS))}),
         "point": _POINT,
     },
     least=1,
-    about="One thing to do: done when all patterns and one of each any hold, and an event came. A step with none of "
-    "these is read.",
+    about="One thing to do: done when all patterns, one of each any and all that is said of the team hold, and an "
+    "event came. A step with none of these is read.",
 )
 _MISSION_NAME = Kind(
     longest=LONGEST_NAME,

@@ -15,8 +15,8 @@ POINT = rule(
     "tutorial-point",
     Severity.ERROR,
     "A step points at nothing, or at several things",
-    "A `<point>` has one of `part`, `vertex`, `button`, `panel` and `program`; beside `vertex` may stand `setting` or "
-    "`slot`, to point inside it.",
+    "A `<point>` has one of `part`, `vertex`, `button`, `panel`, `program` and `group`; beside `vertex` may stand "
+    "`setting` or `slot`, beside `group` may stand `failure`, to point inside it.",
 )
 START = rule(
     "tutorial-start",

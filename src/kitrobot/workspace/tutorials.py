@@ -7,7 +7,7 @@ wrong with it, so that whoever writes it sees that. Files are read again only wh
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 
 from kitrobot.compiler import graph_to_lll
@@ -111,10 +111,15 @@ class Tutorials:
 
 
 def watched(tutorial: Tutorial, mission: Mission, catalogue: Catalogue) -> list[bool]:
-    """For each step, whether the programs of the mission are as it wants them; programs with mistakes count too."""
+    """For each step, whether the mission is as it wants it; programs with mistakes count too."""
     trees = {
         program.name: graph_to_lll(program, catalogue).program
         for program in mission.programs
-        if program.target in catalogue.robots
+        if program.level.is_team or program.target in catalogue.robots
     }
-    return steps_fit(tutorial, trees)
+    crew = mission.crew
+    if crew is not None:
+        kinds = dict(crew.agents)
+        team = [agent.name for agent in mission.team.agents if agent.program == mission.social]
+        crew = replace(crew, agents=tuple((name, kinds[name]) for name in team))
+    return steps_fit(tutorial, trees, crew)

@@ -866,10 +866,10 @@ export interface Plan {
 
 /**
  * Something of the page that a step points at: `kind` is an attribute of `<point>`, `name` its value. `inner` is a
- * setting or a slot of the vertex that is pointed at; "" for the vertex itself.
+ * setting or a slot of the vertex, or a rule on failure of the group; "" for the vertex or group itself.
  */
 export interface Point {
-  kind: "part" | "vertex" | "button" | "panel" | "program";
+  kind: "part" | "vertex" | "button" | "panel" | "program" | "group";
   name: string;
   inner: string;
 }

@@ -9,5 +9,6 @@ export const TUTORIAL_EN = {
   "tutorial.point-part": "{name} in the parts",
   "tutorial.point-program": "the tab {name}",
   "tutorial.point-speed": "the speed",
+  "tutorial.point-group": "the group {name}",
   "tutorial.point-file-menu": "the menu File",
 } as const;

@@ -62,7 +62,7 @@ def tutorial_shape(found: FoundTutorial) -> TutorialShape:
                 help=dict(step.help),
                 hint=dict(step.hint),
                 points=list(step.points),
-                asks=bool(step.wants),
+                asks=bool(step.wants or step.team),
                 events=list(step.events),
             )
             for step in (tutorial.steps if tutorial is not None else ())

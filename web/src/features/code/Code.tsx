@@ -11,14 +11,13 @@ import { TextView } from "../../components/text/TextView";
 import { moreWords, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
+import { type CodeSide, showCode, useCodeSide } from "../../session/code-side";
 import { complain } from "../../session/document";
 import { useTyping } from "../../session/typing";
 import { later } from "../../ui/later";
 import { Tool } from "../../ui/Tool";
 import { Lll } from "./Lll";
 import "./code.css";
-
-type Side = "lll" | "listing" | "projection";
 
 const Projection = later(
   () => Promise.all([import("./Projection"), moreWords()]).then(([chunk]) => chunk.default),
@@ -51,10 +50,10 @@ function CopyButton({ text }: { text: string }) {
 }
 
 export function Code() {
-  const [wanted, setSide] = useState<Side>("lll");
+  const wanted = useCodeSide((code) => code.side);
   const isTeam = useStudio((studio) => studio.mission.programs.some((one) => one.robot === TEAM_ROBOT));
   const side = isTeam || wanted !== "projection" ? wanted : "lll";
-  const sides: Side[] = isTeam ? ["lll", "listing", "projection"] : ["lll", "listing"];
+  const sides: CodeSide[] = isTeam ? ["lll", "listing", "projection"] : ["lll", "listing"];
   const program = useStudio((studio) => studio.activeProgram);
   const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
   const lll = found?.lll ?? "";
@@ -77,12 +76,12 @@ export function Code() {
               aria-selected={side === one}
               aria-controls="code-panel"
               tabIndex={side === one ? 0 : -1}
-              onClick={() => setSide(one)}
+              onClick={() => showCode(one)}
               onKeyDown={(event) => {
                 if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
                 const by = event.key === "ArrowRight" ? 1 : -1;
                 const next = sides[(sides.indexOf(one) + by + sides.length) % sides.length] ?? "lll";
-                setSide(next);
+                showCode(next);
                 document.getElementById(`code-tab-${next}`)?.focus();
               }}
             >

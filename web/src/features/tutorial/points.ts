@@ -23,6 +23,11 @@ const BUTTONS: Readonly<Record<string, { testid: string; words: Key }>> = {
   redo: { testid: "redo", words: "edit.redo" },
   "add-program": { testid: "add-program", words: "tabs.add" },
   problems: { testid: "problems", words: "problems.title" },
+  "team-tab": { testid: "tab-of-team", words: "team.tab" },
+  "team-side": { testid: "side-team", words: "roster.team" },
+  "parts-side": { testid: "side-parts", words: "roster.parts" },
+  members: { testid: "members-button", words: "members.title" },
+  projection: { testid: "code-tab-projection", words: "code.projection" },
   "file-menu": { testid: "menu-File", words: "tutorial.point-file-menu" },
 };
 
@@ -32,6 +37,9 @@ const PANELS: Readonly<Record<string, { selector: string; words: Key }>> = {
   inspector: { selector: '[data-testid="inspector"]', words: "view.inspector" },
   code: { selector: '[data-testid="code"]', words: "view.code" },
   arena: { selector: '[data-testid="arena"]', words: "view.arena" },
+  roster: { selector: '[data-testid="roster"]', words: "roster.label" },
+  spare: { selector: '[data-testid="card-spare"]', words: "roster.spare" },
+  members: { selector: '[data-testid="members"]', words: "members.title" },
 };
 
 /** What a point is about: the program in view and its parts. */
@@ -47,6 +55,11 @@ function byTestid(id: string): string {
 /** The vertices of the program in view that a point means, in their order. */
 function vertices({ name }: Point, { program }: Page): string[] {
   return program?.vertices.filter((vertex) => vertex.element === name).map((vertex) => vertex.id) ?? [];
+}
+
+/** In the place of something of the team that is not shown, the tab that shows it. */
+function ofTeam(selector: string): string {
+  return `${selector}, body:not(:has(${selector})) ${byTestid("side-team")}`;
 }
 
 /** What the ring goes around; "" where there is nothing of the kind. */
@@ -74,7 +87,14 @@ export function selectorOf(point: Point, page: Page): string {
       return button === undefined ? "" : byTestid(button.testid);
     }
     case "panel":
+      if (point.name === "spare" || point.name === "roster") return ofTeam(PANELS[point.name]?.selector ?? "");
       return PANELS[point.name]?.selector ?? "";
+    case "group":
+      return ofTeam(
+        point.inner === ""
+          ? byTestid(`card-${point.name}`)
+          : `label:has(${byTestid(`failure-${point.name}-${point.inner}`)})`,
+      );
     case "program":
       return byTestid(`tab-${point.name}`);
   }
@@ -120,6 +140,8 @@ export function wordsOf(point: Point, page: Page): string {
       return t(PANELS[point.name]?.words ?? "tutorial.title");
     case "program":
       return t("tutorial.point-program", { name: point.name });
+    case "group":
+      return t("tutorial.point-group", { name: point.name });
   }
 }
 
