@@ -64,7 +64,7 @@ def run(size: Size, *, peers: bool) -> list[Row]:
     if compiling.available():
         for robots in size.growth:
             rows.append(Row(f"Numba, {robots} robots", "steps/s", _numba(robots, size)))
-    return rows + _talking(size) + _transport(size)
+    return rows + _talking(size, peers) + _transport(size)
 
 
 def _numba(robots: int, size: Size) -> Rate:
@@ -107,7 +107,7 @@ def _beside(robots: int, size: Size, peers: bool) -> list[Row]:
 RADIO = Radio(range_mm=1000, delay_ms=20, loss=5)
 
 
-def _talking(size: Size) -> list[Row]:
+def _talking(size: Size, peers: bool) -> list[Row]:
     """Robots that share a variable over a radio of range, delay and loss, beside the same who all hear at once."""
     rows = []
     for name in ("plain", "Numba") if compiling.available() else ("plain",):
@@ -121,7 +121,8 @@ def _talking(size: Size) -> list[Row]:
         seconds = in_turns({what: partial(go, one, steps) for what, one in runs.items()}, size.rounds)
         rates = {what: Rate.of(steps, taken) for what, taken in seconds.items()}
         what = f"{name}, {size.talking} robots that share a variable over a radio"
-        rows.append(Row(what, "steps/s", rates["radio"], "without a radio", rates["at once"]))
+        beside = ("without a radio", rates["at once"]) if peers else ()
+        rows.append(Row(what, "steps/s", rates["radio"], *beside))
     return rows
 
 

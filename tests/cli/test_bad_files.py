@@ -29,6 +29,8 @@ READS = {
     "diff ours": ("diff", "bad.krt", EXAMPLE),
     "diff theirs": ("diff", EXAMPLE, "bad.krt"),
     "diff texts": ("diff", "bad.lll", "good.lll"),
+    "agent": ("agent", "bad.krt", "--as", "robot-1"),
+    "team": ("team", "bad.krt"),
     "merge base": ("merge", "bad.krt", EXAMPLE, EXAMPLE, "-o", "out.krt"),
     "merge ours": ("merge", EXAMPLE, "bad.krt", EXAMPLE, "-o", "out.krt"),
     "merge theirs": ("merge", EXAMPLE, EXAMPLE, "bad.krt", "-o", "out.krt"),

@@ -22,7 +22,7 @@ def test_a_new_program_offers_four_examples_with_pictures_drawn_from_them(open_s
     cards = studio.page.locator(".examples .card")
     expect(cards).to_have_count(4)
     expect(cards.locator("svg.picture")).to_have_count(4)
-    expect(cards.last).to_contain_text("Transport as a team")
+    expect(cards.last).to_contain_text("No box is lost")
     expect(cards.last.locator(".picture-road")).to_have_count(1)
     expect(cards.last.locator(".picture-box")).to_have_count(12)
     expect(cards.first.locator('.picture-node[data-colour="action"]')).to_have_count(2)
@@ -42,7 +42,7 @@ def test_an_example_that_gets_the_focus_comes_into_sight_and_stays_there(open_st
     studio.page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
     expect(last).to_be_in_viewport(ratio=0.9)
     last.click()
-    studio.expect_code("Cargo.IsPressed")
+    studio.expect_code("role carrying: carrier")
 
 
 def test_open_shows_every_example_and_the_keyboard_opens_one_that_runs_to_its_end(open_studio: OpenStudio) -> None:
