@@ -39,7 +39,7 @@ def test_five_tutorials_come_along_in_three_languages_without_a_problem(page):
             assert step["points"]
 
 
-@pytest.mark.parametrize("name", ["first-steps", "sensing", "together", "in-step", "when-one-fails"])
+@pytest.mark.parametrize("name", ["first-steps", "sensing", "together", "together-in-step", "when-one-fails"])
 def test_a_tutorial_begins_with_a_mission_of_which_no_step_is_done(page, name):
     tutorial = listed(page)[f"example:tutorials/{name}/{name}.tutorial.xml"]
     mission = mission_of(page, tutorial["start"])
@@ -110,8 +110,8 @@ def test_a_tutorial_that_went_away_is_said_without_telling_where_it_was(page, fo
 
 
 def test_a_team_s_program_is_held_against_a_tutorial_in_step_and_each_on_its_own(page):
-    name = "example:tutorials/in-step/in-step.tutorial.xml"
-    mission = mission_of(page, "example:tutorials/in-step/in-step.krt")
+    name = "example:tutorials/together-in-step/together-in-step.tutorial.xml"
+    mission = mission_of(page, "example:tutorials/together-in-step/together-in-step.krt")
     program = mission["programs"][0]
     assert watch(page, name, mission).json()["fits"] == [True, False, False, False, False, True]
     lamp = {"id": "lamp", "element": "Light.LightOn", "settings": {}, "notes": []}
