@@ -150,11 +150,7 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
         for row in range(low_y[i], min(rows - 1, int((y[i] + r - low) / size)) + 1):
             for column in range(low_x[i], min(columns - 1, int((x[i] + r - left) / size)) + 1):
                 starts[row * columns + column] += 1
-    total = 0
-    for c in range(columns * rows):
-        total += starts[c]
-        starts[c] = total
-    starts[columns * rows] = total
+    add_up(columns * rows, starts)
     # From the back, so that each list is ascending and each start ends where its cell begins.
     for back in range(count):
         i = who[count - 1 - back]
@@ -166,6 +162,55 @@ def fill(robots: Robots, widest: float, grid: Grid) -> None:
                 c = row * columns + column
                 starts[c] -= 1
                 items[starts[c]] = i
+
+
+def add_up(cells: int, starts: list[int]) -> None:
+    """Of how many things are in each cell, makes where the list of each ends."""
+    total = 0
+    for c in range(cells):
+        total += starts[c]
+        starts[c] = total
+    starts[cells] = total
+
+
+def fill_places(robots: Robots, reach: float, grid: Grid) -> None:
+    """Puts the middle of each robot into the cell where it is; cells are no smaller than `reach`."""
+    x = robots.floats[X]
+    y = robots.floats[Y]
+    count = len(x)
+    left = math.inf
+    low = math.inf
+    right = -math.inf
+    high = -math.inf
+    for i in range(count):
+        left = min(left, x[i])
+        right = max(right, x[i])
+        low = min(low, y[i])
+        high = max(high, y[i])
+    width = right - left
+    height = high - low
+    size = max(reach, 1.0)
+    while (math.floor(width / size) + 1.0) * (math.floor(height / size) + 1.0) > 2 * count + 4:
+        size *= 1.5
+    columns = int(width / size) + 1
+    rows = int(height / size) + 1
+    grid.frame[0] = left
+    grid.frame[1] = low
+    grid.frame[2] = size
+    grid.shape[0] = columns
+    grid.shape[1] = rows
+    starts = grid.starts
+    for c in range(columns * rows + 1):
+        starts[c] = 0
+    for i in range(count):
+        starts[int((y[i] - low) / size) * columns + int((x[i] - left) / size)] += 1
+    add_up(columns * rows, starts)
+    # From the back, so that each list is ascending and each start ends where its cell begins.
+    for back in range(count):
+        i = count - 1 - back
+        c = int((y[i] - low) / size) * columns + int((x[i] - left) / size)
+        starts[c] -= 1
+        grid.items[starts[c]] = i
 
 
 def cells_on_ray(x: float, y: float, ux: float, uy: float, reach: float, grid: Grid, rays: Rays) -> int:

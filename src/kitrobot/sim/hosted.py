@@ -16,23 +16,16 @@ from kitrobot.sim.columns import (
     A_KIND,
     ACTUATOR_INDEX,
     DT,
-    FAILS,
-    MOVED,
-    PLANNED,
     PROGRAM,
-    SEES,
     TICK,
-    WIDEST,
     WRITTEN,
     tell,
 )
-from kitrobot.sim.dispatch import AGREES, advance_all, sense_all
-from kitrobot.sim.faults import harm_by_chance, harm_on_schedule
-from kitrobot.sim.grids import fill
+from kitrobot.sim.dispatch import AGREES, advance_all
 from kitrobot.sim.physics import move_robots
-from kitrobot.sim.sensing import sample, sample_done
 from kitrobot.sim.sharing import SHARED_VALUE
 from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.stepping import befall, measure
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,17 +47,8 @@ def readings(simulation: Simulation) -> None:
     """What befalls robots at this step, then what their sensors measure; it is put into the cells of their machines."""
     state = simulation.state
     step = state.clock[TICK]
-    if state.clock[PLANNED] < len(state.faults.plan[0]):
-        harm_on_schedule(step, state)
-    if state.fixed_floats[FAILS] > 0.0:
-        harm_by_chance(step, state)
-    if state.fixed[SEES] and state.clock[MOVED]:
-        state.clock[MOVED] = 0
-        fill(state.robots, state.fixed_floats[WIDEST], state.grid)
-    sense_all(step, state)
-    sample(step, state)
-    if len(state.actuators.waited_for) > 0:
-        sample_done(step, state)
+    befall(step, state)
+    measure(step, state)
 
 
 def hosted_step(simulation: Simulation, ticked: Mapping[int, Sequence[Ticked]]) -> None:

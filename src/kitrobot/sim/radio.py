@@ -19,9 +19,10 @@ from __future__ import annotations
 import math
 
 from kitrobot.sim.chance import happens
-from kitrobot.sim.columns import ASLEEP, DOWN, ENDED, FAILED, MUTED, PERIOD, ROLLING, TICK, UNHEARD, WRITTEN, X, Y, tell
-from kitrobot.sim.sharing import APART_CLOCK, APART_VALUE, APART_WRITER
-from kitrobot.sim.state import Grid, Robots, State
+from kitrobot.sim.columns import ASLEEP, DOWN, ENDED, FAILED, MUTED, PERIOD, ROLLING, TICK, UNHEARD, X, Y, tell
+from kitrobot.sim.grids import fill_places
+from kitrobot.sim.sharing import APART_CLOCK, APART_VALUE, APART_WRITER, note
+from kitrobot.sim.state import State
 from kitrobot.sim.team_columns import T_ACTUATOR, T_MISSED
 
 DELAY, BEAT, STALE, ANY_QUORUM = range(4)
@@ -73,50 +74,6 @@ def see_places(state: State) -> None:
         fill_places(state.robots, state.radio.floats[RANGE], state.radio.grid)
 
 
-def fill_places(robots: Robots, reach: float, grid: Grid) -> None:
-    """Puts the middle of each robot into the cell where it is; cells are no smaller than `reach`."""
-    x = robots.floats[X]
-    y = robots.floats[Y]
-    count = len(x)
-    left = math.inf
-    low = math.inf
-    right = -math.inf
-    high = -math.inf
-    for i in range(count):
-        left = min(left, x[i])
-        right = max(right, x[i])
-        low = min(low, y[i])
-        high = max(high, y[i])
-    width = right - left
-    height = high - low
-    size = max(reach, 1.0)
-    while (math.floor(width / size) + 1.0) * (math.floor(height / size) + 1.0) > 2 * count + 4:
-        size *= 1.5
-    columns = int(width / size) + 1
-    rows = int(height / size) + 1
-    grid.frame[0] = left
-    grid.frame[1] = low
-    grid.frame[2] = size
-    grid.shape[0] = columns
-    grid.shape[1] = rows
-    starts = grid.starts
-    for c in range(columns * rows + 1):
-        starts[c] = 0
-    for i in range(count):
-        starts[int((y[i] - low) / size) * columns + int((x[i] - left) / size)] += 1
-    total = 0
-    for c in range(columns * rows):
-        total += starts[c]
-        starts[c] = total
-    starts[columns * rows] = total
-    # From the back, so that each list is ascending and each start ends where its cell begins.
-    for back in range(count):
-        i = count - 1 - back
-        c = int((y[i] - low) / size) * columns + int((x[i] - left) / size)
-        starts[c] -= 1
-        grid.items[starts[c]] = i
-
-
 def first_column(i: int, state: State) -> int:
     """The first column of cells in which somebody may be in reach of robot i; the last is two further at most."""
     grid = state.radio.grid
@@ -161,7 +118,7 @@ def exchange_by_radio(step: int, state: State) -> None:
         if mine_first[i] == mine_first[i + 1]:
             continue
         # Who sleeps has written nothing.
-        wrote = ints[ASLEEP][i] == 0 and step % ints[PERIOD][i] == 0 and note_writes(i, state)
+        wrote = ints[ASLEEP][i] == 0 and step % ints[PERIOD][i] == 0 and note(i, True, state)
         if (wrote or (step + i) % beat == 0) and is_on(i, state):
             send(i, step, state)
     for i in range(count):
@@ -172,23 +129,6 @@ def exchange_by_radio(step: int, state: State) -> None:
             broadcast(i, radio.robots[AIR_FIRST][i] + slot * (mine_first[i + 1] - mine_first[i]), step, state)
             radio.robots[OLDEST][i] = (slot + 1) % radio.robots[SLOTS][i]
             radio.robots[UNDERWAY][i] -= 1
-
-
-def note_writes(i: int, state: State) -> bool:
-    """Stamps what the program of robot i wrote in its tick; whether it wrote anything."""
-    shared = state.shared
-    known = shared.apart
-    cells = state.machines.cells[i]
-    wrote = False
-    for k in range(shared.mine_first[i], shared.mine_first[i + 1]):
-        value = cells[shared.mine_cell[k]]
-        if value != known[APART_VALUE][k]:
-            known[APART_VALUE][k] = value
-            known[APART_CLOCK][k] += 1
-            known[APART_WRITER][k] = i
-            wrote = True
-            tell(state.events, state.clock, WRITTEN, i, shared.mine[k], value)
-    return wrote
 
 
 def send(i: int, step: int, state: State) -> None:

@@ -48,7 +48,7 @@ def exchange(step: int, state: State) -> None:
         if first == last or asleep[i] or step % period[i]:
             continue
         if muted[i] or down[i] == FAILED:
-            note(i, cells, shared)
+            note(i, False, state)
             continue
         row = cells[i]
         for k in range(first, last):
@@ -87,16 +87,22 @@ def spread(v: int, robots: Robots, cells: IntRows, shared: Shared) -> None:
             ints[ASLEEP][j] = 0
 
 
-def note(i: int, cells: IntRows, shared: Shared) -> None:
-    """Stamps what robot i wrote while it is apart."""
+def note(i: int, tells: bool, state: State) -> bool:
+    """Stamps what robot i wrote by itself, and tells it where that is wanted; whether it wrote anything."""
+    shared = state.shared
     apart = shared.apart
-    mine_first = shared.mine_first
-    mine_cell = shared.mine_cell
-    for k in range(mine_first[i], mine_first[i + 1]):
-        if cells[i][mine_cell[k]] != apart[APART_VALUE][k]:
-            apart[APART_VALUE][k] = cells[i][mine_cell[k]]
+    cells = state.machines.cells[i]
+    wrote = False
+    for k in range(shared.mine_first[i], shared.mine_first[i + 1]):
+        value = cells[shared.mine_cell[k]]
+        if value != apart[APART_VALUE][k]:
+            apart[APART_VALUE][k] = value
             apart[APART_CLOCK][k] += 1
             apart[APART_WRITER][k] = i
+            wrote = True
+            if tells:
+                tell(state.events, state.clock, WRITTEN, i, shared.mine[k], value)
+    return wrote
 
 
 def leave(i: int, shared: Shared) -> None:
@@ -115,7 +121,7 @@ def rejoin(i: int, state: State) -> None:
     shared = state.shared
     apart = shared.apart
     mine_cell = shared.mine_cell
-    note(i, cells, shared)
+    note(i, False, state)
     for k in range(shared.mine_first[i], shared.mine_first[i + 1]):
         v = shared.mine[k]
         stamp = apart[APART_CLOCK][k]

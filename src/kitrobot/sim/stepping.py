@@ -80,23 +80,10 @@ def advance(state: State, steps: int) -> int:
         if looks:
             remember(state)
 
-        if clock[PLANNED] < clock[PLANS]:
-            harm_on_schedule(step, state)
-        if fixed_floats[FAILS] > 0.0:
-            harm_by_chance(step, state)
-        if clock[OFF_ROADS] > 0:
-            clear_roads(step, state)
-
+        befall(step, state)
         if has_team:
             look_for_silent(step, state)
-
-        if fixed[SEES] and clock[MOVED]:
-            clock[MOVED] = 0
-            fill(state.robots, fixed_floats[WIDEST], state.grid)
-        sense_all(step, state)
-        sample(step, state)
-        if len(state.actuators.waited_for) > 0:
-            sample_done(step, state)
+        measure(step, state)
         ran = react(step, state)
 
         if len(state.actuators.late) > 0:
@@ -121,6 +108,29 @@ def advance(state: State, steps: int) -> int:
         elif clock[RUNNING] > 0:
             detect_deadlock(state)
     return done
+
+
+def befall(step: int, state: State) -> None:
+    """The beginning of a step: what befalls robots, and those that are taken off their roads."""
+    clock = state.clock
+    if clock[PLANNED] < clock[PLANS]:
+        harm_on_schedule(step, state)
+    if state.fixed_floats[FAILS] > 0.0:
+        harm_by_chance(step, state)
+    if clock[OFF_ROADS] > 0:
+        clear_roads(step, state)
+
+
+def measure(step: int, state: State) -> None:
+    """What sensors read in a step, given to the machines whose tick it is."""
+    clock = state.clock
+    if state.fixed[SEES] and clock[MOVED]:
+        clock[MOVED] = 0
+        fill(state.robots, state.fixed_floats[WIDEST], state.grid)
+    sense_all(step, state)
+    sample(step, state)
+    if len(state.actuators.waited_for) > 0:
+        sample_done(step, state)
 
 
 def is_waited_for(team: list[int]) -> bool:

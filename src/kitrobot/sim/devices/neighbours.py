@@ -21,15 +21,13 @@ def sense(first: int, last: int, step: int, state: State) -> None:
     robots = sensor[S_ROBOT]
     ended = state.robots.ints[ENDED]
     period = state.robots.ints[PERIOD]
+    by_radio = has_radio(state)
+    others = -1
+    for j in range(0 if by_radio else len(ended)):
+        others += is_on(j, state)
     for k in range(first, last):
         i = robots[k]
         if ended[i] or step % period[i]:
             continue
-        found = 0
-        if has_radio(state):
-            found = neighbours(i, state)
-        elif is_on(i, state):
-            for j in range(len(ended)):
-                if j != i and is_on(j, state):
-                    found += 1
+        found = neighbours(i, state) if by_radio else others if is_on(i, state) else 0
         sensor[S_VALUE][k] = max(sensor[S_LEAST][k], min(sensor[S_MOST][k], found))
