@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import shutil
 from functools import cache
 from pathlib import Path
 
+from kitrobot.cli.agent import prepare
 from kitrobot.sim import Simulation
 from kitrobot.sim.team_columns import T_HOLDER
 from kitrobot.workspace import OpenMission, RunOptions, open_mission
@@ -126,3 +128,12 @@ def test_the_emergency_stop_ends_the_right_to_act() -> None:
     assert one.hosts[0].may_act(one.now)
     one.hosts[0].stop()
     assert not one.hosts[0].may_act(one.now)
+
+
+def test_the_network_is_the_radio_whatever_the_mission_says(tmp_path: Path) -> None:
+    for beside in CONVOY.parent.iterdir():
+        shutil.copy(beside, tmp_path)
+    text = CONVOY.read_text(encoding="utf-8").replace("</kitrobot>", '<radio range="1" loss="100"/></kitrobot>')
+    file = tmp_path / "convoy.krt"
+    file.write_text(text, encoding="utf-8")
+    assert prepare(file, RunOptions()).simulation.state.radio.numbers == []

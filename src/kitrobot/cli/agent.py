@@ -5,13 +5,16 @@ from __future__ import annotations
 import sys
 from datetime import datetime
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from kitrobot.cli.output import give, json_text, tell
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, did_you_mean, listed
+
+if TYPE_CHECKING:
+    from kitrobot.workspace import PreparedRun, RunOptions
 
 KeyFile = Annotated[
     Path | None, typer.Option("--key", metavar="FILE", help="A file with the key of the team: a long random text.")
@@ -25,6 +28,15 @@ Router = Annotated[
 ]
 Tls = Annotated[Path | None, typer.Option("--tls", metavar="FOLDER", help="TLS with its ca.pem, cert.pem and key.pem.")]
 FleetName = Annotated[str, typer.Option("--fleet", metavar="NAME", help="Keeps teams on one network apart.")]
+
+
+def prepare(file: Path, options: RunOptions) -> PreparedRun:
+    """A mission whose agents are processes: the network is their radio, whatever the mission says of one."""
+    from kitrobot.workspace import open_mission
+
+    opened = open_mission(file)
+    opened.mission.radio = None
+    return opened.prepare(options)
 
 
 def run_agent(
@@ -48,10 +60,10 @@ def run_agent(
     The exit status is 0 when the mission was done, and 1 when it was not.
     """
     from kitrobot.fleet import AgentProcess, Channel, FleetError, Network, end_of_input, find_key, identity_of
-    from kitrobot.workspace import RunOptions, open_mission
+    from kitrobot.workspace import RunOptions
 
     over = end_of_input() if with_input else None
-    simulation = open_mission(file).prepare(RunOptions()).simulation
+    simulation = prepare(file, RunOptions()).simulation
     names = [agent.name for agent in simulation.members]
     if name not in names:
         raise KitRobotError(

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.agent import FleetName, KeyFile, Listen, Router, Tls, say
+from kitrobot.cli.agent import FleetName, KeyFile, Listen, Router, Tls, prepare, say
 from kitrobot.cli.output import give, json_text, show
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, did_you_mean, listed
@@ -55,7 +55,7 @@ def run_team(
     """
     from kitrobot.fleet import LEAST_LEASE_MS, MOST_LEASE_MS, Agents, FleetError, Network, identity_of
     from kitrobot.sim import MAX_SECONDS, MAX_SEED
-    from kitrobot.workspace import RunOptions, open_mission
+    from kitrobot.workspace import RunOptions
 
     if not 0 < seconds <= MAX_SECONDS or seed > MAX_SEED:
         words = f"a run takes at most {MAX_SECONDS:.0f} seconds, and a seed is at most {MAX_SEED}"
@@ -65,7 +65,7 @@ def run_team(
     if not LEAST_LEASE_MS <= lease <= MOST_LEASE_MS:
         words = f"a lease is {LEAST_LEASE_MS} to {MOST_LEASE_MS} ms"
         raise typer.BadParameter(words, param_hint="'--lease'")
-    prepared = open_mission(file).prepare(RunOptions(seed, seconds, 0.0, trace))
+    prepared = prepare(file, RunOptions(seed, seconds, 0.0, trace))
     show(prepared.problems, prepared.sources)
     simulation = prepared.simulation
     names = [agent.name for agent in simulation.members]
