@@ -159,7 +159,7 @@ def test_the_sheet_has_everything_and_nothing_of_the_studio(open_studio: OpenStu
     studio = open_studio("transport/transport.krt")
     pdf = printed(studio)
     # The title and the team, then each program with its graph and its text.
-    assert 6 <= pages_of(pdf) <= 11
+    assert 6 <= pages_of(pdf) <= 11, studio.page.evaluate("document.body.innerText")
     sheet(studio)
     place = studio.at("print-sheet")
     expect(place.get_by_role("heading", level=1)).to_have_text("Transport as a team")

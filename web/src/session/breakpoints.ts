@@ -7,17 +7,17 @@ import { breakpointAt, removeBreakpoint, setBreakpoint } from "../model/commands
 import type { LayoutNode } from "../model/layout";
 import { isMark } from "../model/parts";
 import { useStudio } from "../model/studio";
-import { findSpot, withMark } from "../model/tree";
+import { findSpot, inChain } from "../model/tree";
 import type { Breakpoint } from "../model/types";
 import { nodeOf, currentDrawing, type Drawing } from "./drawing";
 import { canGoBack, useRun } from "./run";
 
-/** The vertex whose instruction it is, or null for what is none: start and stop, conditions, values. */
+/** The vertex whose instruction holds that one: a condition's is what waits for it. Null for start and stop. */
 export function instructionOf(drawing: Drawing, id: string): string | null {
   const spot = findSpot(drawing.structure, id);
   if (spot === undefined) return null;
-  if (isMark(spot.block.shape)) return spot.block.plugs[0]?.block?.vertex.id ?? null;
-  return withMark(spot).kind === "chain" ? id : null;
+  const { block } = inChain(spot);
+  return isMark(block.shape) ? (block.plugs[0]?.block?.vertex.id ?? null) : block.vertex.id;
 }
 
 /** The breakpoint of a drawn vertex, or undefined. */

@@ -42,7 +42,7 @@ function take(): void {
 /** From now on whatever prints the page prints the sheet. */
 export function keepSheet(): void {
   window.addEventListener("beforeprint", () => {
-    if (shown?.state !== useStudio.getState()) put();
+    if (shown?.state !== useStudio.getState() || !shown.place.isConnected) put();
   });
   window.addEventListener("afterprint", take);
 }
