@@ -2,6 +2,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 
 import { moreWords } from "../../i18n/words";
 import { emptyProgram } from "./changePrograms";
+import filled from "../testing/filled-roles.json";
 import type { Agent, Catalogue, Mission } from "../types";
 import { castAgent, playing, whyNotCast } from "./castAgents";
 import { addAgent, giveProgram, removeAgent, renameAgent } from "./changeAgents";
@@ -195,4 +196,11 @@ describe("what a team declares", () => {
     ]);
     expect(changeWork(MISSION, 0, { lease: null })).toBeNull();
   });
+});
+
+it("fills the roles of random teams as the simulator does", () => {
+  for (const { roles, agents, playing: expected } of filled) {
+    const members = agents.map(({ name, robot }) => runs(name, robot));
+    expect(Object.fromEntries(playing({ ...MISSION, roles, agents: members }))).toEqual(expected);
+  }
 });
