@@ -1283,7 +1283,7 @@ export interface SweepField {
  * the run without these failures.
  */
 export interface SweepMapMessage {
-  type?: "map";
+  type: "map";
   agents: string[];
   moments: number[];
   outcome: "done" | "failed" | "stuck" | "time";
@@ -1294,14 +1294,14 @@ export interface SweepMapMessage {
 
 /** How many fields are over, of how many. */
 export interface SweepProgressMessage {
-  type?: "progress";
+  type: "progress";
   done: number;
   total: number;
 }
 
 /** Why there is no map; `problems` are the errors of the mission, where it has some. */
 export interface SweepRefusedMessage {
-  type?: "refused";
+  type: "refused";
   message: string;
   help: string;
   problems: Problem[];

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, Field, TypeAdapter
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.mission import MissionShape
@@ -39,7 +39,11 @@ class SweepStopRequest(BaseModel):
     type: Literal["stop"]
 
 
-class SweepProgressMessage(BaseModel):
+class _Message(BaseModel):
+    model_config = ConfigDict(json_schema_serialization_defaults_required=True)
+
+
+class SweepProgressMessage(_Message):
     """How many fields are over, of how many."""
 
     type: Literal["progress"] = "progress"
@@ -57,7 +61,7 @@ class SweepFieldShape(BaseModel):
     sentence: Spoken
 
 
-class SweepMapMessage(BaseModel):
+class SweepMapMessage(_Message):
     """What came of a sweep: `moments` in simulated seconds, `fields` as far as they are over, `outcome` and `sentence`
     of the run without these failures.
     """
@@ -71,7 +75,7 @@ class SweepMapMessage(BaseModel):
     fields: list[SweepFieldShape]
 
 
-class SweepRefusedMessage(BaseModel):
+class SweepRefusedMessage(_Message):
     """Why there is no map; `problems` are the errors of the mission, where it has some."""
 
     type: Literal["refused"] = "refused"
