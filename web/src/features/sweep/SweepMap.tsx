@@ -127,6 +127,9 @@ export function SweepMap({ swept }: { swept: Swept }) {
         ))}
         {counts.done === map.total ? <li className="sweep-all">{t("sweep.all-done")}</li> : null}
       </ul>
+      <p className="sweep-note" id="sweep-how">
+        {t("sweep.how")}
+      </p>
       <div className="sweep-scroll">
         <table
           className="sweep-map"
@@ -176,13 +179,10 @@ export function SweepMap({ swept }: { swept: Swept }) {
           <bdi>{said(map.agents[at.agent] ?? "", map.moments[at.moment] ?? 0, field)}</bdi>
           {field === null ? null : (
             <>
-              {" "}
+              {" · "}
               <Said text={field.sentence} />
             </>
           )}
-        </p>
-        <p className="sweep-note" id="sweep-how">
-          {t("sweep.how")}
         </p>
       </div>
     </div>
