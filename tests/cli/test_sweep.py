@@ -10,6 +10,7 @@ import xml.etree.ElementTree as ElementTree
 import pytest
 
 from kitrobot.cli.sweep import with_moments
+from kitrobot.sim.sweep import SweepStoppedError
 from kitrobot.workspace import RunOptions, open_mission
 from kitrobot.workspace import sweep as sweeping
 from kitrobot.workspace.sweep import SweepError, SweepOptions, run_sweep
@@ -132,8 +133,9 @@ def test_a_number_behind_the_option_may_be_left_out():
 
 
 def test_ctrl_c_ends_with_what_was_found(exchange, monkeypatch):
-    def interrupted(prepared, simulation, tasks, jobs, work):
-        yield from (found for found, _ in zip(real(prepared, simulation, tasks, 1, work), range(3), strict=False))
+    def interrupted(prepared, simulation, tasks, jobs, work, stop):
+        every = real(prepared, simulation, tasks, 1, work, stop)
+        yield from (found for found, _ in zip(every, range(3), strict=False))
         raise KeyboardInterrupt
 
     real = sweeping._run
@@ -141,6 +143,16 @@ def test_ctrl_c_ends_with_what_was_found(exchange, monkeypatch):
     sweep = run_sweep(open_mission(exchange).prepare(RunOptions(1, 600.0)), SweepOptions(2, jobs=1))
     assert (len(sweep.fields), sweep.total, sweep.complete, sweep.holds) == (3, 8, False, False)
     assert sweep.to_json()["complete"] is False
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_whoever_asks_for_the_end_gets_what_was_found(exchange, jobs):
+    over = []
+    prepared = open_mission(exchange).prepare(RunOptions(1, 600.0))
+    sweep = run_sweep(prepared, SweepOptions(2, jobs=jobs), lambda done, total: over.append(done), lambda: bool(over))
+    assert 1 <= len(sweep.fields) < sweep.total == 8
+    with pytest.raises(SweepStoppedError):
+        run_sweep(prepared, SweepOptions(2, jobs=jobs), stop=lambda: True)
 
 
 PROBE = """

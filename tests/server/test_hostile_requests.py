@@ -11,6 +11,7 @@ import pytest
 
 from kitrobot.server import shapes
 from kitrobot.server.json_bodies import read_json
+from kitrobot.server.shapes.sweep import SWEEP_REQUEST_MODELS
 from tests.effort import THOROUGH
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 
@@ -138,7 +139,11 @@ ODD_FRAMES = (
     *("", "null", "[]", "{}", "{", '"start"', "1e999", "[" * 100_000, '{"type":"start"}', '{"type":["start"]}'),
     *('{"type":"\\ud800"}', '{"type":"start","mission":null}', '{"type":"nothing"}', "\0", "é" * 5000),
 )
-SOCKETS = {"/api/run": "REQUEST_MODELS", "/api/boards": "BOARD_REQUEST_MODELS"}
+SOCKETS = {
+    "/api/run": shapes.REQUEST_MODELS,
+    "/api/boards": shapes.BOARD_REQUEST_MODELS,
+    "/api/sweep": SWEEP_REQUEST_MODELS,
+}
 
 
 @pytest.mark.parametrize("stream", range(STREAMS))
@@ -149,7 +154,7 @@ def test_no_frame_makes_a_socket_fail(app, page, path: str, stream: int) -> None
     mission = page.get("/api/mission", params={"path": "blink.krt"}).json()["mission"]
     rng = random.Random(stream)
     maker = Maker(rng, shapes_of, mission)
-    models = [model.__name__ for model in getattr(shapes, SOCKETS[path])]
+    models = [model.__name__ for model in SOCKETS[path]]
     here = TestClient(app, base_url=HOST, client=("127.0.0.1", 50000))
     with here, here.websocket_connect(f"{SOCKET}{path}?token={TOKEN}") as socket:
         for _ in range(BUDGET // STREAMS // 2):

@@ -39,7 +39,9 @@ from kitrobot.server.shapes import (
     problem_shapes,
 )
 from kitrobot.server.shapes.sent import ForgottenError
+from kitrobot.server.shapes.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
 from kitrobot.server.studio import Studio
+from kitrobot.server.sweeps import sweep_routes
 from kitrobot.server.texts import text_routes
 from kitrobot.server.trace_routes import trace_routes
 from kitrobot.server.tutorials import tutorial_routes
@@ -50,6 +52,7 @@ ROUTERS = (
     handshake_routes,
     fragment_routes,
     run_routes,
+    sweep_routes,
     board_routes,
     journal_routes,
     text_routes,
@@ -126,10 +129,9 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
     """The schema of all requests, with the shapes that travel over the WebSocket, which OpenAPI knows no place for."""
     if app.openapi_schema is None:
         schema = FastAPI.openapi(app)
-        models = [(model, "validation") for model in (*REQUEST_MODELS, *BOARD_REQUEST_MODELS)]
-        models += [
-            (model, "serialization") for model in (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS, *BOARD_MESSAGE_MODELS)
-        ]
+        models = [(model, "validation") for model in (*REQUEST_MODELS, *BOARD_REQUEST_MODELS, *SWEEP_REQUEST_MODELS)]
+        messages = (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS, *BOARD_MESSAGE_MODELS, *SWEEP_MESSAGE_MODELS)
+        models += [(model, "serialization") for model in messages]
         _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
         schema["components"]["schemas"] |= extra["$defs"]
         app.openapi_schema = schema

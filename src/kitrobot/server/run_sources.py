@@ -70,6 +70,7 @@ def _replay(studio: Studio, request: ReplayRequest) -> WatchedRun:
 
 def _simulated(studio: Studio, request: StartRequest) -> WatchedRun | ProblemsMessage:
     try:
-        return LiveRun(_opened(studio, request).prepare(RunOptions(request.seed, fail_rate=request.fail_rate)))
+        options = RunOptions(request.seed, request.seconds, request.fail_rate)
+        return LiveRun(_opened(studio, request).prepare(options))
     except ProblemsError as error:
         return ProblemsMessage(problems=problem_shapes(error.diagnostics))

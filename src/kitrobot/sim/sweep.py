@@ -84,11 +84,17 @@ def moments_of(ticks: int, count: int) -> tuple[int, ...]:
     return tuple(dict.fromkeys(number * ticks // count for number in range(count)))
 
 
-def snapshots_at(simulation: Simulation, moments: Sequence[int]) -> dict[int, bytes]:
-    """The states of a run, which is at its first step, before these steps; it must not end before the last of them."""
+def snapshots_at(
+    simulation: Simulation, moments: Sequence[int], stop: Callable[[], bool] = lambda: False
+) -> dict[int, bytes]:
+    """The states of a run, which is at its first step, before these steps; it must not end before the last of them.
+
+    Raises:
+        SweepStoppedError: `stop` said so.
+    """
     found = {}
     for moment in moments:
-        _go_to(simulation, moment, lambda: False)
+        _go_to(simulation, moment, stop)
         found[moment] = simulation.snapshot()
     return found
 

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import queue
 import signal
+import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from typing import Any, Final
@@ -39,8 +41,15 @@ OUTCOMES: Final[tuple[Outcome, ...]] = ("done", "failed", "stuck", "time")
 MOST_FIELDS: Final = 1_000_000
 MOST_JOBS: Final = 256
 
+_LOOK_S: Final = 0.2
+"""How long nobody looks whether a sweep is to be broken off while no field ends, in seconds."""
+
 Progress = Callable[[int, int], None]
 """Told how many fields are over, and how many there are."""
+
+
+def _never() -> bool:
+    return False
 
 
 class SweepError(KitRobotError):
@@ -130,18 +139,24 @@ class Sweep:
         }
 
 
-def run_sweep(prepared: PreparedRun, options: SweepOptions, progress: Progress | None = None) -> Sweep:
+def run_sweep(
+    prepared: PreparedRun,
+    options: SweepOptions,
+    progress: Progress | None = None,
+    stop: Callable[[], bool] = _never,
+) -> Sweep:
     """Runs a mission once as it is and then every field, once; the run needs a time limit and is not recorded.
 
-    Ctrl-C (KeyboardInterrupt) among the fields ends the sweep: what was found until then is given.
+    Ctrl-C (KeyboardInterrupt) among the fields, or `stop`, ends the sweep: what was found until then is given.
 
     Raises:
         SweepError: a number of the options makes no sense, or a process of the pool died.
+        SweepStoppedError: `stop` said so before the first field.
     """
     _check(options)
     began = time.perf_counter()
     simulation = prepared.again()
-    baseline = prepared.run()
+    baseline = prepared.run(lambda _: _go_on(stop))
     agents = range(len(simulation.members))
     moments = moments_of(baseline.ticks, options.moments)
     total = _total(len(agents), len(moments), options.pairs)
@@ -150,23 +165,29 @@ def run_sweep(prepared: PreparedRun, options: SweepOptions, progress: Progress |
             Sentence("this sweep has {total} fields; at most {most} are run", total, MOST_FIELDS),
             Sentence("choose fewer moments"),
         )
-    snapshots = snapshots_at(simulation, moments)
+    snapshots = snapshots_at(simulation, moments, stop)
     tasks = [
         _task(agent, n, moments, snapshots, len(agents), options.pairs) for n in range(len(moments)) for agent in agents
     ]
     tasks = [task for task in tasks if task.size]
     fields: list[Field] = []
     try:
-        for found in _run(prepared, simulation, tasks, options.jobs or _cores(), total * baseline.ticks * len(agents)):
+        work = total * baseline.ticks * len(agents)
+        for found in _run(prepared, simulation, tasks, options.jobs or cores(), work, stop):
             fields += found
             if progress is not None:
                 progress(len(fields), total)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, SweepStoppedError):
         pass
     fields.sort(key=lambda field: [(fault.agent, fault.tick) for fault in field.faults])
     names = tuple(agent.name for agent in simulation.members)
     real = time.perf_counter() - began
     return Sweep(names, simulation.tick_ms, baseline, moments, tuple(fields), total, options.pairs, real)
+
+
+def _go_on(stop: Callable[[], bool]) -> None:
+    if stop():
+        raise SweepStoppedError(Sentence("the sweep was broken off"))
 
 
 def _check(options: SweepOptions) -> None:
@@ -189,38 +210,50 @@ def _task(
     return Task(Fault(agent, tick), snapshots[tick], tuple(range(agents)), tuple(moments[number:]))
 
 
-def _cores() -> int:
-    """The cores that this process may use."""
+def cores() -> int:
+    """The cores that this process may use, at most `MOST_JOBS`."""
     usable = getattr(os, "sched_getaffinity", None)
     return max(1, min(MOST_JOBS, len(usable(0)) if usable is not None else os.cpu_count() or 1))
 
 
 def _run(
-    prepared: PreparedRun, simulation: Simulation, tasks: Sequence[Task], jobs: int, work: int
+    prepared: PreparedRun,
+    simulation: Simulation,
+    tasks: Sequence[Task],
+    jobs: int,
+    work: int,
+    stop: Callable[[], bool],
 ) -> Iterator[list[Field]]:
     """The fields of each task, as they come; `work` is about how many steps of one robot all of them are."""
     jobs = min(jobs, len(tasks))
     if jobs < 2:
         for task in tasks:
-            yield list(run_task(simulation, task))
+            yield list(run_task(simulation, task, stop))
         return
     is_plain = not expect_many_runs(work)
     # Not forked: the threads of this process would be missing in its copies.
     context = multiprocessing.get_context("spawn")
-    stop = context.Event()
-    pool = ProcessPoolExecutor(jobs, context, _begin, (prepared.parts(), is_plain, stop))
-    waiting: list[Future[list[Field]]] = []
+    leave_off = context.Event()
+    pool = ProcessPoolExecutor(jobs, context, _begin, (prepared.parts(), is_plain, leave_off))
+    over: queue.SimpleQueue[Future[list[Field]]] = queue.SimpleQueue()
     try:
-        waiting += [pool.submit(_work, task) for task in tasks]
-        for one in as_completed(waiting):
-            yield one.result()
+        for task in tasks:
+            pool.submit(_work, task).add_done_callback(over.put)
+        left = len(tasks)
+        while left:
+            _go_on(stop)
+            try:
+                yield over.get(timeout=_LOOK_S).result()
+            except queue.Empty:
+                continue
+            left -= 1
     except BrokenProcessPool as error:
         raise SweepError(
             Sentence("a process of the sweep died"),
             Sentence("perhaps for want of memory: try fewer of them with --jobs"),
         ) from error
     finally:
-        stop.set()
+        leave_off.set()
         pool.shutdown(wait=True, cancel_futures=True)
 
 
@@ -229,10 +262,18 @@ _here: list[Any] = []
 
 
 def _begin(parts: tuple[Any, ...], is_plain: bool, stop: Any) -> None:
-    """In a process of the pool, once. Ctrl-C is the parent's, which says so to all."""
+    """In a process of the pool, once. Ctrl-C is the parent's, which says so to all; it ends when the parent is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
     _here[:] = [Simulation(*parts), stop]
     _here[0].stays_plain = is_plain
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _work(task: Task) -> list[Field]:

@@ -1186,7 +1186,7 @@ export interface StartPose {
 
 /**
  * Run this mission; `path` is the file it was opened from, "" for a new one. `fail_rate` is the probability that an
- * agent fails by chance within a minute.
+ * agent fails by chance within a minute, `seconds` the simulated time after which the run ends, null for never.
  */
 export interface StartRequest {
   type: "start";
@@ -1195,6 +1195,7 @@ export interface StartRequest {
   seed: number;
   speed: number;
   fail_rate?: number;
+  seconds?: number | null;
 }
 
 /**
@@ -1266,6 +1267,63 @@ export interface Storehouse {
   height_mm: number;
   capacity: number;
   stock: number;
+}
+
+/** One run: who failed, by the place in `agents`, and when, by that in `moments`; how it ended, when and why. */
+export interface SweepField {
+  agent: number;
+  moment: number;
+  outcome: "done" | "failed" | "stuck" | "time";
+  seconds: number;
+  sentence: string;
+}
+
+/**
+ * What came of a sweep: `moments` in simulated seconds, `fields` as far as they are over, `outcome` and `sentence` of
+ * the run without these failures.
+ */
+export interface SweepMapMessage {
+  type: "map";
+  agents: string[];
+  moments: number[];
+  outcome: "done" | "failed" | "stuck" | "time";
+  sentence: string;
+  total: number;
+  fields: SweepField[];
+}
+
+/** How many fields are over, of how many. */
+export interface SweepProgressMessage {
+  type: "progress";
+  done: number;
+  total: number;
+}
+
+/** Why there is no map; `problems` are the errors of the mission, where it has some. */
+export interface SweepRefusedMessage {
+  type: "refused";
+  message: string;
+  help: string;
+  problems: Problem[];
+}
+
+/**
+ * Run this mission once for each agent and moment at which that one fails. Everything else is as in a run's start: the
+ * chosen field is the run of the same mission, seed and limit with that failure on its schedule.
+ */
+export interface SweepStartRequest {
+  type: "start";
+  mission: Mission;
+  path: string;
+  seed: number;
+  fail_rate?: number;
+  moments: number;
+  seconds: number;
+}
+
+/** Break the sweep off; what was found until then is told. */
+export interface SweepStopRequest {
+  type: "stop";
 }
 
 /** Roles, groups and agents under one name, and what happens when one of them fails. */

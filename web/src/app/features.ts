@@ -18,6 +18,7 @@ import { palette } from "../features/palette";
 import { problems } from "../features/problems";
 import { robots } from "../features/robots";
 import { run } from "../features/run";
+import { sweep } from "../features/sweep";
 import { team } from "../features/team";
 import { tutorial } from "../features/tutorial";
 import { world } from "../features/world";
@@ -35,6 +36,7 @@ export const FEATURES: readonly Feature[] = [
   debug,
   team,
   run,
+  sweep,
   robots,
   world,
   gallery,

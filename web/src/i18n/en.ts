@@ -104,6 +104,7 @@ export const EN = {
   "run.faster": "Faster",
   "run.real-time": "Real time",
   "run.as-fast": "As fast as it goes",
+  "run.sweep": "Fail each robot…",
   "run.max": "max",
   "run.times": "{factor}×",
 

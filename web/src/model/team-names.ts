@@ -1,6 +1,6 @@
 /** Names in the fields of a team's programs: sets of roles, groups and agents, and names of programs. */
 import { TEAM_ROBOT } from "./team-robot";
-import type { Catalogue, Program } from "./types";
+import type { Catalogue, Program, Vertex } from "./types";
 
 /** A name as it stands in a set: between double quotes where it is not made of letters and digits joined by hyphens. */
 export function inSet(name: string): string {
@@ -50,6 +50,33 @@ function namingFields({ groups }: Catalogue, kind: "set" | "program"): Map<strin
     const fields = slots.filter((slot) => slot.names === kind).map((slot) => slot.name);
     if (fields.length > 0) found.set(name, fields);
   }
+  return found;
+}
+
+/** Of each of the team's programs: vertex → the names in its sets, and in those of a program that stands there by name. */
+export function actingIn(
+  programs: readonly Program[],
+  catalogue: Catalogue,
+): ReadonlyMap<string, ReadonlyMap<string, readonly string[]>> {
+  const [sets, calls] = [namingFields(catalogue, "set"), namingFields(catalogue, "program")];
+  const written = ({ element, settings }: Vertex, fields: ReadonlyMap<string, string[]>) =>
+    (fields.get(element) ?? []).flatMap((field) => settings[field]?.match(NAME) ?? []).map(plainName);
+  const found = new Map<string, Map<string, readonly string[]>>();
+  const read = (name: string): ReadonlyMap<string, readonly string[]> => {
+    const known = found.get(name);
+    if (known !== undefined) return known;
+    const acting = new Map<string, readonly string[]>();
+    // There before its calls are read: programs may stand in each other.
+    found.set(name, acting);
+    const program = programs.find((one) => one.name === name && one.robot === TEAM_ROBOT);
+    for (const vertex of program?.vertices ?? []) {
+      const called = written(vertex, calls).flatMap((inner) => [...read(inner).values()].flat());
+      const names = new Set([...written(vertex, sets), ...called]);
+      if (names.size > 0) acting.set(vertex.id, [...names]);
+    }
+    return acting;
+  };
+  for (const { name } of programs) read(name);
   return found;
 }
 

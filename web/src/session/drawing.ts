@@ -4,6 +4,8 @@ import { type Layout, type LayoutNode, layoutStructure } from "../model/layout";
 import { type Parts, partsOf } from "../model/parts";
 import { readStructure, type Structure } from "../model/structure";
 import { programInView, type StudioState, useStudio } from "../model/studio";
+import { actingIn } from "../model/team-names";
+import { TEAM_ROBOT } from "../model/team-robot";
 import { findSpot, type Spot } from "../model/tree";
 import type { Program } from "../model/types";
 import { foldedIn, useFolded } from "./folds";
@@ -20,7 +22,17 @@ export interface Drawing {
   folded: ReadonlySet<string>;
 }
 
-const made = new WeakMap<Program, Drawing>();
+const made = new WeakMap<Program, Drawing & { lanes: string }>();
+
+let acting: { programs: unknown; catalogue: unknown; of: ReturnType<typeof actingIn> } | null = null;
+
+/** Who acts where in a team's program; that depends on its other programs too. */
+function actingOf({ mission: { programs }, catalogue }: StudioState, program: Program) {
+  if (program.robot !== TEAM_ROBOT) return undefined;
+  if (acting?.programs !== programs || acting.catalogue !== catalogue)
+    acting = { programs, catalogue, of: actingIn(programs, catalogue) };
+  return acting.of.get(program.name);
+}
 
 /** The drawing of the program in view, or null while nothing is open. */
 export function drawingOf(state: StudioState): Drawing | null {
@@ -34,11 +46,14 @@ export function drawProgram(state: StudioState, program: Program): Drawing {
   const known = made.get(program);
   const language = languageInUse();
   const folded = foldedIn(program.name);
-  if (known?.parts === parts && known.language === language && known.folded === folded) return known;
+  const names = actingOf(state, program);
+  const lanes = names === undefined ? "" : JSON.stringify([...names]);
+  if (known?.parts === parts && known.language === language && known.folded === folded && known.lanes === lanes)
+    return known;
   const structure = readStructure(program, parts);
-  const layout = layoutStructure(structure, folded);
+  const layout = layoutStructure(structure, folded, names);
   const nodes = new Map(layout.nodes.map((node) => [node.id, node]));
-  const drawing = { program, parts, structure, layout, nodes, language, folded };
+  const drawing = { program, parts, structure, layout, nodes, language, folded, lanes };
   made.set(program, drawing);
   return drawing;
 }

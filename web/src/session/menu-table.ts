@@ -17,7 +17,7 @@ export const MENUS = [
     label: "menu.program",
     sections: [["new-program"], ["custom-blocks"], ["team", "variable"], ["program"]],
   },
-  { id: "Run", label: "menu.run", sections: [["run"]] },
+  { id: "Run", label: "menu.run", sections: [["run"], ["sweep"]] },
   { id: "Robots", label: "menu.robots", sections: [["robots-panel"], ["robots"]] },
   { id: "Help", label: "menu.help", sections: [["tutorials"], ["part", "help"]] },
 ] as const;

@@ -1,5 +1,5 @@
 /** What the page knows of a run, and what can be asked of it. */
-import type { RobotsRequest, TeamNow } from "../api/generated";
+import type { RobotsRequest, StartRequest, TeamNow } from "../api/generated";
 import type { Failure } from "../api/socket";
 import type { Ability, AgentReport, Harm, Hit, RunEvent, StartedAgent } from "../api/wire";
 import type { Breakpoint, Mission, Problem, World } from "../model/types";
@@ -52,7 +52,8 @@ export interface RunState {
   watching: boolean;
   /** While watching: whether what runs there is not the mission that is open here. */
   another: boolean;
-  start: (what: { mission: Mission; path: string }) => void;
+  /** Runs the mission; `like` is what the run has otherwise than is chosen here, its failures among that. */
+  start: (what: { mission: Mission; path: string }, like?: Partial<StartRequest>) => void;
   /** Plays a recording that was opened, of this mission. */
   replay: (what: { mission: Mission; recording: string; breakpoints: Breakpoint[] }) => void;
   /** Watches and steers real robots that this page, by its name among those with robots, holds. */

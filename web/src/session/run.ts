@@ -245,9 +245,9 @@ export const useRun = create<RunState>((set, get) => ({
   failRate: 0,
   selectedAgent: {},
 
-  start: ({ mission, path }) => {
+  start: ({ mission, path }, like) => {
     const { seed, speed, failRate } = get();
-    connect(mission, { type: "start", mission, path, seed, speed, fail_rate: failRate });
+    connect(mission, { type: "start", mission, path, seed, speed, fail_rate: failRate, ...like });
   },
   robots: ({ mission, ...robots }) => {
     const { breakpoints = [] } = useStudio.getState().mission;

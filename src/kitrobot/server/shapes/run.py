@@ -16,6 +16,7 @@ from kitrobot.server.shapes.mission import MOST_AGENTS, BreakpointShape, Mission
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.values import HitValue
 from kitrobot.server.shapes.world import WorldShape
+from kitrobot.sim import MAX_SECONDS
 from kitrobot.trace import Ability
 
 Speed = Annotated[float, Field(ge=0, le=FASTEST, allow_inf_nan=False)]
@@ -29,7 +30,7 @@ MOST_ADDRESSES = 32
 
 class StartRequest(BaseModel):
     """Run this mission; `path` is the file it was opened from, "" for a new one. `fail_rate` is the probability that
-    an agent fails by chance within a minute.
+    an agent fails by chance within a minute, `seconds` the simulated time after which the run ends, null for never.
     """
 
     type: Literal["start"]
@@ -38,6 +39,7 @@ class StartRequest(BaseModel):
     seed: Annotated[int, Field(ge=0, le=2**53)]
     speed: Speed
     fail_rate: Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)] = 0.0
+    seconds: Annotated[float, Field(gt=0, le=MAX_SECONDS, allow_inf_nan=False)] | None = None
 
 
 class ReplayRequest(BaseModel):

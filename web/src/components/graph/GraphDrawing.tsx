@@ -7,7 +7,7 @@
  */
 import { mirrored } from "../../i18n/language";
 import { t } from "../../i18n/words";
-import { headPath, type Layout, type LayoutNode, NOTE, roundedPath } from "../../model/layout";
+import { headPath, LANE, type Layout, type LayoutLane, type LayoutNode, NOTE, roundedPath } from "../../model/layout";
 import { textWidth } from "../../model/measure";
 import { type Box, boxWidth, type Chip, chipWidth, chipOf, type Face } from "../../model/vertex-content";
 import { Icon } from "../../theme";
@@ -285,6 +285,24 @@ function NodeDrawing({ node }: { node: LayoutNode }) {
   return <VertexDrawing node={node} />;
 }
 
+/** The head of a lane with who acts in it, and the line on its left, but for that of the first one. */
+function LaneDrawing({ lane: { x, y, w, h, names, first } }: { lane: LayoutLane }) {
+  let words = names.join(", ");
+  while (words.length > 1 && textWidth(words, 14, true) > w - 24) words = `${words.slice(0, -2)}…`;
+  const width = textWidth(words, 14, true);
+  return (
+    <>
+      <rect x={x} y={y} width={w} height={LANE} fill={token("team-tint")} />
+      {first ? null : (
+        <path d={`M${String(x)} ${String(y)}v${String(h)}`} stroke={token("team-field")} strokeDasharray="2 5" />
+      )}
+      <Text x={x + (w - width) / 2} y={y + LANE / 2} size={14} bold colour="team-word">
+        {words}
+      </Text>
+    </>
+  );
+}
+
 /** `inside` is the text that the drawing carries: the whole mission. */
 export function GraphDrawing({ layout, title, inside }: { layout: Layout; title: string; inside: string }) {
   const [x, y] = [Math.floor(layout.bounds.x) - MARGIN, Math.floor(layout.bounds.y) - MARGIN];
@@ -314,6 +332,9 @@ export function GraphDrawing({ layout, title, inside }: { layout: Layout; title:
           fill={frame.kind === "parked" ? "none" : token(`frame-${frame.colour}`) || token("panel")}
           stroke={frame.kind === "legend" || frame.kind === "parked" ? token("line2") : "none"}
         />
+      ))}
+      {layout.lanes.map((lane) => (
+        <LaneDrawing key={lane.id} lane={lane} />
       ))}
       {layout.nodes.map((node) => (
         <g key={node.id}>

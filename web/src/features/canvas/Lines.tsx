@@ -4,12 +4,16 @@ import { type CSSProperties, memo, useMemo } from "react";
 
 import { t } from "../../i18n/words";
 import { headPath, type LayoutArc, type LayoutFrame, type Point, roundedPath } from "../../model/layout";
+import { complain } from "../../session/document";
 import { justDragged, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing } from "../../session/drawing";
 import { spokenArc } from "../../session/spoken";
 import { useView } from "../../session/view";
+import { later } from "../../ui/later";
 import { Leaps } from "./BreakEdges";
 import { FoldControls } from "./Folding";
+
+const Lanes = later(() => import("./Lanes").then((chunk) => chunk.Lanes), complain);
 
 /** What is shown is chosen by tiles, so that panning renders only now and then; from far away they are larger. */
 const TILE = 512;
@@ -66,6 +70,7 @@ export function Lines({ drawing: { layout }, plain }: { drawing: Drawing; plain:
             <Frame key={`${frame.kind} ${frame.id}`} frame={frame} />
           ))}
         </svg>
+        {layout.lanes.length > 0 ? <Lanes lanes={layout.lanes} /> : null}
         <svg className="arcs" width="1" height="1">
           <Leaps leaps={leaps} />
           {arcs.map((arc) => {

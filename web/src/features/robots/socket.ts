@@ -2,22 +2,14 @@
  * The socket to the server's robots. It is opened when somebody first wants a robot and stays as long as one is held or the panel
  * is open; when it closes, the server lets the robots go, and those that are held stop.
  */
-import { token } from "../../api/token";
-import { languageInUse, t } from "../../i18n/words";
+import { socketAddress } from "../../api/address";
+import { t } from "../../i18n/words";
 import { applyMessage, NOBODY, useBoards } from "./boards";
 import { useRobotsPanel } from "./state";
 import type { BoardsMessage, BoardsRequest } from "./wire";
 
 let socket: WebSocket | null = null;
 let waiting: BoardsRequest[] = [];
-
-function address(): URL {
-  const found = new URL("api/boards", window.location.href);
-  found.protocol = found.protocol === "https:" ? "wss:" : "ws:";
-  found.search = `?language=${languageInUse()}&token=${encodeURIComponent(token())}`;
-  found.hash = "";
-  return found;
-}
 
 /** Why the connection ended: refused before it began, or broken. */
 function lost(): void {
@@ -33,7 +25,7 @@ function lost(): void {
 /** Opens the socket, if it is not. */
 export function connect(): void {
   if (socket !== null) return;
-  const opened = new WebSocket(address());
+  const opened = new WebSocket(socketAddress("api/boards"));
   socket = opened;
   useBoards.setState({ barred: null });
   useRobotsPanel.setState({ stopAll: () => send({ type: "stop", address: "" }) });

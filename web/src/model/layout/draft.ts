@@ -2,7 +2,17 @@
 import type { Colour, Vertex } from "../types";
 import { Leaps } from "./break-edges";
 import { HALF_ROW, type Measured } from "./sizes";
-import type { ArcColour, ArcLabel, Layout, LayoutArc, LayoutFrame, LayoutNode, NodeKind, Point } from "./types";
+import type {
+  ArcColour,
+  ArcLabel,
+  Layout,
+  LayoutArc,
+  LayoutFrame,
+  LayoutLane,
+  LayoutNode,
+  NodeKind,
+  Point,
+} from "./types";
 
 /** An arc that is not at its end yet. */
 export interface Piece {
@@ -26,13 +36,15 @@ export function startPiece(source: string, out: string, colour: ArcColour, from:
 export class Draft {
   readonly nodes: LayoutNode[] = [];
   readonly frames: LayoutFrame[] = [];
+  readonly lanes: LayoutLane[] = [];
   readonly arcs: LayoutArc[] = [];
   readonly leaps = new Leaps();
   /** Whether what comes now hangs on nothing. */
   parked = false;
 
   finished(): Layout {
-    return { nodes: this.nodes, frames: this.frames, arcs: this.arcs, leaps: this.leaps.done, bounds: this.bounds() };
+    const { nodes, frames, lanes, arcs } = this;
+    return { nodes, frames, lanes, arcs, leaps: this.leaps.done, bounds: this.bounds() };
   }
 
   /** Writes arcs that follow each other; the last of them may end in a head. */

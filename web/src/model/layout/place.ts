@@ -14,10 +14,11 @@ import { t } from "../../i18n/words";
 import { noteText } from "../notes";
 import type { Block, Body, Structure } from "../structure";
 import { text } from "../texts";
+import { verticesOf } from "../tree";
 import type { Colour, Vertex } from "../types";
 import { LEAP_ROW, leapsOut } from "./break-edges";
 import { Draft, NO_FACE, type Piece, startPiece } from "./draft";
-import { ceilTo, GAP, HALF_BAR, HALF_ROW, type Measured, NOTE, PITCH, Sizes, TO_BAR } from "./sizes";
+import { ceilTo, GAP, HALF_BAR, HALF_ROW, LANE, type Measured, NOTE, PITCH, Sizes, TO_BAR } from "./sizes";
 import type { ArcLabel, Layout, Point } from "./types";
 
 interface Tail {
@@ -39,12 +40,18 @@ const EXIT_BELOW = 16;
 const PLACE = { w: 320, h: 56, middle: 104, stop: 200 };
 const PARKED_GAP = 64;
 
+/** Vertex → the roles, groups and agents that act there. */
+export type Acting = ReadonlyMap<string, readonly string[]>;
+
 export class Placer {
   private readonly draft = new Draft();
   private readonly sizes: Sizes;
 
-  constructor(folded: ReadonlySet<string>) {
+  private readonly acting: Acting;
+
+  constructor(folded: ReadonlySet<string>, acting: Acting) {
     this.sizes = new Sizes(folded);
+    this.acting = acting;
   }
 
   layout(structure: Structure): Layout {
@@ -233,17 +240,35 @@ export class Placer {
     this.draft.bar(measured, "bar", x, bar);
     const { leaps } = this.draft;
     const marks: number[] = [];
+    const lanes = shown.bodies.map(({ chain }) => this.namesIn(chain));
+    const top = bar + (lanes.some((names) => names.length > 0) ? LANE : 0);
     const inner = shown.bodies.map((body, index) => {
       const at = x + (columns[index] ?? 0);
       marks.push(leaps.mark());
-      return this.placeBody(measured, body, at, bar + TO_BAR, { x: at, y: bar + HALF_BAR }, 52);
+      return this.placeBody(measured, body, at, top + TO_BAR, { x: at, y: top + HALF_BAR }, 52);
     });
-    const deepest = inner.reduce((most, placed) => Math.max(most, placed.bottom), bar + 40);
+    const deepest = inner.reduce((most, placed) => Math.max(most, placed.bottom), top + 40);
     const end = ceilTo(8, deepest + 24);
     frame.h = end - bar;
     inner.forEach(({ tail }, index) => {
       this.close(tail, x + (columns[index] ?? 0), end - HALF_BAR, [], colour);
     });
+    let left = x - half;
+    if (top > bar)
+      lanes.forEach((names, index) => {
+        const right = index === lanes.length - 1 ? x + half : this.gap(measured, index, x);
+        const id = `${shown.vertex.id}.${shown.bodies[index]?.out ?? ""}`;
+        this.draft.lanes.push({
+          id,
+          first: index === 0,
+          names,
+          x: left,
+          y: bar + HALF_BAR,
+          w: right - left,
+          h: end - bar - 2 * HALF_BAR,
+        });
+        left = right;
+      });
     for (let index = marks.length - 1; index >= 0; index--) {
       leaps.endBelow(marks[index] ?? 0, Math.min(this.gap(measured, index, x), x + half - 8), end - HALF_BAR);
     }
@@ -289,6 +314,12 @@ export class Placer {
     const leaving = startPiece(arcId(measured), "next", "flow", { x, y: meet });
     const next = ceilTo(8, bottom + PITCH - HALF_ROW);
     return { tail: { pieces: [leaving], lane: false }, bottom, laneY: bottom, next };
+  }
+
+  /** Who acts in a chain, each once. */
+  private namesIn(chain: Block[]): string[] {
+    if (this.acting.size === 0) return [];
+    return [...new Set(chain.flatMap(verticesOf).flatMap(({ id }) => this.acting.get(id) ?? []))];
   }
 
   /** The middle of the gap on the right of a column. */

@@ -23,6 +23,8 @@ export const TO_BAR = 48;
 export const HALF_BAR = 4;
 /** The height of a note above a vertex. */
 export const NOTE = 24;
+/** The height of the head of a lane. */
+export const LANE = 36;
 export const GAP = 24;
 export const LOOP_SIDE = 24;
 export const LEGEND_SIDE = 16;

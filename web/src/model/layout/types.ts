@@ -52,6 +52,20 @@ export interface LayoutFrame {
   h: number;
 }
 
+/** A branch of a parallel in a team's program: who acts in it, under the first bar, `LANE` high. */
+export interface LayoutLane {
+  /** The parallel's vertex and the branch: "SOURCE.OUT". */
+  id: string;
+  /** Whether it has nothing on its left: the first of its parallel. */
+  first: boolean;
+  /** The roles, groups and agents that what stands in it speaks of; none where it speaks of nobody. */
+  names: readonly string[];
+  x: number;
+  y: number;
+  w: number;
+  h: number;
+}
+
 export interface ArcLabel {
   text: string;
   x: number;
@@ -89,6 +103,7 @@ export interface LayoutLeap {
 export interface Layout {
   nodes: LayoutNode[];
   frames: LayoutFrame[];
+  lanes: LayoutLane[];
   arcs: LayoutArc[];
   leaps: LayoutLeap[];
   bounds: { x: number; y: number; w: number; h: number };

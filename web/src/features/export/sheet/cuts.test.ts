@@ -40,7 +40,7 @@ function layoutOf(columns: number, rows: number): Layout {
     return { id: String(index), note: "", ...place } as LayoutNode;
   });
   const bounds = { x: 0, y: 0, w: columns * 260 - 60, h: rows * 80 - 36 };
-  return { nodes, arcs: [], frames: [], leaps: [], bounds };
+  return { nodes, arcs: [], frames: [], lanes: [], leaps: [], bounds };
 }
 
 describe("a graph on paper", () => {

@@ -123,6 +123,7 @@ function within(layout: Layout, seen: Area, margin: number): Layout {
     bounds,
     nodes: layout.nodes.filter((node) => meets({ ...node, y: node.y - STRIP, h: node.h + STRIP })),
     frames: layout.frames.filter(meets),
+    lanes: layout.lanes.filter(meets),
     arcs: layout.arcs.filter(along),
     leaps: layout.leaps.filter(along),
   };

@@ -1,0 +1,190 @@
+/** The map itself: a grid of fields that keys walk in and that plays whichever is chosen, with its legend above. */
+import { type FocusEvent, type KeyboardEvent, memo, type MouseEvent, useMemo, useRef, useState } from "react";
+
+import type { SweepField } from "../../api/generated";
+import { mirrored } from "../../i18n/language";
+import { axisTime, clock, grouped } from "../../i18n/numbers";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { useRun } from "../../session/run";
+import { Icon } from "../../theme";
+import { countsOf, ENDINGS, type Place, rowsOf, SIGNS, walk } from "./map";
+import { isHeldByRobots, play, type Swept, useSweep } from "./sweeping";
+
+/** Of so many columns one has its time above it. */
+const EACH = 4;
+
+function said(agent: string, at_s: number, field: SweepField | null): string {
+  const time = clock(at_s);
+  if (field === null) return t("sweep.cell", { agent, time, outcome: t("sweep.none") });
+  return t("sweep.cell-end", { agent, time, outcome: t(`sweep.${field.outcome}`), end: clock(field.seconds) });
+}
+
+interface RowProps {
+  agent: string;
+  at: number;
+  moments: readonly number[];
+  fields: readonly (SweepField | null)[];
+  /** The moments of the fields here that the keys are at and that was played; -1 where they are in another row. */
+  current: number;
+  played: number;
+}
+
+const Row = memo(function Row({ agent, at, moments, fields, current, played }: RowProps) {
+  return (
+    <tr>
+      <th scope="row">
+        <bdi>{agent}</bdi>
+      </th>
+      {fields.map((field, moment) => {
+        const label = said(agent, moments[moment] ?? 0, field);
+        const ending = field?.outcome ?? "none";
+        return (
+          <td
+            key={moment}
+            className="sweep-field"
+            data-ending={ending}
+            data-field={`${String(at)} ${String(moment)}`}
+            data-testid={`field-${String(at)}-${String(moment)}`}
+            data-played={moment === played}
+            tabIndex={moment === current ? 0 : -1}
+            title={label}
+            aria-label={label}
+            aria-selected={moment === played}
+          >
+            {SIGNS[ending]}
+          </td>
+        );
+      })}
+    </tr>
+  );
+});
+
+function placeOf(target: EventTarget): Place | null {
+  const field = target instanceof Element ? target.closest<HTMLElement>("[data-field]")?.dataset["field"] : undefined;
+  if (field === undefined) return null;
+  const [agent = 0, moment = 0] = field.split(" ").map(Number);
+  return { agent, moment };
+}
+
+export function SweepMap({ swept }: { swept: Swept }) {
+  const { map, asked } = swept;
+  const rows = useMemo(() => rowsOf(map), [map]);
+  const counts = useMemo(() => countsOf(map), [map]);
+  const [at, setAt] = useState<Place>({ agent: 0, moment: 0 });
+  const played = useSweep((sweep) => sweep.played);
+  const held = useRun(isHeldByRobots);
+  const changed = useStudio(({ mission }) => mission !== asked.mission);
+  const table = useRef<HTMLTableElement>(null);
+  const field = rows[at.agent]?.[at.moment] ?? null;
+
+  const pressed = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.key === "Enter" || event.key === " ") {
+      event.preventDefault();
+      event.stopPropagation();
+      play(at);
+      return;
+    }
+    const size = { agent: map.agents.length, moment: map.moments.length };
+    const to = walk(event.key, at, size, mirrored() ? "ArrowLeft" : "ArrowRight");
+    if (to === null) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const next = table.current?.querySelector<HTMLElement>(`[data-field="${String(to.agent)} ${String(to.moment)}"]`);
+    next?.focus();
+  };
+  const focused = (event: FocusEvent) => {
+    const place = placeOf(event.target);
+    if (place !== null) setAt(place);
+  };
+  const clicked = (event: MouseEvent) => {
+    const place = placeOf(event.target);
+    if (place !== null) play(place);
+  };
+
+  return (
+    <div className="sweep-found">
+      <p className="sweep-note">
+        {t("sweep.baseline")} <Said text={map.sentence} />
+      </p>
+      {changed ? <p className="sweep-note sweep-warning">{t("sweep.changed")}</p> : null}
+      {held ? <p className="sweep-note sweep-warning">{t("sweep.real")}</p> : null}
+      {counts.none > 0 ? (
+        <p className="sweep-note sweep-warning">
+          {t("sweep.cut", { done: grouped(map.fields.length), total: grouped(map.total) })}
+        </p>
+      ) : null}
+      <ul className="sweep-legend" data-testid="sweep-legend">
+        {ENDINGS.filter((ending) => ending === "done" || counts[ending] > 0).map((ending) => (
+          <li key={ending} data-testid={`sweep-count-${ending}`}>
+            <span className="sweep-field" data-ending={ending} aria-hidden="true">
+              {SIGNS[ending]}
+            </span>
+            {t(`sweep.${ending}`)} <strong>{grouped(counts[ending])}</strong>
+          </li>
+        ))}
+        {counts.done === map.total ? <li className="sweep-all">{t("sweep.all-done")}</li> : null}
+      </ul>
+      <p className="sweep-note" id="sweep-how">
+        {t("sweep.how")}
+      </p>
+      <div className="sweep-scroll">
+        <table
+          className="sweep-map"
+          role="grid"
+          aria-label={t("sweep.map")}
+          aria-describedby="sweep-how"
+          data-testid="sweep-map"
+          ref={table}
+          onKeyDown={pressed}
+          onFocus={focused}
+          onClick={clicked}
+        >
+          <thead>
+            <tr>
+              <th scope="col">
+                <span className="only-spoken">{t("sweep.robot")}</span>
+              </th>
+              {map.moments.map((moment, index) => (
+                <th key={moment} scope="col">
+                  <span className={index % EACH === 0 ? "sweep-moment" : "only-spoken"}>{axisTime(moment)}</span>
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((fields, agent) => (
+              <Row
+                key={agent}
+                agent={map.agents[agent] ?? ""}
+                at={agent}
+                moments={map.moments}
+                fields={fields}
+                current={at.agent === agent ? at.moment : -1}
+                played={played?.agent === agent ? played.moment : -1}
+              />
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <div className="sweep-chosen" data-testid="sweep-chosen">
+        <button type="button" className="button" data-testid="sweep-play" disabled={held} onClick={() => play(at)}>
+          <Icon name="play" size={16} />
+          {t("sweep.play")}
+        </button>
+        <p>
+          {played?.agent === at.agent && played.moment === at.moment ? <strong>{t("sweep.plays")} </strong> : null}
+          <bdi>{said(map.agents[at.agent] ?? "", map.moments[at.moment] ?? 0, field)}</bdi>
+          {field === null ? null : (
+            <>
+              {" · "}
+              <Said text={field.sentence} />
+            </>
+          )}
+        </p>
+      </div>
+    </div>
+  );
+}
