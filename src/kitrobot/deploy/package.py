@@ -14,7 +14,7 @@ import ast
 import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from kitrobot.deploy.carried import (
@@ -39,6 +39,8 @@ from kitrobot.text import COMMA, Sentence, Series
 
 MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
+TEAM_DRIVER = "team"
+"""The driver of what a robot has of its team; the code of a member comes with it."""
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
 """Kinds of boards, with the folders of shipped drivers that they look into; each has its module in `ports`."""
 
@@ -62,6 +64,7 @@ class Built:
         drivers: names of files by names of drivers.
         wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
         frozen: what the board runs from its flash.
+        member: the name of the file with the code of a member of a team; "" where no program of a team is meant.
     """
 
     family: str
@@ -74,6 +77,7 @@ class Built:
     wants_range: Mapping[str, bool]
     main: bytes
     frozen: Frozen | None = None
+    member: str = ""
 
 
 @dataclass(frozen=True)
@@ -124,7 +128,12 @@ class Package:
                 raise missing_driver(driver, self, family)
             modules[driver] = making.add(path, asked) + ".py"
             wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", making.files[modules[driver]]) is not None
-        return _built(family, making, modules, wants_range)
+        built = _built(family, making, modules, wants_range)
+        if TEAM_DRIVER not in drivers:
+            return built
+        member = part(ONBOARD / "member.py")
+        name = name_of(member) + ".py"
+        return replace(built, files={name: member, **built.files}, member=name)
 
 
 def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool]) -> Built:

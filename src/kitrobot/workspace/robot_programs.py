@@ -55,7 +55,7 @@ def load_board_program(path: Path, *, robot: str | None = None, program: str | N
     source = Source(str(path), read_text(path))
     compiled = compile_text(source.text, meant, source.name)
     found = (*compiled.diagnostics, *warn_of_sharing(path.stem, meant, compiled))
-    return _ready(path.stem, meant, compiled, found, (source,), path.parent)
+    return ready_program(path.stem, meant, compiled, found, (source,), path.parent)
 
 
 def board_program(opened: OpenMission, program: str | None = None, folder: Path | None = None) -> BoardProgram:
@@ -71,25 +71,33 @@ def board_program(opened: OpenMission, program: str | None = None, folder: Path 
     shared = warn_of_sharing(meant.name, robot, compiled)
     found = tuple(opened.placed([*opened.diagnostics, *compiled.diagnostics, *shared]))
     beside = folder or (opened.path.parent if opened.path is not None else None)
-    ready = _ready(meant.name, robot, compiled, found, opened.sources, beside)
+    ready = ready_program(meant.name, robot, compiled, found, opened.sources, beside)
     if opened.world is None:
         return ready  # a recording would embed the world
     return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
 
 
-def _ready(
+def ready_program(
     name: str,
     robot: Robot,
-    compiled: Compiled,
+    compiled: Compiled | None,
     found: tuple[Diagnostic, ...],
     sources: tuple[Source, ...],
     folder: Path | None,
+    *,
+    member: bool = False,
 ) -> BoardProgram:
-    if compiled.image is None or any(item.is_error for item in found):
+    """A program that was compiled, made ready to be sent; `member`: as that of a member of a team.
+
+    Raises:
+        ProblemsError: it has errors.
+        KitRobotError: a driver is missing, or the program fits no board.
+    """
+    if compiled is None or compiled.image is None or any(item.is_error for item in found):
         raise ProblemsError(
             Sentence("the program `{program}` has errors", name), Sentence("mend them, then send it"), found, sources
         )
-    return program_of(name, robot, compiled, found, sources, folder)
+    return program_of(name, robot, compiled, found, sources, folder, member=member)
 
 
 def send_program(
