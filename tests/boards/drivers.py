@@ -85,6 +85,7 @@ ACTUATORS = (
     "door",
     "lamp",
     "turn",
+    "indicator",
     "arm",
 )
 SENSORS = ("zero", "key", "accelerometer", "pin-in", "random", "ultrasonic", "line", "range", "ground")

@@ -8,7 +8,7 @@ measure is in them too.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from kitrobot.image import Machine
@@ -29,8 +29,8 @@ class Order:
 
     what: Literal["tick", "still", "stop"]
     anew: bool = False
-    inputs: Mapping[int, int] | None = None
-    variables: Mapping[int, int] | None = None
+    inputs: Mapping[int, int] = field(default_factory=dict)
+    variables: Mapping[int, int] = field(default_factory=dict)
 
 
 class BoardBody:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from queue import SimpleQueue
 from threading import Thread
@@ -28,12 +28,40 @@ class Done:
     error: KitRobotError | None = None
 
 
+class Obeying:
+    """A board that does what it is told; only inputs that are others than before are sent."""
+
+    def __init__(self, board: Board) -> None:
+        self._board = board
+        self._held: dict[int, int] = {}
+
+    def do(self, order: Order) -> tuple[tuple[int, int], ...]:
+        """Has an order done; what a tick has changed.
+
+        Raises:
+            DeployError: the board does not answer, or cannot do it.
+        """
+        board = self._board
+        if order.what == "stop":
+            board.stop()
+        elif order.what == "still":
+            board.stand_still()
+        else:
+            if order.anew:
+                board.begin_member()
+            for cell, value in order.variables.items():
+                board.set(cell, value)
+            new = {cell: value for cell, value in order.inputs.items() if self._held.get(cell) != value}
+            self._held |= new
+            return tuple(board.member_tick(new))
+        return ()
+
+
 class BoardLine:
     """A board that has the program of its agent.
 
     Args:
         board: a line to it, on which it was greeted.
-        lease_ms: how long the team bears silence; a board that says nothing for longer is gone.
 
     Attributes:
         wake: called in another thread when something came of an order.
@@ -43,7 +71,7 @@ class BoardLine:
         self.wake: Callable[[], None] = lambda: None
         self._board = board
         board.silent_s = LEAST_SILENT_S
-        self._held: dict[int, int] = {}
+        self._obeying = Obeying(board)
         self._orders: SimpleQueue[Order | None] = SimpleQueue()
         self._done: SimpleQueue[Done] = SimpleQueue()
         self._thread = Thread(target=self._work, name="board", daemon=True)
@@ -70,28 +98,12 @@ class BoardLine:
     def _work(self) -> None:
         while (order := self._orders.get()) is not None:
             try:
-                self._done.put(Done(order, self._do(order)))
+                self._done.put(Done(order, self._obeying.do(order)))
             except KitRobotError as error:
                 self._done.put(Done(order, (), self._why(error)))
                 self.wake()
                 return
             self.wake()
-
-    def _do(self, order: Order) -> tuple[tuple[int, int], ...]:
-        board = self._board
-        if order.what == "stop":
-            board.stop()
-        elif order.what == "still":
-            board.stand_still()
-        else:
-            if order.anew:
-                board.begin_member()
-            for cell, value in (order.variables or {}).items():
-                board.set(cell, value)
-            new = {cell: value for cell, value in (order.inputs or {}).items() if self._held.get(cell) != value}
-            self._held |= new
-            return tuple(board.member_tick(new))
-        return ()
 
     def _why(self, error: KitRobotError) -> KitRobotError:
         """Why an order could not be done: what the board says of it, where it says anything."""
