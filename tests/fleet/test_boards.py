@@ -112,4 +112,3 @@ def test_what_a_board_cannot_have_said_is_refused(tmp_path: Path) -> None:
         assert body is not None
         for changes in ([(60_000, 1)], [(5, 1), (300, 1)]):
             assert not body.ticked(one.now, changes)
-

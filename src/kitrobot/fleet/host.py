@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 
-
 from kitrobot.fleet import notes
 from kitrobot.fleet.board_body import BoardBody
 from kitrobot.fleet.bodies import MOST_SLOTS, WINDOW, Frame, Reply, Whole

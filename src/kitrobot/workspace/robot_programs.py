@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kitrobot import robots
 from kitrobot.compiler import Compiled, compile_program, compile_text, robot_of
-from kitrobot.diagnostics import Diagnostic, ProblemsError, Source
+from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError, Source
 from kitrobot.files import Form, form_of, is_picture, read_text
 from kitrobot.primitives import Robot
 from kitrobot.robots import (
@@ -27,6 +27,11 @@ from kitrobot.workspace.kept_programs import keep_program, kept_names
 from kitrobot.workspace.opening import OpenMission, open_mission
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.traces import parts_of
+
+
+class NoHostError(KitRobotError):
+    """The program of a team is to be sent to a robot that would have no host to speak for it there."""
+
 
 _FORMS = (Form.TEXT, Form.MISSION)
 
@@ -66,6 +71,14 @@ def board_program(opened: OpenMission, program: str | None = None, folder: Path 
         KitRobotError: the program is not there, its robot is none that is real, a driver is missing.
     """
     meant = opened.program(program)
+    if meant.level.is_team:
+        raise NoHostError(
+            Sentence("`{program}` is the program of a team, and a robot by itself has none", meant.name),
+            Sentence(
+                "send it with {command}, and run it with `kitrobot team`",
+                "`kitrobot deploy … --team --board AGENT=PORT`",
+            ),
+        )
     compiled = opened.compiled.get(meant.name) or compile_program(meant, opened.catalogue)
     robot = robot_of(meant, opened.catalogue)
     shared = warn_of_sharing(meant.name, robot, compiled)

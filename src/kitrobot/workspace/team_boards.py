@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from kitrobot import robots
 from kitrobot.compiler import Compiled, robot_of
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.primitives import Robot, with_team
-from kitrobot.robots import BoardProgram, carried_by
+from kitrobot.robots import BoardProgram, Progress, Sent, carried_by
 from kitrobot.text import Sentence, did_you_mean, listed
+from kitrobot.workspace.kept_programs import keep_program
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.robot_programs import ready_program
 from kitrobot.workspace.traces import parts_of
@@ -45,6 +47,34 @@ def agent_program(opened: OpenMission, name: str) -> BoardProgram:
     if opened.world is None or compiled is None:
         return ready
     return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
+
+
+def send_team(
+    opened: OpenMission,
+    boards: Mapping[str, str],
+    progress: Progress = lambda address, stage, done, total: None,
+    *,
+    replace: bool = False,
+    fresh: bool = False,
+) -> list[Sent]:
+    """Puts the programs of agents onto their boards, which then wait for `kitrobot team`; none of them is started.
+
+    Args:
+        opened: the mission.
+        boards: the ports, by agents.
+        progress: is told how far it is.
+        replace: as of `deploy.deploy`.
+        fresh: as of `deploy.deploy`.
+
+    Raises:
+        KitRobotError: what can be said before anything is sent.
+    """
+    programs = {port: agent_program(opened, name) for name, port in boards.items()}
+    sent = robots.send_programs(programs, progress, replace=replace, fresh=fresh)
+    for one in sent:
+        if one.deployed is not None:
+            keep_program(programs[one.address], [one.deployed.program])
+    return sent
 
 
 def no_agent(name: str, names: list[str]) -> BoardsError:

@@ -1,4 +1,4 @@
-# What a robot has of its team: its host says what comes of it (docs/reference/link.md, `m`). Without a host nothing does.
+# What a robot has of its team: its host says what comes of it (docs/reference/link.md, `m`). Without one nothing does.
 
 SETTINGS = {}
 PROCEDURES = "Join Enter Meet Ask Move Take Done"
