@@ -16,6 +16,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from threading import Lock
 
 from kitrobot.deploy.carried import (
     IN_FLASH,
@@ -39,6 +40,9 @@ from kitrobot.text import COMMA, Sentence, Series
 
 MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
+_BUILDING = Lock()
+"""Trees of Python are shared, and written to while they are made short."""
+
 TEAM_DRIVER = "team"
 """The driver of what a robot has of its team; the code of a member comes with it."""
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
@@ -114,11 +118,16 @@ class Package:
         return declared(parsed(read_source(path), str(path)), str(path)) if path is not None else Declared()
 
     def built(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
-        """The package for a kind of board, with these drivers, each with what is asked of it; None: everything.
+        """The package for a kind of board, with these drivers, each with what is asked of it; None: everything. From
+        any thread.
 
         Raises:
             PackageError: a driver is missing, or is no Python.
         """
+        with _BUILDING:
+            return self._build(family, drivers)
+
+    def _build(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
         making = _Making()
         modules = {}
         wants_range = {}

@@ -38,7 +38,7 @@ def warn_of_sharing(name: str, robot: Robot, compiled: Compiled) -> list[Diagnos
             ),
             place,
             help=Sentence(
-                "the robot runs, and sees only what it sets itself; as a team: in the simulator, or with `kitrobot team`"
+                "the robot runs, and sees only what it sets itself; as a team: in the simulator or with `kitrobot team`"
             ),
             program=name,
             vertices=(vertex,) if vertex else (),

@@ -41,9 +41,9 @@ def agent_program(opened: OpenMission, name: str) -> BoardProgram:
     else:
         robot = robot_of(program, opened.catalogue)
         compiled = opened.compiled.get(program.name)
-    found = opened.before_setup
+    found = opened.report.problems
     folder = opened.path.parent if opened.path is not None else None
-    ready = ready_program(program.name, robot, compiled, found, opened.sources, folder, member=True)
+    ready = ready_program(program.name, robot, compiled, found, opened.all_sources, folder, member=True)
     if opened.world is None or compiled is None:
         return ready
     return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
