@@ -15,6 +15,7 @@ import pytest
 from kitrobot.fleet import new_key
 from kitrobot.workspace import agent_program, open_mission
 from tests.boards.host import HostBoard, board_with
+from tests.boards.proxy import Proxy
 from tests.fleet.test_processes import CONVOY, started
 
 NOWHERE = "socket://127.0.0.1:9"
@@ -47,10 +48,13 @@ def boards(mission: Path) -> Iterator[dict[str, HostBoard]]:
 def test_a_cable_that_is_pulled_is_an_agent_that_failed_and_another_board_takes_over(
     mission: Path, boards: dict[str, HostBoard]
 ) -> None:
-    words = [word for name, board in boards.items() for word in ("--board", f"{name}={board.address}")]
-    with started("team", str(mission), *words, "--pace", "4", "--json") as team:
-        team.until("robot-4: hears its team")
-        boards["robot-2"].pull()
+    with (
+        Proxy(int(boards["robot-2"].address.rpartition(":")[2]), cut_after=90) as cable,
+        started(
+            *("team", str(mission), "--pace", "4", "--json", "--board", f"robot-2={cable.address}"),
+            *("--board", f"robot-4={boards['robot-4'].address}"),
+        ) as team,
+    ):
         team.until("robot-2: its board is lost")
         team.until("robot-2: is missed by its team")
         status, out, said = team.end()

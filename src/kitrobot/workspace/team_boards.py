@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from kitrobot import robots
 from kitrobot.compiler import Compiled, robot_of
-from kitrobot.diagnostics import KitRobotError
+from kitrobot.diagnostics import KitRobotError, ProblemsError
 from kitrobot.primitives import Robot, with_team
 from kitrobot.robots import BoardProgram, Progress, Sent, carried_by
 from kitrobot.text import Sentence, did_you_mean, listed
@@ -34,6 +34,11 @@ def agent_program(opened: OpenMission, name: str) -> BoardProgram:
         raise no_agent(name, names)
     agent = opened.mission.team.agents[names.index(name)]
     program = opened.program(agent.program)
+    found = opened.report.problems
+    if not opened.report.ok:
+        raise ProblemsError(
+            Sentence("`{mission}` has errors, so it was not run", opened.name), "", found, opened.all_sources
+        )
     compiled: Compiled | None
     if agent.program == opened.mission.social:
         robot: Robot = with_team(opened.catalogue.robots[agent.robot], opened.mission.team.works)
@@ -41,7 +46,6 @@ def agent_program(opened: OpenMission, name: str) -> BoardProgram:
     else:
         robot = robot_of(program, opened.catalogue)
         compiled = opened.compiled.get(program.name)
-    found = opened.report.problems
     folder = opened.path.parent if opened.path is not None else None
     ready = ready_program(program.name, robot, compiled, found, opened.all_sources, folder, member=True)
     if opened.world is None or compiled is None:
