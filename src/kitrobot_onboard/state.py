@@ -65,4 +65,6 @@ SHOWN = 46  # it shows itself
 
 TIDY = 47  # makes the room that is free hang together
 
-LENGTH = 48  # of the list
+TOLDTEAM = 48  # of a member of a team: the numbers that its host was told last
+
+LENGTH = 49  # of the list

@@ -15,7 +15,7 @@ from typing import Any
 from kitrobot.deploy import Package, board_file, program_name, read_program_file
 from kitrobot.deploy.boot_records import StartLine
 from kitrobot.deploy.carried import requests_file, short
-from kitrobot.deploy.package import MODULE, Built, name_of
+from kitrobot.deploy.package import MODULE, TEAM_DRIVER, Built, name_of
 from kitrobot.deploy.starting import start_file
 from kitrobot_onboard.link import checksum
 from tests.boards.started import START, started
@@ -36,7 +36,9 @@ def boot(port: Any, folder: Path, program: bytes | None, generation: int) -> tup
 def lay(folder: Path, program: bytes | None, generation: int) -> None:
     """Puts into a folder what lies on a board with that program, and how it is started."""
     file = read_program_file(program) if program is not None else None
-    built = _with_test_drivers(Package().built("machine", {}), list(file.drivers) if file is not None else [])
+    drivers = list(file.drivers) if file is not None else []
+    own = dict.fromkeys(driver for driver in drivers if driver == TEAM_DRIVER)
+    built = _with_test_drivers(Package().built("machine", own), drivers)
     data = board_file(file, built)
     name = program_name(program) if program is not None else "kp-"  # as robots have it that know drivers by their names
     line = StartLine(generation, built.interpreter, name, checksum(data))

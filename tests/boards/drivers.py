@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
+from kitrobot_onboard.drivers.any.team import make as make_team
+
 log: list[tuple[str, object]] = []
 """What the drivers of this process were told, in order."""
 
@@ -82,6 +84,8 @@ ACTUATORS = (
     "drive",
     "door",
     "lamp",
+    "turn",
+    "indicator",
     "arm",
 )
 SENSORS = ("zero", "key", "accelerometer", "pin-in", "random", "ultrasonic", "line", "range", "ground")
@@ -95,6 +99,8 @@ _KINDS: dict[str, type] = {
 
 def driver(name: str) -> SimpleNamespace:
     """What a board gets when it imports a driver; ImportError when there is none of that name."""
+    if name == "team":
+        return SimpleNamespace(make=make_team)
     if name not in _KINDS:
         raise ImportError(f"no module named '{name}'")
     return SimpleNamespace(make=_KINDS[name])

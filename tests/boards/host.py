@@ -99,7 +99,13 @@ def host_board(mission: Path, program: str, pace: float = 1.0) -> Iterator[HostB
 
     `pace`: how fast its clock goes.
     """
-    data = load_board_program(mission, program=program).file.to_bytes()
+    with board_with(load_board_program(mission, program=program).file.to_bytes(), pace) as board:
+        yield board
+
+
+@contextmanager
+def board_with(data: bytes, pace: float = 1.0) -> Iterator[HostBoard]:
+    """A board that has that program file."""
     with tempfile.TemporaryDirectory() as held:
         lay(Path(held), data, generation=1)
         command = [sys.executable, "-m", "tests.boards.host_board", held, "--pace", str(pace)]

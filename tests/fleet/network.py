@@ -14,6 +14,7 @@ from kitrobot.fleet.world import WorldHost
 from kitrobot.sim import Event, Simulation
 from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE, T_SEAT
 from kitrobot.team import EVERYONE, Message
+from tests.fleet.bench_boards import BenchBoard
 
 STEP = 5
 LEASE = 400
@@ -43,6 +44,8 @@ class Fleet:
     faults: Faults = field(default_factory=Faults)
     pace: float = 1.0
     lease: int = LEASE
+    boards: dict[int, BenchBoard] = field(default_factory=dict)
+    """The boards that are bodies and interpreters of agents, and how long they take for a tick."""
 
     def __post_init__(self) -> None:
         self.random = random.Random(self.seed)
@@ -58,10 +61,17 @@ class Fleet:
             self.start(i)
 
     def start(self, i: int) -> None:
-        self.hosts[i] = AgentHost(self.anew(), i, self.charter, self.lives[i], self.now)
+        actuators = self.boards[i].actuators if i in self.boards else None
+        self.hosts[i] = AgentHost(self.anew(), i, self.charter, self.lives[i], self.now, actuators)
         if self.lives[i]:
             self.world.restarted(self.now, i)
         self.lives[i] += 1
+
+    def with_boards(self, boards: dict[int, BenchBoard]) -> None:
+        """Boards take the places of simulated bodies before the first step."""
+        self.boards = boards
+        for i in boards:
+            self.hosts[i] = AgentHost(self.anew(), i, self.charter, 0, self.now, boards[i].actuators)
 
     def kill(self, i: int) -> None:
         del self.hosts[i]
@@ -93,6 +103,8 @@ class Fleet:
             if i not in self.faults.stopped:
                 host.time(self.now)
                 self.post(i, host)
+                if i in self.boards and self.now >= self.boards[i].free_at:
+                    self.obeyed(i, host, self.boards[i])
         self.check_seats()
         if self.now >= self.world.due_at(self.now):
             self.world.step(self.now)
@@ -122,10 +134,28 @@ class Fleet:
         for reply in replies:
             self.send(i, -1, partial(self.answered, i, write_reply(reply)))
 
+    def obeyed(self, i: int, host: AgentHost, board: BenchBoard) -> None:
+        """The board of an agent does what it was told; what came of a tick is known when it has taken its time."""
+        assert host.board is not None
+        for order, changes in board.done:
+            if order.what == "tick":
+                assert host.board_ticked(self.now, changes)
+        board.done = []
+        orders, host.board.orders = host.board.orders, []
+        for order in orders:
+            board.done.append((order, board.obeying.do(order)))
+            board.free_at = self.now + board.takes
+        if board.done and not board.takes:
+            self.obeyed(i, host, board)
+        self.post(i, host)
+
     def answered(self, i: int, data: bytes) -> None:
         self.world.answer(self.now, i, read_reply(data))
 
     def post(self, i: int, host: AgentHost) -> None:
+        replies, host.replies = host.replies, []
+        for reply in replies:
+            self.send(i, -1, partial(self.answered, i, write_reply(reply)))
         sendings, host.sendings = host.sendings, []
         for to, message in sendings:
             for other in range(self.charter.members) if to == EVERYONE else (to,):

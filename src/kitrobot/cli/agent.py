@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from contextlib import ExitStack
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -27,6 +28,10 @@ Router = Annotated[
     typer.Option("--router", metavar="ENDPOINT", help="A Zenoh router through which everything goes."),
 ]
 Tls = Annotated[Path | None, typer.Option("--tls", metavar="FOLDER", help="TLS with its ca.pem, cert.pem and key.pem.")]
+Boards = Annotated[
+    list[str] | None,
+    typer.Option("--board", metavar="AGENT=PORT|URL", help="The real robot of an agent; may be given several times."),
+]
 FleetName = Annotated[str, typer.Option("--fleet", metavar="NAME", help="Keeps teams on one network apart.")]
 
 
@@ -50,20 +55,37 @@ def run_agent(
     key: KeyFile = None,
     tls: Tls = None,
     fleet: FleetName = "",
+    board: Annotated[
+        str | None,
+        typer.Option(
+            "--board", metavar="PORT|URL", help="A real robot that has its program: `kitrobot deploy --team`."
+        ),
+    ] = None,
     with_input: Annotated[
         bool, typer.Option("--with-input", hidden=True, help="Ends when its standard input does.")
     ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Give how it ended as one JSON object.")] = False,
 ) -> None:
-    """Take part in a team as one of its agents, with a simulated body in the world of `kitrobot team`.
+    """Take part in a team as one of its agents, with a simulated body in the world of `kitrobot team`, or a real one.
 
     The exit status is 0 when the mission was done, and 1 when it was not.
     """
-    from kitrobot.fleet import AgentProcess, Channel, FleetError, Network, end_of_input, find_key, identity_of
-    from kitrobot.workspace import RunOptions
+    from kitrobot.fleet import (
+        AgentBoard,
+        AgentProcess,
+        Channel,
+        FleetError,
+        Network,
+        end_of_input,
+        find_key,
+        identity_of,
+        open_board,
+    )
+    from kitrobot.workspace import RunOptions, agent_program
 
     over = end_of_input() if with_input else None
-    simulation = prepare(file, RunOptions()).simulation
+    prepared = prepare(file, RunOptions())
+    simulation = prepared.simulation
     names = [agent.name for agent in simulation.members]
     if name not in names:
         raise KitRobotError(
@@ -88,17 +110,23 @@ def run_agent(
         bool(router),
         tls,
     )
-    channel = Channel(network, names.index(name), secret)
-    try:
+    with ExitStack() as stack:
+        body = None
+        if board is not None:
+            program = agent_program(prepared.opened, name)
+            line = open_board(board, program, name, str(file))
+            stack.callback(line.close)
+            body = AgentBoard(line, program.file.used_actuators)
+        channel = Channel(network, names.index(name), secret)
+        stack.callback(channel.close)
         ended = AgentProcess(
             simulation,
             names.index(name),
             channel,
             lambda sentence: say(name, sentence),
             lambda: over is not None and over.is_set(),
+            body,
         ).run()
-    finally:
-        channel.close()
     if as_json:
         give(json_text({"agent": name, "outcome": ended.outcome, "sentence": ended.sentence}) + "\n")
     elif not with_input:

@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from kitrobot.cli.agent import Boards
 from kitrobot.cli.json_results import AsJson, of_board
 from kitrobot.cli.output import clean, complain, give, json_text, show, tell
+from kitrobot.text import Sentence, listed
 
 if TYPE_CHECKING:
     from kitrobot.robots import Sent
@@ -51,9 +53,15 @@ def deploy_program(
         bool,
         typer.Option("--fresh", help="First remove what KitRobot put there; when there is no room for old and new."),
     ] = False,
+    team: Annotated[
+        bool, typer.Option("--team", help="The programs of a team's agents, each to its --board, for `kitrobot team`.")
+    ] = False,
+    board: Boards = None,
     as_json: AsJson = False,
 ) -> None:
     """Put a program onto real robots and start it there; from then on it starts by itself when the power comes on.
+
+    With --team every agent's program goes to its board and waits there: `kitrobot team` starts all of them.
 
     Only what is new is sent, and it is read back. Until all of it is there the robot keeps what it had. The exit status
     is 1 when the program has errors, or when one of the robots could not be brought to run it.
@@ -61,6 +69,14 @@ def deploy_program(
     from kitrobot.robots import chosen_boards
     from kitrobot.workspace import load_board_program, send_program
 
+    if team or board:
+        if not (team and board):
+            raise typer.BadParameter("--team and --board AGENT=PORT belong together", param_hint="'--team'")
+        if to or program or robot:
+            words = "with --team the mission says programs and robots, and --board says the ports"
+            raise typer.BadParameter(words, param_hint="'--team'")
+        _deploy_team(mission, board, replace=replace, fresh=fresh, as_json=as_json)
+        return
     ready = load_board_program(mission, robot=robot, program=program)
     show(ready.diagnostics, ready.sources)
     addresses = chosen_boards(to or [])
@@ -78,13 +94,40 @@ def deploy_program(
         raise typer.Exit(1)
 
 
-def _sentence(sent: Sent, program: str) -> str:
+def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: bool, as_json: bool) -> None:
+    from kitrobot.workspace import boards_of, open_mission, send_team
+
+    opened = open_mission(mission)
+    boards = boards_of(list(board), [agent.name for agent in opened.mission.team.agents])
+    names = {port: name for name, port in boards.items()}
+    with _bars(list(names)) as progress:
+        sent = send_team(opened, boards, progress, replace=replace, fresh=fresh)
+    show(opened.before_setup, opened.sources)
+    if as_json:
+        give(json_text([{**_object(one), "agent": names[one.address]} for one in sent], 2) + "\n")
+    for one in sent:
+        if one.error is not None:
+            tell(f"{names[one.address]} ({one.address}):")
+            complain(one.error)
+        elif not as_json:
+            give(_sentence(one, names[one.address], "has its program"))
+    failed = [names[one.address] for one in sent if one.error is not None]
+    if failed:
+        tell(
+            Sentence(
+                "no robot of the team is started; mend what is said above of {names}, then send again", listed(failed)
+            )
+        )
+        raise typer.Exit(1)
+
+
+def _sentence(sent: Sent, program: str, does: str = "runs") -> str:
     done = sent.deployed
     assert done is not None
     files = len(done.sent_files)
     news = f"{files} file{'s' if files != 1 else ''} sent ({done.bytes_sent} bytes)" if files else "nothing to send"
     return (
-        f"{clean(sent.address)}: {clean(program)} runs; {done.free} bytes of memory are left\n"
+        f"{clean(sent.address)}: {clean(program)} {does}; {done.free} bytes of memory are left\n"
         f"  {news}, {len(done.kept_files)} kept, {done.seconds:.1f} s; program {done.program},"
         f" KitRobot {done.package}, generation {done.generation}\n"
     )

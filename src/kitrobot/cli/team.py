@@ -6,14 +6,14 @@ import math
 import signal
 import socket
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.agent import FleetName, KeyFile, Listen, Router, Tls, prepare, say
+from kitrobot.cli.agent import Boards, FleetName, KeyFile, Listen, Router, Tls, prepare, say
 from kitrobot.cli.output import give, json_text, show
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, did_you_mean, listed
@@ -32,6 +32,7 @@ def run_team(
         list[str] | None,
         typer.Option("--elsewhere", metavar="AGENT", help="Do not start it: `kitrobot agent` does, wherever."),
     ] = None,
+    board: Boards = None,
     listen: Listen = None,
     router: Router = None,
     key: KeyFile = None,
@@ -55,7 +56,7 @@ def run_team(
     """
     from kitrobot.fleet import LEAST_LEASE_MS, MOST_LEASE_MS, Agents, FleetError, Network, identity_of
     from kitrobot.sim import MAX_SECONDS, MAX_SEED
-    from kitrobot.workspace import RunOptions
+    from kitrobot.workspace import RunOptions, boards_of
 
     if not 0 < seconds <= MAX_SECONDS or seed > MAX_SEED:
         words = f"a run takes at most {MAX_SECONDS:.0f} seconds, and a seed is at most {MAX_SEED}"
@@ -73,6 +74,13 @@ def run_team(
         if name not in names:
             help = did_you_mean(name, names) or Sentence("its agents: {names}", listed(names))
             raise KitRobotError(Sentence("this mission has no agent `{agent}`", name), help)
+    boards = boards_of(board or [], names)
+    for name in boards:
+        if name in (elsewhere or ()):
+            raise FleetError(
+                Sentence("`{agent}` is started elsewhere, and its board with it", name),
+                Sentence("give --board to the `kitrobot agent` that is started there"),
+            )
     if elsewhere and key is None:
         raise FleetError(
             Sentence("agents that are started elsewhere need the key of this team"),
@@ -84,7 +92,7 @@ def run_team(
     )
     with Agents() as agents:
         run = _Running(prepared, network, agents, lease, pace).run(
-            [name for name in names if name not in (elsewhere or ())], file, key
+            [name for name in names if name not in (elsewhere or ())], file, key, boards
         )
     result = result_of(simulation, run)
     give(json_text(result) + "\n" if as_json else _summary(result))
@@ -101,7 +109,7 @@ class _Running:
         self.agents = agents
         self.lease, self.pace = lease, pace
 
-    def run(self, names: Sequence[str], file: Path, key: Path | None) -> FleetRun:
+    def run(self, names: Sequence[str], file: Path, key: Path | None, boards: Mapping[str, str]) -> FleetRun:
         from kitrobot.fleet import TEAM_PROCESS, VARIABLE, Channel, TeamProcess, find_key, key_of, new_key
 
         made = new_key()
@@ -115,6 +123,7 @@ class _Running:
                 for name in names:
                     words = ["agent", str(file), "--as", name, "--with-input", "--fleet", self.network.fleet]
                     words += [w for at in where for w in ("--router" if self.network.router else "--connect", at)]
+                    words += ["--board", boards[name]] if name in boards else []
                     words += ["--key", str(key)] if key is not None else []
                     words += ["--tls", str(self.network.tls)] if self.network.tls is not None else []
                     self.agents.start(name, words, {VARIABLE: made} if key is None else {})

@@ -36,6 +36,9 @@ _LONGEST_TEXT = 4000
 _STEP_CELLS = 8
 """Inputs that are forced by one message: more do not surely fit a frame when all of it is escaped."""
 
+_MEMBER_CELLS = 4
+"""The same beside the byte that asks for a tick."""
+
 STATES = ("no program", "ready", "running", "ended", "fault")
 
 
@@ -72,7 +75,8 @@ class Step:
 class Board:
     """A board on an open line; closes it at the end.
 
-    `arguments` tells how many arguments each command has, for `step`; without it no step can be read.
+    `arguments` tells how many arguments each command has, for `step`; without it no step can be read. `silent_s`, where
+    it is not 0: without a word for so long it is gone.
     """
 
     hello: Hello
@@ -82,6 +86,7 @@ class Board:
         self.line = line
         self.hello = Hello(link.PROTOCOL, 0, 0, 0, 0, 0, 0, "-", "-")
         self.arguments: list[int] = []
+        self.silent_s = 0.0
         self._lock = RLock()
         self._number = random.randrange(1, 256)
         self._heard = b""
@@ -185,6 +190,30 @@ class Board:
             raise not_understood() from None
         return Step(tick, bool(flags & 1), bool(flags & 2), tuple(commands))
 
+    def begin_member(self) -> None:
+        """Begins the program of a member of a team, which then does a tick at each `member_tick`."""
+        self._request("s", b"\2", first_s=1.0)
+
+    def member_tick(self, inputs: Mapping[int, int]) -> list[tuple[int, int]]:
+        """Forces inputs and does one tick of a member; the numbers that it changed, as (place, value).
+
+        Places: fault flag, inputs and variables, then two for each thread, then those of `out` (see the interpreter)
+        for each actuator that the program uses. All are 0 before the first tick. When it is not asked for a while, the
+        robot stops.
+        """
+        cells = list(inputs.items())
+        while len(cells) > _MEMBER_CELLS:
+            self.force(*cells.pop(0))
+        data = b"".join(struct.pack("<Bi", cell, value) for cell, value in cells)
+        changes = self._request("m", b"\1" + data, first_s=1.0)
+        if len(changes) % 6:
+            raise not_understood()
+        return list(struct.iter_unpack("<Hi", changes))
+
+    def stand_still(self) -> None:
+        """Stops all devices of a member; its program stands where it is until the next tick."""
+        self._request("m")
+
     def force(self, cell: int, value: int | None) -> None:
         """Holds an input at a value; None lets it go."""
         self._request("f", struct.pack("<BBi", cell, value is not None, value or 0))
@@ -243,12 +272,12 @@ class Board:
     def _request(self, kind: str, payload: bytes = b"", *, first_s: float = ANSWER_S) -> bytes:
         with self._lock:
             self.number_anew()
-            wanted = {"h": "H", "n": "C", "l": "F"}.get(kind, "K")
+            wanted = {"h": "H", "n": "C", "l": "F", "m": "M" if payload else "K"}.get(kind, "K")
             # Who answered late is asked again later; one that is held must hear from us.
             first_s, most_s = (
                 (ANSWER_S, ANSWER_S) if self._held else (max(first_s, min(2 * self._took, PAUSE_S)), PAUSE_S)
             )
-            silent_s = max(SILENT_S, min(4 * self._took, MOST_SILENT_S))
+            silent_s = self.silent_s or max(SILENT_S, min(4 * self._took, MOST_SILENT_S))
             patience = Patience(self.line.now, first_s, silent_s, most_s=most_s)
             while wait := patience.wait():
                 self.ask(kind, payload)

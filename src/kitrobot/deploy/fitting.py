@@ -20,7 +20,7 @@ def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
     """
     wired: dict[str, Device] = {}
     for device in file.devices:
-        if device.driver == UNUSED:
+        if device.driver == UNUSED or device.kind == "t":
             continue
         part = device.part or device.driver
         says = package.declared(device.driver, family)

@@ -66,4 +66,5 @@ def package_bytes(built: Built) -> int:
     else:
         own = _PER_LETTER["interpreter"] * letters([f"{built.interpreter}.py"])
         own += _PER_LETTER["loop"] * letters(built.loop)
+    own += _PER_LETTER["loop"] * letters([built.member] if built.member else [])
     return int(_ALWAYS + own + _PER_LETTER["driver"] * letters(built.drivers.values()))

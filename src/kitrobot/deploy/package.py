@@ -14,8 +14,9 @@ import ast
 import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from threading import Lock
 
 from kitrobot.deploy.carried import (
     IN_FLASH,
@@ -39,6 +40,11 @@ from kitrobot.text import COMMA, Sentence, Series
 
 MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
+_BUILDING = Lock()
+"""Trees of Python are shared, and written to while they are made short."""
+
+TEAM_DRIVER = "team"
+"""The driver of what a robot has of its team; the code of a member comes with it."""
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
 """Kinds of boards, with the folders of shipped drivers that they look into; each has its module in `ports`."""
 
@@ -62,6 +68,7 @@ class Built:
         drivers: names of files by names of drivers.
         wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
         frozen: what the board runs from its flash.
+        member: the name of the file with the code of a member of a team; "" where no program of a team is meant.
     """
 
     family: str
@@ -74,6 +81,7 @@ class Built:
     wants_range: Mapping[str, bool]
     main: bytes
     frozen: Frozen | None = None
+    member: str = ""
 
 
 @dataclass(frozen=True)
@@ -110,11 +118,16 @@ class Package:
         return declared(parsed(read_source(path), str(path)), str(path)) if path is not None else Declared()
 
     def built(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
-        """The package for a kind of board, with these drivers, each with what is asked of it; None: everything.
+        """The package for a kind of board, with these drivers, each with what is asked of it; None: everything. From
+        any thread.
 
         Raises:
             PackageError: a driver is missing, or is no Python.
         """
+        with _BUILDING:
+            return self._build(family, drivers)
+
+    def _build(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
         making = _Making()
         modules = {}
         wants_range = {}
@@ -124,7 +137,12 @@ class Package:
                 raise missing_driver(driver, self, family)
             modules[driver] = making.add(path, asked) + ".py"
             wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", making.files[modules[driver]]) is not None
-        return _built(family, making, modules, wants_range)
+        built = _built(family, making, modules, wants_range)
+        if TEAM_DRIVER not in drivers:
+            return built
+        member = part(ONBOARD / "member.py")
+        name = name_of(member) + ".py"
+        return replace(built, files={name: member, **built.files}, member=name)
 
 
 def _built(family: str, making: _Making, drivers: Mapping[str, str], wants_range: Mapping[str, bool]) -> Built:

@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from kitrobot.deploy.errors import DeployError, PackageError
-from kitrobot.deploy.package import PROGRAM, name_of
+from kitrobot.deploy.package import PROGRAM, TEAM_DRIVER, name_of
 from kitrobot.deploy.trimming import Asked
 from kitrobot.image import Image, Layout
 from kitrobot.image.instructions import ACT, BY_NUMBER, Role
@@ -28,7 +28,9 @@ UNUSED = "unused"
 
 
 class Device(NamedTuple):
-    """A line of the table: `a` or `s`, the driver, and the words after it; and the name of the robot's part."""
+    """A line of the table: `a` or `s`, the driver, and the words after it; and the name of the robot's part. `t` says
+    that the robot is a member of a team, which ticks when its host asks for it.
+    """
 
     kind: str
     driver: str
@@ -60,6 +62,11 @@ class ProgramFile:
         return found
 
     @property
+    def is_member(self) -> bool:
+        """Whether it is the program of a member of a team."""
+        return any(device.kind == "t" for device in self.devices)
+
+    @property
     def used_actuators(self) -> list[int]:
         """The numbers of the robot's actuators that the program uses."""
         drivers = [device.driver for device in self.devices if device.kind == "a"]
@@ -86,10 +93,10 @@ def program_name(data: bytes) -> str:
     return name_of(data, PROGRAM)
 
 
-def make_program_file(image: Image, robot: Robot, *, all_devices: bool = False) -> ProgramFile:
+def make_program_file(image: Image, robot: Robot, *, all_devices: bool = False, member: bool = False) -> ProgramFile:
     """The program file of an image that was compiled for this robot.
 
-    `all_devices`: those that the program does not use too.
+    `all_devices`: those that the program does not use too. `member`: it is to be one of a team.
 
     Raises:
         PackageError: a part of the robot that is used names no driver and no device.
@@ -116,6 +123,8 @@ def make_program_file(image: Image, robot: Robot, *, all_devices: bool = False) 
         if all_devices or cell in cells:
             words = (str(cell), str(part.minimum), str(part.maximum), *_settings(part))
             devices.append(Device("s", _driver(part, robot), words, part.name))
+    if member:
+        devices.append(Device("t", TEAM_DRIVER, ()))
     return ProgramFile(tuple(devices), image.to_bytes())
 
 

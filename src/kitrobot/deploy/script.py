@@ -29,6 +29,8 @@ def _parts(program: ProgramFile | None, built: Built) -> Iterator[bytes]:
     yield begun(built.start, built.module[len(MODULE) :])
     if program is not None:
         yield from _numbers(program)
+        if program.is_member:
+            yield piece(f"exec(open({built.member!r}).read({len(built.files[built.member])}))")
         for _, parts in sorted(_devices(program.devices, built), key=lambda job: -job[0]):
             yield from parts
         yield piece("$space=$where=0")
@@ -42,7 +44,7 @@ def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, lis
     lines: dict[str, list[tuple[str, str]]] = {}
     for device in devices:
         actuators += device.kind == "a"
-        if device.driver == UNUSED:
+        if device.driver == UNUSED or device.kind == "t":
             continue
         places += device.kind == "a"
         given = 2 if device.kind == "a" else 3
@@ -82,7 +84,7 @@ def _numbers(program: ProgramFile) -> Iterator[bytes]:
         state.INPUTS: image.inputs,
         state.VISIBLE: visible,
         state.PERIOD: image.tick_ms,
-        state.STATE: 2,
+        state.STATE: 1 if program.is_member else 2,
     }
     yield from map(piece, joined([f"$robot[{place}]={_literal(value)}" for place, value in values.items()]))
 

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
-    from kitrobot.fleet.agent_process import AgentProcess, Ended
+    from kitrobot.fleet.agent_process import AgentBoard, AgentProcess, Ended
+    from kitrobot.fleet.board_line import open_board
     from kitrobot.fleet.charter import LEASE_MS, LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, charter_of
     from kitrobot.fleet.envelopes import TEAM_PROCESS
     from kitrobot.fleet.identity import identity_of
@@ -23,7 +24,8 @@ else:
     __getattr__ = lazy_names(
         __name__,
         {
-            "agent_process": ("AgentProcess", "Ended"),
+            "agent_process": ("AgentBoard", "AgentProcess", "Ended"),
+            "board_line": ("open_board",),
             "charter": ("LEASE_MS", "LEAST_LEASE_MS", "MOST_LEASE_MS", "FleetError", "charter_of"),
             "envelopes": ("TEAM_PROCESS",),
             "identity": ("identity_of",),
@@ -40,6 +42,7 @@ __all__ = [
     "MOST_LEASE_MS",
     "TEAM_PROCESS",
     "VARIABLE",
+    "AgentBoard",
     "AgentProcess",
     "Agents",
     "Channel",
@@ -54,4 +57,5 @@ __all__ = [
     "identity_of",
     "key_of",
     "new_key",
+    "open_board",
 ]

@@ -6,11 +6,12 @@ It ends when the team says so, when nobody has anything to say to it for `PATIEN
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from kitrobot.fleet import envelopes as kinds
-from kitrobot.fleet.bodies import FrameError, read_frame, read_whole, write_reply, write_whole
+from kitrobot.fleet.board_line import BoardLine
+from kitrobot.fleet.bodies import FrameError, Reply, read_frame, read_whole, write_reply, write_whole
 from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, charter_of
 from kitrobot.fleet.envelopes import EVERYBODY, TEAM_PROCESS, Envelope
 from kitrobot.fleet.host import AgentHost
@@ -28,6 +29,21 @@ PATIENCE_S = 30.0
 """How long an agent goes on without a word from its world."""
 NO_BODY_S = 20.0
 """How long it looks for its team."""
+
+
+@dataclass
+class AgentBoard:
+    """The board of an agent.
+
+    Attributes:
+        line: the line to it.
+        actuators: the numbers of the robot's actuators that its program uses.
+        stands: whether it has stopped for good.
+    """
+
+    line: BoardLine
+    actuators: Sequence[int]
+    stands: bool = False
 
 
 @dataclass(frozen=True)
@@ -48,6 +64,7 @@ class AgentProcess:
         channel: the way to the others.
         say: told each sentence of its log.
         is_over: asked now and then whether it is to end by itself.
+        board: the board that is its body and interpreter; None: its body is simulated.
     """
 
     def __init__(
@@ -57,12 +74,16 @@ class AgentProcess:
         channel: Channel,
         say: Callable[[str], None],
         is_over: Callable[[], bool],
+        board: AgentBoard | None = None,
     ) -> None:
         self.simulation = simulation
         self.me = me
         self.channel = channel
         self.say = say
         self.is_over = is_over
+        self.board = board
+        if board is not None:
+            board.line.wake = channel.wake
         self.host: AgentHost | None = None
         self.ended: Ended | None = None
         self.looking = True
@@ -75,6 +96,7 @@ class AgentProcess:
 
         Raises:
             FleetError: there is no team, it does not want this agent, or it was lost.
+            KitRobotError: its board is lost.
         """
         while self.ended is None:
             now = milliseconds()
@@ -85,6 +107,7 @@ class AgentProcess:
                 self._take(milliseconds(), envelope)
                 self._post()
             if self.host is not None:
+                self._hear_board(milliseconds(), self.host)
                 self.host.time(milliseconds())
                 self._post()
             self._tell()
@@ -119,7 +142,8 @@ class AgentProcess:
         elif envelope.kind == kinds.BEGIN and self.host is None and not self.looking:
             self.channel.run = envelope.run
             charter = charter_of(self.simulation, self.lease)
-            self.host = AgentHost(self.simulation, self.me, charter, self.life, now)
+            actuators = self.board.actuators if self.board is not None else None
+            self.host = AgentHost(self.simulation, self.me, charter, self.life, now, actuators)
             self.say(Sentence("takes part"))
         elif envelope.kind == kinds.FRAME and self.host is not None:
             try:
@@ -128,16 +152,42 @@ class AgentProcess:
                 self.say(Sentence("refused: {why}", error.args[0]))
                 return
             self._post()
-            for reply in replies:
-                self.channel.send(TEAM_PROCESS, kinds.REPLY, write_reply(reply))
+            self._reply(replies)
         elif envelope.kind == kinds.STOP:
-            if self.host is not None and not self.host.stopped:
-                self.host.stop()
-                self.say(Sentence("stopped"))
-            self.channel.send(TEAM_PROCESS, kinds.STOP)
+            self._stop()
         elif envelope.kind == kinds.BYE:
             outcome, sentence = _two_texts(envelope.body)
             self.ended = Ended(outcome, sentence, outcome == "stopped")
+
+    def _stop(self) -> None:
+        """The emergency stop; it is answered when a board stands still, too."""
+        if self.host is not None and not self.host.stopped:
+            self.host.stop()
+            if self.board is None:
+                self.say(Sentence("stopped"))
+        if self.host is None or self.board is None or self.board.stands:
+            self.channel.send(TEAM_PROCESS, kinds.STOP)
+
+    def _hear_board(self, now: int, host: AgentHost) -> None:
+        """Takes in what came of orders to the board."""
+        if self.board is None:
+            return
+        for done in self.board.line.done():
+            if done.error is not None:
+                self.say(Sentence("its board is lost"))
+                raise done.error
+            if done.order.what == "tick" and not host.board_ticked(now, done.changes):
+                raise FleetError(
+                    Sentence("the board says what cannot be of its program"),
+                    Sentence("send the program again: `kitrobot deploy … --team`"),
+                )
+            if done.order.what == "stop" and host.stopped and not self.board.stands:
+                self.board.stands = True
+                self.say(Sentence("stopped"))
+
+    def _reply(self, replies: Sequence[Reply]) -> None:
+        for reply in replies:
+            self.channel.send(TEAM_PROCESS, kinds.REPLY, write_reply(reply))
 
     def _welcome(self, envelope: Envelope) -> None:
         """The answer to hello: a life and a lease, or why not."""
@@ -176,6 +226,12 @@ class AgentProcess:
         for to, message in sendings:
             data = encode(message, self.channel.run)
             self.channel.send(EVERYBODY if to == EVERYONE else to, kinds.MEMBER, data)
+        replies, host.replies = host.replies, []
+        self._reply(replies)
+        if host.board is not None and self.board is not None:
+            orders, host.board.orders = host.board.orders, []
+            for order in orders:
+                self.board.line.order(order)
         now = milliseconds()
         if host.asks and now - self.asked_at >= ASK_EVERY_MS:
             self.asked_at = now

@@ -9,16 +9,16 @@ heard for a lease is silent in the team too: a robot without a body cannot play 
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 
 from kitrobot.fleet import notes
+from kitrobot.fleet.board_body import BoardBody
 from kitrobot.fleet.bodies import MOST_SLOTS, WINDOW, Frame, Reply, Whole
 from kitrobot.fleet.following import Following
 from kitrobot.fleet.links import TeamLinks
 from kitrobot.fleet.replica import Replica
-from kitrobot.sim import Event, Simulation, Ticked
-from kitrobot.sim.actuation import COMMAND
-from kitrobot.sim.columns import A_CELL, ACTUATOR_INDEX, PROGRAM, S_CELL, S_ROBOT
-from kitrobot.sim.sharing import SHARED_VALUE
+from kitrobot.fleet.ticking import Tick, Ticking
+from kitrobot.sim import Event, Simulation
 from kitrobot.sim.team_columns import T_ROLE
 from kitrobot.team import (
     Charter,
@@ -56,13 +56,24 @@ class AgentHost:
         charter: that of the fleet (see `charter_of`).
         life: how often this agent was started before in this run.
         now: ms by the clock that all its methods are given.
+        board: the numbers of the actuators that its program uses on a board, which is its body and interpreter; None:
+            its body is simulated.
 
     Attributes:
-        sendings: what is to be sent to members, `log`: what is to be told of, since somebody took it out.
+        sendings: what is to be sent to members, `log`: what is to be told of, `replies`: what the world is to be
+            answered, since somebody took it out.
         asks: whether a replica is to be asked for, from whoever knows more.
     """
 
-    def __init__(self, simulation: Simulation, me: int, charter: Charter, life: int, now: int) -> None:
+    def __init__(
+        self,
+        simulation: Simulation,
+        me: int,
+        charter: Charter,
+        life: int,
+        now: int,
+        board: Sequence[int] | None = None,
+    ) -> None:
         self.replica = Replica(simulation)
         self.me = me
         self.charter = charter
@@ -72,6 +83,7 @@ class AgentHost:
         self.following = Following(self.replica, simulation.state.shared)
         self.sendings: list[Sending] = []
         self.log: list[Event | Sentence] = []
+        self.replies: list[Reply] = []
         self.asks = False
         self.muted = False
         self.stopped = False
@@ -80,8 +92,6 @@ class AgentHost:
         self._serial_ticked = -1
         self._replies: dict[int, Reply] = {}
         self._early: dict[int, Frame] = {}
-        self._given: dict[int, int] = {}
-        """Of each cell that says whether something is done, the frame in which that was told last."""
         self._serial = life << 32
         self._unsent: deque[Note] = deque()
         self._freeing: set[tuple[int, int, int]] = set()
@@ -90,13 +100,9 @@ class AgentHost:
         self._effects: list[Noted | Viewed] = []
         self._end_said = -1
         """The epoch in which it said that its program is at its end."""
-        state = simulation.state
-        ints = state.sensors.ints
-        self._own_cells = {
-            ints[S_CELL][k] for _, first, last in self.links.banks for k in range(first, last) if ints[S_ROBOT][k] == me
-        } | {state.actuators.ints[A_CELL][k] for k in self.links.actuators}
-        self._first = self.machine.snapshot()
-        self._variables = self.following.cells_of(me)
+        self.board = BoardBody(self.machine, board) if board is not None else None
+        self._ticking = Ticking(self.links, self.following)
+        self._tick: Tick | None = None
 
     # -- the protocol
 
@@ -115,6 +121,8 @@ class AgentHost:
         if self.is_first():
             self._free_units(now)
         self._send_notes(now)
+        if self.board is not None:
+            self._look_at_board(now, self.board)
 
     def is_first(self) -> bool:
         """Whether it is the first of the view: who looks after leases."""
@@ -126,7 +134,8 @@ class AgentHost:
             return False
         if not self.replica.is_of_team(self.me):
             return True
-        return may_act(self.charter, self.state, self.me, now)
+        margin = round(self.board.trip) if self.board is not None else 0
+        return may_act(self.charter, self.state, self.me, now + margin)
 
     def _is_silent(self, now: int) -> bool:
         """Whether it has no radio, or no body."""
@@ -199,8 +208,9 @@ class AgentHost:
         self.asks = not self.following.is_whole
         if self.replica.beginnings[self.me] != self._beginning:
             self._beginning = self.replica.beginnings[self.me]
-            self.machine.restore(self._first)
-            self.links.forget()
+            self._ticking.begin_anew()
+            if self.board is not None:
+                self.board.begin_anew()
             self._end_said = -1
         if of_team and team.robots[T_ROLE][self.me] not in (role, -1):
             self.acts_from = now + self.charter.hold
@@ -223,27 +233,79 @@ class AgentHost:
             return [self._replies[frame.serial]] if frame.serial in self._replies else []
         if frame.serial <= self._serial_ticked + WINDOW:
             self._early[frame.serial] = frame
+        return self._go_on(now)
+
+    def _go_on(self, now: int) -> list[Reply]:
+        """The answers to the frames that follow, as far as no board is at work for one of them."""
         given = []
-        while self._serial_ticked + 1 in self._early:
+        while (self._tick is None or self._tick.late) and self._serial_ticked + 1 in self._early:
             self._serial_ticked += 1
             reply = self._answer(now, self._early.pop(self._serial_ticked))
-            self._replies[self._serial_ticked] = reply
-            self._replies.pop(self._serial_ticked - WINDOW, None)
-            given.append(reply)
+            if reply is not None:
+                given.append(self._kept(reply))
         return given
 
-    def _answer(self, now: int, frame: Frame) -> Reply:
-        """The answer to the next frame."""
-        ticked, quiet = None, True
-        writes: tuple[tuple[int, int], ...] = ()
+    def _kept(self, reply: Reply) -> Reply:
+        self._replies[reply.serial] = reply
+        self._replies.pop(reply.serial - WINDOW, None)
+        return reply
+
+    def _answer(self, now: int, frame: Frame) -> Reply | None:
+        """The answer to the next frame; None while a board is at work for it."""
+        tick = self._tick
+        if tick is not None:
+            if not tick.over:
+                return self._reply(now, frame, False)
+            self._tick = None
+            return self._reply(now, frame, False, tick)
         held = not (frame.down or self.may_act(now))
+        if held or frame.down or now < self.acts_from:
+            return self._reply(now, frame, held)
+        ticking = self._ticking
+        written = {one.variable: one.value for one in self.state.store.entries if one.stamp != FIRST_STAMP}
+        ticking.sense(frame if self.board is None else None, written)
+        tick = Tick(frame, self.replica.epochs[self.me], self._beginning, now, self.machine.snapshot())
+        if self.board is None or ticking.is_over():
+            if not ticking.is_over():
+                self.machine.tick()
+                self._finish(now, tick, True)
+            else:
+                self._finish(now, tick, False)
+            return self._reply(now, frame, False, tick)
+        self._tick = tick
+        self.board.tick(now, ticking.of_team(), [cell for _, cell in ticking.shared])
+        return None
+
+    def _finish(self, now: int, tick: Tick, ticked: bool) -> None:
+        """What came of a tick; commands to the team go into the log, and what was written is told to all."""
+        out, wishes = self._ticking.commands(tick.frame.serial) if ticked else ((), [])
+        for k, wish in wishes:
+            self.links.waiting[k] = self._serial + 1
+            self._note(now, *wish)
+        epoch = self.replica.epochs[self.me]
+        if self.machine.ended and not self.links.has_ended() and self._end_said != epoch:
+            self._end_said = epoch
+            self._note(now, notes.END, 0, 0)
+        written = self._ticking.written()
+        for variable, value in written:
+            self._step(now, Write(variable, value))
+        made, quiet = self._ticking.ticked(out, tick)
+        tick.made = made, written, quiet
+
+    def _reply(self, now: int, frame: Frame, held: bool, tick: Tick | None = None) -> Reply:
+        """The answer to a frame, with what came of a tick, if there was one."""
+        ticked, quiet = None, self.board is None
+        writes: tuple[tuple[int, int], ...] = ()
+        epoch = self.replica.epochs[self.me]
+        if tick is not None:
+            epoch = tick.epoch
+            if tick.made is not None:
+                ticked, writes, quiet = tick.made
         waits = frame.down or now < self.acts_from
-        if not held and not waits:
-            ticked, writes, quiet = self._tick(now, frame)
         first, slots = self.following.since(frame.known, MOST_SLOTS)
         return Reply(
             frame.serial,
-            self.replica.epochs[self.me],
+            epoch,
             held,
             quiet and not waits and not self.links.waiting,
             ticked,
@@ -253,70 +315,35 @@ class AgentHost:
             self.whole() if first < 0 else None,
         )
 
-    def _tick(self, now: int, frame: Frame) -> tuple[Ticked, tuple[tuple[int, int], ...], bool]:
-        """One tick of the machine: read, react, apply."""
-        machine, layout = self.machine, self.machine.layout
-        cells = machine.cells
-        for cell, value in enumerate(frame.inputs[: layout.inputs], 1):
-            if cell not in self._own_cells:
-                cells[cell] = 0 if self._given.get(cell, 0) > frame.taken else value
-        self.links.read()
-        self._share()
-        before = machine.snapshot()
-        out: list[tuple[int, ...]] = []
-        if not machine.ended and not self.links.has_ended():
-            machine.tick()
-            out = self._commands(now, frame.serial)
-        epoch = self.replica.epochs[self.me]
-        if machine.ended and not self.links.has_ended() and self._end_said != epoch:
-            self._end_said = epoch
-            self._note(now, notes.END, 0, 0)
-        writes = self._written(now)
-        ticked = Ticked(
-            tuple(cells[: layout.cells]), tuple(machine.threads[: 2 * len(machine.image.slots)]), tuple(out)
-        )
-        return ticked, writes, not out and machine.snapshot() == before
+    # -- the board
 
-    def _commands(self, now: int, serial: int) -> list[tuple[int, ...]]:
-        """The commands of the tick, each with the number of its actuator; those to the team go into the log."""
-        machine, state = self.machine, self.replica.state
-        first = state.robots.ints[ACTUATOR_INDEX][self.me]
-        given: list[tuple[int, ...]] = []
-        for number in range(machine.image.actuators):
-            row = list(machine.out[number * machine.width : (number + 1) * machine.width])
-            if not row[0]:
-                continue
-            given.append((number, *row))
-            k = state.actuators.actuator_index[first + number]
-            if state.machines.commands[state.robots.ints[PROGRAM][self.me]][COMMAND * row[2] + 2]:
-                self._given[state.actuators.ints[A_CELL][k]] = serial
-            if k in self.links.actuators:
-                wish = self.links.told(k, row)
-                if wish is not None:
-                    self.links.waiting[k] = self._serial + 1
-                    self._note(now, *wish)
-        return given
+    def board_ticked(self, now: int, changes: Sequence[tuple[int, int]]) -> bool:
+        """The board has done its tick; False when what it says cannot be of its program."""
+        tick, board = self._tick, self.board
+        assert tick is not None
+        assert board is not None
+        if not board.ticked(now, changes):
+            return False
+        tick.over = True
+        if tick.beginning == self._beginning:
+            self._finish(now, tick, True)
+        if not tick.late:
+            self._tick = None
+            self.replies.append(self._kept(self._reply(now, tick.frame, False, tick)))
+        self.replies += self._go_on(now)
+        return True
 
-    def _share(self) -> None:
-        """Puts what shared variables hold into the cells of the machine."""
-        values = self.replica.state.shared.ints[SHARED_VALUE]
-        for entry in self.state.store.entries:
-            if entry.stamp != FIRST_STAMP:
-                values[entry.variable] = entry.value
-        for variable, cell in self._variables:
-            self.machine.cells[cell] = values[variable]
-
-    def _written(self, now: int) -> tuple[tuple[int, int], ...]:
-        """The shared variables that the tick has changed; all others are told."""
-        values = self.replica.state.shared.ints[SHARED_VALUE]
-        written = [
-            (v, self.machine.cells[cell]) for v, cell in self._variables if self.machine.cells[cell] != values[v]
-        ]
-        for variable, value in written:
-            values[variable] = value
-            self._step(now, Write(variable, value))
-        return tuple(written)
+    def _look_at_board(self, now: int, board: BoardBody) -> None:
+        """Answers for a board that takes long: its body is there. What came of the tick is told later."""
+        tick = self._tick
+        if tick is not None and not tick.late and now - tick.at >= self.charter.lease // 4:
+            tick.late = True
+            self.replies.append(self._kept(self._reply(now, tick.frame, False)))
+            self.replies += self._go_on(now)
+        board.rest(now)
 
     def stop(self) -> None:
         """The emergency stop: the robot does not act any more in this run."""
         self.stopped = True
+        if self.board is not None:
+            self.board.stop()

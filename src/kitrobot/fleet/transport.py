@@ -88,6 +88,11 @@ class Channel:
             self._waiting.append(data)
             self._arrived.notify()
 
+    def wake(self) -> None:
+        """Ends the waiting of `receive`; from any thread."""
+        with self._arrived:
+            self._arrived.notify()
+
     def receive(self, seconds: float, most: int = 256) -> list[Envelope]:
         """What came, as soon as anything did, or nothing after so many seconds."""
         with self._arrived:

@@ -11,6 +11,7 @@ from dataclasses import replace
 from kitrobot.lll import WorkDeclaration
 from kitrobot.primitives.automatic import texts, work_object
 from kitrobot.primitives.robot import (
+    Board,
     Category,
     Kind,
     Method,
@@ -127,6 +128,8 @@ def _work_parts(number: int, work: WorkDeclaration) -> tuple[RobotObject, RobotO
     whole = work_object(work.name, work.units)
     does = tuple(method for method in whole.methods if method.kind is Kind.PROCEDURE)
     knows = tuple(method for method in whole.methods if method.kind is not Kind.PROCEDURE)
-    common = replace(whole, device="work", model="work", settings={"number": str(number)}, shared=False)
+    common = replace(
+        whole, device="work", model="work", board=Board("team"), settings={"number": str(number)}, shared=False
+    )
     actuator = replace(common, category=Category.ACTUATOR, methods=does, maximum=0, initial=0)
     return actuator, replace(common, category=Category.SENSOR, methods=knows)

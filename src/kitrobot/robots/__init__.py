@@ -17,6 +17,7 @@ from kitrobot.robots.sending import (
     chosen_boards,
     look_at_boards,
     send_program,
+    send_programs,
 )
 from kitrobot.robots.session import Known, NotConnectedError, RobotSession, held_event
 from kitrobot.robots.sharing import warn_of_sharing
@@ -58,5 +59,6 @@ __all__ = [
     "names_of",
     "program_of",
     "send_program",
+    "send_programs",
     "warn_of_sharing",
 ]

@@ -72,15 +72,18 @@ def program_of(
     diagnostics: tuple[Diagnostic, ...] = (),
     sources: tuple[Source, ...] = (),
     folder: Path | None = None,
+    *,
+    member: bool = False,
 ) -> BoardProgram:
-    """A program that was compiled without errors, ready to be sent; `folder`: where a user's own drivers may lie.
+    """A program that was compiled without errors, ready to be sent; `folder`: where a user's own drivers may lie;
+    `member`: it is to be one of a team.
 
     Raises:
         KitRobotError: a driver is missing, or the program fits no board.
     """
     assert compiled.image is not None
     verify(compiled.image)
-    file = make_program_file(compiled.image, robot)
+    file = make_program_file(compiled.image, robot, member=member)
     package = Package((config_folder(), *([folder] if folder is not None else [])))
     missing = package.missing(file.drivers)
     if missing:

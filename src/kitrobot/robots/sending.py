@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TypeVar
@@ -86,18 +86,34 @@ def send_program(
     fresh: bool = False,
 ) -> list[Sent]:
     """Sends a program to several robots at once; what goes wrong with one does not hold up the others."""
-    data = program.file.to_bytes()
+    return send_programs(dict.fromkeys(addresses, program), progress, replace=replace, fresh=fresh)
+
+
+def send_programs(
+    programs: Mapping[str, BoardProgram],
+    progress: Progress = lambda address, stage, done, total: None,
+    *,
+    replace: bool = False,
+    fresh: bool = False,
+) -> list[Sent]:
+    """The same with a program for each address."""
 
     def send(address: str) -> Sent:
+        program = programs[address]
+
         def told(stage: str, done: int, total: int) -> None:
             progress(address, stage, done, total)
 
         try:
-            return Sent(address, deploy(address, data, program.package, told, replace=replace, fresh=fresh), None)
+            return Sent(
+                address,
+                deploy(address, program.file.to_bytes(), program.package, told, replace=replace, fresh=fresh),
+                None,
+            )
         except KitRobotError as error:
             return Sent(address, None, error)
 
-    return _at_once(send, addresses)
+    return _at_once(send, list(programs))
 
 
 def look_at_boards(

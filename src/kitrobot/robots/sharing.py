@@ -37,7 +37,9 @@ def warn_of_sharing(name: str, robot: Robot, compiled: Compiled) -> list[Diagnos
                 "`{object}` is shared with the team, and real robots do not pass it on: {where}", node.object, where
             ),
             place,
-            help=Sentence("the robot runs, and sees only what it sets itself; to run as a team, use the simulator"),
+            help=Sentence(
+                "the robot runs, and sees only what it sets itself; as a team: in the simulator or with `kitrobot team`"
+            ),
             program=name,
             vertices=(vertex,) if vertex else (),
         )

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.run_hints import advice
     from kitrobot.workspace.running import PreparedRun, Run, RunOptions, Timing
     from kitrobot.workspace.search_path import SearchPath
+    from kitrobot.workspace.team_boards import agent_program, boards_of, send_team
     from kitrobot.workspace.traces import OpenTrace, is_trace, open_trace, parts_of, unpack
     from kitrobot.workspace.tutorials import FoundTutorial, Tutorials, watched
     from kitrobot.workspace.variables import VariableError, WantedVariable, make_variable
@@ -68,6 +69,7 @@ else:
             "running": ("PreparedRun", "Run", "RunOptions", "Timing"),
             "variables": ("VariableError", "WantedVariable", "make_variable"),
             "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
+            "team_boards": ("agent_program", "boards_of", "send_team"),
             "traces": ("OpenTrace", "is_trace", "open_trace", "parts_of", "unpack"),
             "tutorials": ("FoundTutorial", "Tutorials", "watched"),
         },
@@ -102,7 +104,9 @@ __all__ = [
     "WantedVariable",
     "add_parts",
     "advice",
+    "agent_program",
     "board_program",
+    "boards_of",
     "check_file",
     "convert",
     "execute",
@@ -120,6 +124,7 @@ __all__ = [
     "read_mission_data",
     "read_world_file",
     "send_program",
+    "send_team",
     "state_at",
     "summary_of",
     "unpack",

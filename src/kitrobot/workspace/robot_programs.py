@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kitrobot import robots
 from kitrobot.compiler import Compiled, compile_program, compile_text, robot_of
-from kitrobot.diagnostics import Diagnostic, ProblemsError, Source
+from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError, Source
 from kitrobot.files import Form, form_of, is_picture, read_text
 from kitrobot.primitives import Robot
 from kitrobot.robots import (
@@ -27,6 +27,11 @@ from kitrobot.workspace.kept_programs import keep_program, kept_names
 from kitrobot.workspace.opening import OpenMission, open_mission
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.traces import parts_of
+
+
+class NoHostError(KitRobotError):
+    """The program of a team is to be sent to a robot that would have no host to speak for it there."""
+
 
 _FORMS = (Form.TEXT, Form.MISSION)
 
@@ -55,7 +60,7 @@ def load_board_program(path: Path, *, robot: str | None = None, program: str | N
     source = Source(str(path), read_text(path))
     compiled = compile_text(source.text, meant, source.name)
     found = (*compiled.diagnostics, *warn_of_sharing(path.stem, meant, compiled))
-    return _ready(path.stem, meant, compiled, found, (source,), path.parent)
+    return ready_program(path.stem, meant, compiled, found, (source,), path.parent)
 
 
 def board_program(opened: OpenMission, program: str | None = None, folder: Path | None = None) -> BoardProgram:
@@ -66,30 +71,46 @@ def board_program(opened: OpenMission, program: str | None = None, folder: Path 
         KitRobotError: the program is not there, its robot is none that is real, a driver is missing.
     """
     meant = opened.program(program)
+    if meant.level.is_team:
+        raise NoHostError(
+            Sentence("`{program}` is the program of a team, and a robot by itself has none", meant.name),
+            Sentence(
+                "send it with {command}, and run it with `kitrobot team`",
+                "`kitrobot deploy … --team --board AGENT=PORT`",
+            ),
+        )
     compiled = opened.compiled.get(meant.name) or compile_program(meant, opened.catalogue)
     robot = robot_of(meant, opened.catalogue)
     shared = warn_of_sharing(meant.name, robot, compiled)
     found = tuple(opened.placed([*opened.diagnostics, *compiled.diagnostics, *shared]))
     beside = folder or (opened.path.parent if opened.path is not None else None)
-    ready = _ready(meant.name, robot, compiled, found, opened.sources, beside)
+    ready = ready_program(meant.name, robot, compiled, found, opened.sources, beside)
     if opened.world is None:
         return ready  # a recording would embed the world
     return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
 
 
-def _ready(
+def ready_program(
     name: str,
     robot: Robot,
-    compiled: Compiled,
+    compiled: Compiled | None,
     found: tuple[Diagnostic, ...],
     sources: tuple[Source, ...],
     folder: Path | None,
+    *,
+    member: bool = False,
 ) -> BoardProgram:
-    if compiled.image is None or any(item.is_error for item in found):
+    """A program that was compiled, made ready to be sent; `member`: as that of a member of a team.
+
+    Raises:
+        ProblemsError: it has errors.
+        KitRobotError: a driver is missing, or the program fits no board.
+    """
+    if compiled is None or compiled.image is None or any(item.is_error for item in found):
         raise ProblemsError(
             Sentence("the program `{program}` has errors", name), Sentence("mend them, then send it"), found, sources
         )
-    return program_of(name, robot, compiled, found, sources, folder)
+    return program_of(name, robot, compiled, found, sources, folder, member=member)
 
 
 def send_program(

@@ -6,6 +6,7 @@ does it while a program runs. Its globals are `robot`, the list of `kitrobot_onb
 """
 
 REQUESTS = {
+    "m": ("member",),
     "h": ("hello",),
     "w": ("program", "watch"),
     "T": ("report",),
@@ -18,7 +19,8 @@ REQUESTS = {
     "i": ("identify",),
 }
 """Request → scripts, in their order: a board skips those before, so requests that arrive while a program runs come
-first. `n` continues with C, and with s before it where that is needed; `w` with T."""
+first. `n` continues with C, and with s before it where that is needed; `w` with T. `m` is
+asked at each tick of a member."""
 
 BY_FAMILY = {"microbit": {"i": ("lights", "identify")}}
 """What differs for a family of boards."""

@@ -20,7 +20,7 @@ from kitrobot_onboard.state import (
     TOLD,
 )
 
-if robot[KIND] == "s" and robot[DATA] not in (b"\0", b"\1"):
+if robot[KIND] == "s" and robot[DATA] not in (b"\0", b"\1", b"\2"):
     robot[TOLD] = 3
 stop(robot)
 if robot[FAILED]:
@@ -45,9 +45,9 @@ for count in range(at[2]):
 robot[FAULT] = 0, 0, None, None
 robot[COUNT] = robot[LATE] = 0
 robot[STATE] = 2
-robot[STEPS] = robot[KIND] != "s"
+robot[STEPS] = robot[KIND] != "s" or robot[DATA] == b"\2"
 robot[HELD] = False
 robot[DUE] = robot[TICKS]()
 if robot[KIND] == "s":
-    robot[HELD] = robot[DATA] == b"\1"
+    robot[HELD] = robot[DATA] != b"\0"
     robot[TOLD] = 0

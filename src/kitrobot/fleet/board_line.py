@@ -1,0 +1,142 @@
+"""`BoardLine`: the line to the board of an agent, in a thread of its own, so that a slow board holds up nobody."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from queue import SimpleQueue
+from threading import Thread
+
+from kitrobot.deploy import Board, LineError, connect
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.fleet.board_body import Order
+from kitrobot.fleet.charter import FleetError
+from kitrobot.robots import BoardProgram
+from kitrobot.text import Sentence
+
+LEAST_SILENT_S = 1.5
+"""A board answers within less, also a small one."""
+END_S = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """What came of an order: the numbers that a tick changed, or why it could not be done."""
+
+    order: Order
+    changes: tuple[tuple[int, int], ...] = ()
+    error: KitRobotError | None = None
+
+
+class Obeying:
+    """A board that does what it is told; only inputs that are others than before are sent."""
+
+    def __init__(self, board: Board) -> None:
+        self._board = board
+        self._held: dict[int, int] = {}
+
+    def do(self, order: Order) -> tuple[tuple[int, int], ...]:
+        """Has an order done; what a tick has changed.
+
+        Raises:
+            DeployError: the board does not answer, or cannot do it.
+        """
+        board = self._board
+        if order.what == "stop":
+            board.stop()
+        elif order.what == "still":
+            board.stand_still()
+        else:
+            if order.anew:
+                board.begin_member()
+            for cell, value in order.variables.items():
+                board.set(cell, value)
+            new = {cell: value for cell, value in order.inputs.items() if self._held.get(cell) != value}
+            self._held |= new
+            return tuple(board.member_tick(new))
+        return ()
+
+
+class BoardLine:
+    """A board that has the program of its agent.
+
+    Args:
+        board: a line to it, on which it was greeted.
+
+    Attributes:
+        wake: called in another thread when something came of an order.
+    """
+
+    def __init__(self, board: Board) -> None:
+        self.wake: Callable[[], None] = lambda: None
+        self._board = board
+        board.silent_s = LEAST_SILENT_S
+        self._obeying = Obeying(board)
+        self._orders: SimpleQueue[Order | None] = SimpleQueue()
+        self._done: SimpleQueue[Done] = SimpleQueue()
+        self._thread = Thread(target=self._work, name="board", daemon=True)
+        self._thread.start()
+
+    def order(self, order: Order) -> None:
+        """Has it do something, behind what it was told before."""
+        self._orders.put(order)
+
+    def done(self) -> list[Done]:
+        """What came of orders since this was called last."""
+        found = []
+        while not self._done.empty():
+            found.append(self._done.get())
+        return found
+
+    def close(self) -> None:
+        """Stops the board, as far as it can be reached, and lets go of the line."""
+        self._orders.put(Order("stop"))
+        self._orders.put(None)
+        self._thread.join(END_S)
+        self._board.close()
+
+    def _work(self) -> None:
+        while (order := self._orders.get()) is not None:
+            try:
+                self._done.put(Done(order, self._obeying.do(order)))
+            except KitRobotError as error:
+                self._done.put(Done(order, (), self._why(error)))
+                self.wake()
+                return
+            self.wake()
+
+    def _why(self, error: KitRobotError) -> KitRobotError:
+        """Why an order could not be done: what the board says of it, where it says anything."""
+        if isinstance(error, LineError):
+            return error
+        try:
+            fault = self._board.last_fault()
+        except KitRobotError:
+            return error
+        if fault is None:
+            return error
+        return FleetError(
+            Sentence("the board stopped by itself: {fault}", fault.meaning),
+            Sentence("`kitrobot log` tells more of it; then start the agent again"),
+        )
+
+
+def open_board(port: str, program: BoardProgram, name: str, mission: str) -> BoardLine:
+    """The board of an agent, which must have its program, of this KitRobot.
+
+    Raises:
+        FleetError: it has another one.
+        DeployError: there is none, or it does not answer.
+    """
+    board = connect(port)
+    try:
+        if not program.is_called(board.hello.program):
+            raise FleetError(
+                Sentence("the board on `{port}` does not have the program of `{agent}` as it is now", port, name),
+                Sentence("send it: {command}", f"`kitrobot deploy {mission} --team --board {name}={port}`"),
+            )
+        board.stop()
+        return BoardLine(board)
+    except BaseException:
+        board.close()
+        raise

@@ -1,0 +1,119 @@
+"""The programs of a team's agents for real robots."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from kitrobot import robots
+from kitrobot.compiler import Compiled, robot_of
+from kitrobot.diagnostics import KitRobotError, ProblemsError
+from kitrobot.primitives import Robot, with_team
+from kitrobot.robots import BoardProgram, Progress, Sent, carried_by
+from kitrobot.text import Sentence, did_you_mean, listed
+from kitrobot.workspace.kept_programs import keep_program
+from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.robot_programs import ready_program
+from kitrobot.workspace.traces import parts_of
+
+
+class BoardsError(KitRobotError):
+    """It cannot be so said which agent has which board."""
+
+
+def agent_program(opened: OpenMission, name: str) -> BoardProgram:
+    """What an agent of a mission runs, made ready for a board that is a member of its team.
+
+    Raises:
+        BoardsError: the mission has no such agent.
+        ProblemsError: its program has errors, with all that is to be said of it.
+        KitRobotError: a driver is missing, or the program fits no board.
+    """
+    names = [agent.name for agent in opened.mission.team.agents]
+    if name not in names:
+        raise no_agent(name, names)
+    agent = opened.mission.team.agents[names.index(name)]
+    program = opened.program(agent.program)
+    found = opened.report.problems
+    if not opened.report.ok:
+        raise ProblemsError(
+            Sentence("`{mission}` has errors, so it was not run", opened.name), "", found, opened.all_sources
+        )
+    compiled: Compiled | None
+    if agent.program == opened.mission.social:
+        robot: Robot = with_team(opened.catalogue.robots[agent.robot], opened.mission.team.works)
+        compiled = opened.team.kinds.get(agent.robot) if opened.team is not None else None
+    else:
+        robot = robot_of(program, opened.catalogue)
+        compiled = opened.compiled.get(program.name)
+    folder = opened.path.parent if opened.path is not None else None
+    ready = ready_program(program.name, robot, compiled, found, opened.all_sources, folder, member=True)
+    if opened.world is None or compiled is None:
+        return ready
+    return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
+
+
+def send_team(
+    opened: OpenMission,
+    boards: Mapping[str, str],
+    progress: Progress = lambda address, stage, done, total: None,
+    *,
+    replace: bool = False,
+    fresh: bool = False,
+) -> list[Sent]:
+    """Puts the programs of agents onto their boards, which then wait for `kitrobot team`; none of them is started.
+
+    Args:
+        opened: the mission.
+        boards: the ports, by agents.
+        progress: is told how far it is.
+        replace: as of `deploy.deploy`.
+        fresh: as of `deploy.deploy`.
+
+    Raises:
+        KitRobotError: what can be said before anything is sent.
+    """
+    programs = {port: agent_program(opened, name) for name, port in boards.items()}
+    sent = robots.send_programs(programs, progress, replace=replace, fresh=fresh)
+    for one in sent:
+        if one.deployed is not None:
+            keep_program(programs[one.address], [one.deployed.program])
+    return sent
+
+
+def no_agent(name: str, names: list[str]) -> BoardsError:
+    """The error of an agent that a mission has not."""
+    return BoardsError(
+        Sentence("this mission has no agent `{agent}`", name),
+        did_you_mean(name, names) or Sentence("its agents: {names}", listed(names)),
+    )
+
+
+def boards_of(given: list[str], names: list[str]) -> Mapping[str, str]:
+    """The ports of agents, by name, as they are given: `AGENT=PORT`.
+
+    Raises:
+        BoardsError: something else is given, there is no such agent, or an agent or a port is given twice.
+    """
+    found: dict[str, str] = {}
+    for text in given:
+        name, equal, port = (part.strip() for part in text.partition("="))
+        if not (name and equal and port):
+            raise BoardsError(
+                Sentence("`{text}` does not say which agent has which board", text),
+                Sentence("write it as AGENT=PORT, such as {example}", f"{names[0]}=/dev/ttyACM0"),
+            )
+        if name not in names:
+            raise no_agent(name, names)
+        if name in found:
+            raise BoardsError(
+                Sentence("two boards are given to `{agent}`", name), Sentence("an agent has one board; take one away")
+            )
+        if port in found.values():
+            other = next(one for one, taken in found.items() if taken == port)
+            raise BoardsError(
+                Sentence("`{agent}` and `{other}` are both given the board on `{port}`", other, name, port),
+                Sentence("each agent needs a board of its own; `kitrobot boards` lists those that are there"),
+            )
+        found[name] = port
+    return found

@@ -1,0 +1,98 @@
+"""Real robots as agents of a team of processes: boards on CPython at the end of a socket, as a person starts them."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import socket
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kitrobot.fleet import new_key
+from kitrobot.workspace import agent_program, open_mission
+from tests.boards.host import HostBoard, board_with
+from tests.boards.proxy import Proxy
+from tests.fleet.test_processes import CONVOY, started
+
+NOWHERE = "socket://127.0.0.1:9"
+
+
+@pytest.fixture
+def mission(tmp_path: Path) -> Path:
+    """The convoy, with drivers of its parts beside it, and nobody fails by schedule."""
+    text = Path(CONVOY).read_text(encoding="utf-8")
+    for beside in Path(CONVOY).parent.iterdir():
+        shutil.copy(beside, tmp_path)
+    for driver in ("turn", "drive", "lamp"):
+        (tmp_path / f"{driver}.driver.py").write_text("def make(settings):\n    raise OSError\n", encoding="utf-8")
+    file = tmp_path / "convoy.krt"
+    file.write_text(text.replace('<failure agent="robot-2" at="3" kind="fail"/>', ""), encoding="utf-8")
+    return file
+
+
+@pytest.fixture
+def boards(mission: Path) -> Iterator[dict[str, HostBoard]]:
+    """Boards that have the programs of two agents."""
+    opened = open_mission(mission)
+    with ExitStack() as stack:
+        yield {
+            name: stack.enter_context(board_with(agent_program(opened, name).file.to_bytes()))
+            for name in ("robot-2", "robot-4")
+        }
+
+
+def test_a_cable_that_is_pulled_is_an_agent_that_failed_and_another_board_takes_over(
+    mission: Path, boards: dict[str, HostBoard]
+) -> None:
+    with (
+        Proxy(int(boards["robot-2"].address.rpartition(":")[2]), cut_after=90) as cable,
+        started(
+            *("team", str(mission), "--pace", "4", "--json", "--board", f"robot-2={cable.address}"),
+            *("--board", f"robot-4={boards['robot-4'].address}"),
+        ) as team,
+    ):
+        team.until("robot-2: its board is lost")
+        team.until("robot-4: takes over for robot-2")
+        status, out, said = team.end()
+    result = json.loads(out)
+    assert (status, result["outcome"]) == (0, "done"), said
+    assert "the line to" in said
+
+
+def test_what_cannot_be_a_team_with_boards_is_told(
+    mission: Path, boards: dict[str, HostBoard], tmp_path: Path, kitrobot: Any
+) -> None:
+    key = tmp_path / "key"
+    key.write_text(new_key(), encoding="utf-8")
+    agent = ("agent", str(mission), "--key", str(key), "--connect", "tcp/127.0.0.1:1")
+    other = boards["robot-4"].address
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        gone = f"socket://127.0.0.1:{silent.getsockname()[1]}"
+    for words, said in [
+        (("team", str(mission), "--board", f"robot-9={NOWHERE}"), "no agent `robot-9`"),
+        (("team", str(mission), "--board", NOWHERE), "which agent has which board"),
+        (("team", str(mission), "--board", "robot-1=x", "--board", "robot-1=y"), "two boards are given"),
+        (("team", str(mission), "--board", "robot-1=x", "--board", "robot-2=x"), "both given the board on `x`"),
+        (
+            ("team", str(mission), "--board", "robot-1=x", "--elsewhere", "robot-1", "--key", str(key)),
+            "is started elsewhere",
+        ),
+        ((*agent, "--as", "robot-1", "--board", gone), "cannot be opened"),
+        (("deploy", str(mission), "--team"), "belong together"),
+        (("deploy", str(mission), "--board", "robot-1=x"), "belong together"),
+        (("deploy", str(mission), "--team", "--board", "robot-1=x", "--to", "y"), "--board says the ports"),
+        (("deploy", str(mission), "--team", "--board", f"robot-1={gone}"), "no robot of the team is started"),
+        (("deploy", str(mission), "--to", gone), "is the program of a team"),
+    ]:
+        found = kitrobot(*words)
+        assert found.status in (1, 2), words
+        assert said in " ".join(found.err.replace("│", " ").split()), found.err
+        assert "Traceback" not in found.err
+    mission.write_text(mission.read_text(encoding="utf-8").replace(">40<", ">41<"), encoding="utf-8")
+    found = kitrobot(*agent, "--as", "robot-4", "--board", other)
+    assert found.status == 1
+    assert "does not have the program of `robot-4` as it is now" in found.err
