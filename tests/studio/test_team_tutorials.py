@@ -23,7 +23,8 @@ def write_parofseq(studio: Studio) -> None:
 
 
 def let_fail(studio: Studio, robot: str) -> None:
-    """Lets a robot fail with the keys of the arena."""
+    """Lets a robot fail with the keys of the arena, once the run is on."""
+    expect(studio.at("status")).to_have_attribute("data-status", "running")
     choose(studio, robot)
     studio.page.keyboard.press("Enter")
     studio.at("menu-harm-fail").click()

@@ -51,7 +51,7 @@ def drop(studio: Studio, part: str, target: str, object_: str = "") -> None:
 
 
 def run(studio: Studio) -> None:
-    """Presses Run, and waits until it is on."""
+    """Presses Run."""
     studio.at("run-button").click()
 
 

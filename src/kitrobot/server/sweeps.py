@@ -71,7 +71,7 @@ class _Session:
             self._stop.set()
             if self._task is not None:
                 # Not called off: its thread goes on until it looks at `stop`, and keeps the studio's place.
-                await asyncio.gather(self._task, return_exceptions=True)
+                await asyncio.shield(self._task)
 
     async def _obey(self, text: str | bytes) -> None:
         try:

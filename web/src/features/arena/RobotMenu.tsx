@@ -1,5 +1,5 @@
 /** The menu of a robot in the arena: by the right button, a finger that rests, the menu key, or Enter on the chosen one. */
-import { useState } from "react";
+import { useMemo } from "react";
 
 import { FAILED, MUTED, STALLED } from "../../api/wire";
 import { t } from "../../i18n/words";
@@ -38,7 +38,9 @@ export function entriesOf(name: string): MenuEntry[] {
 }
 
 function Open({ name, x, y, onClosed }: { name: string; x: number; y: number; onClosed: () => void }) {
-  const [entries] = useState(() => entriesOf(name));
+  const on = useRun((state) => can("fail", state));
+  // A run may begin or end while the menu is open; what is in it keeps its order meanwhile.
+  const entries = useMemo(() => entriesOf(name), [name, on]);
   return (
     <FloatingMenu
       id="robot"
