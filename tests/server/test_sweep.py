@@ -119,7 +119,7 @@ def test_a_studio_is_at_one_sweep_at_a_time_and_it_can_be_broken_off(sweeping, m
         first.start(forever, seconds=36_000)
     # Where the socket closed the sweep ends with the next of its looks, and the place is free.
     with sweeping() as third:
-        said = {"type": "refused"}
+        said: dict[str, Any] = {"type": "refused"}
         while said["type"] == "refused":
             third.start(mission())
             said = third.until("map", "refused")
