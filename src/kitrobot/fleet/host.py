@@ -265,12 +265,11 @@ class AgentHost:
         written = {one.variable: one.value for one in self.state.store.entries if one.stamp != FIRST_STAMP}
         ticking.sense(frame if self.board is None else None, written)
         tick = Tick(frame, self.replica.epochs[self.me], self._beginning, now, self.machine.snapshot())
-        if self.board is None or ticking.is_over():
-            if not ticking.is_over():
+        over = ticking.is_over()
+        if self.board is None or over:
+            if not over:
                 self.machine.tick()
-                self._finish(now, tick, True)
-            else:
-                self._finish(now, tick, False)
+            self._finish(now, tick, not over)
             return self._reply(now, frame, False, tick)
         self._tick = tick
         self.board.tick(now, ticking.of_team(), [cell for _, cell in ticking.shared])
