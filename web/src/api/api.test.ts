@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 import { api, ApiError } from "./client";
-import { runAddress } from "./socket";
+import { socketAddress } from "./address";
 import { forgetToken, token } from "./token";
 import { decodeFrame } from "./wire";
 
@@ -88,8 +88,8 @@ it("a path is escaped in the address", async () => {
 });
 
 it("the run's address keeps the page's folder and scheme", () => {
-  const place = { protocol: "https:", host: "h:1", pathname: "/lab/index.html" };
-  expect(runAddress(place, "a/b")).toBe("wss://h:1/lab/api/run?language=en&token=a%2Fb");
+  const page = "https://h:1/lab/index.html";
+  expect(socketAddress("api/run", page, "a/b").href).toBe("wss://h:1/lab/api/run?language=en&token=a%2Fb");
 });
 
 describe("a pose frame", () => {

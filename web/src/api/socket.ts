@@ -3,8 +3,8 @@
  *
  * A lost connection is said once and not mended in secret: the run it carried is gone, so the person decides.
  */
-import { languageInUse, t } from "../i18n/words";
-import { token } from "./token";
+import { t } from "../i18n/words";
+import { socketAddress } from "./address";
 import { decodeFrame, type PoseFrame, type RunMessage, type RunRequest } from "./wire";
 
 export interface Failure {
@@ -24,14 +24,8 @@ interface Listener {
   onLost: (failure: Failure) => void;
 }
 
-export function runAddress(place: { protocol: string; host: string; pathname: string }, secret: string): string {
-  const folder = place.pathname.replace(/[^/]*$/, "");
-  const scheme = place.protocol === "https:" ? "wss:" : "ws:";
-  return `${scheme}//${place.host}${folder}api/run?language=${languageInUse()}&token=${encodeURIComponent(secret)}`;
-}
-
 export function openRunSocket(listener: Listener): RunSocket {
-  const socket = new WebSocket(runAddress(window.location, token()));
+  const socket = new WebSocket(socketAddress("api/run"));
   socket.binaryType = "arraybuffer";
   let ours = false;
   const hand: RunSocket = {
