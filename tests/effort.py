@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import os
+from typing import TypeVar
 
 import hypothesis
 
 THOROUGH = bool(os.environ.get("KITROBOT_THOROUGH"))
 """Whether all of a sweep is tried, not only a sample of it."""
+
+
+Case = TypeVar("Case")
+
+
+def cases(usual: list[Case], more: list[Case]) -> list[Case]:
+    """The cases that a test is tried on: the usual ones, in the thorough profile the others too."""
+    return [*usual, *more] if THOROUGH else usual
 
 
 def examples(few: int, many: int = 0) -> int:

@@ -44,7 +44,7 @@ from tests.boards.test_deploy import put as put_program
 from tests.boards.test_deploy import runs
 from tests.boards.test_ticks import compared
 from tests.boards.watching import watched
-from tests.effort import THOROUGH
+from tests.effort import THOROUGH, cases
 from tests.patience import PATIENCE_S
 
 pytestmark = pytest.mark.boards
@@ -229,7 +229,7 @@ def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, t
         assert board.last_fault() is None
 
 
-@pytest.mark.parametrize("name", ["heart", "reaction", "dice"])
+@pytest.mark.parametrize("name", cases(["reaction", "dice"], ["heart"]))
 def test_the_examples_for_it_run_on_it(used_microbit: Emulated, name: str) -> None:
     program = load_board_program(EXAMPLES / name / f"{name}.krt")
     place(used_microbit, program)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
+from tests.effort import cases
 from tests.studio.conftest import EXAMPLES, Studio
 from tests.studio.test_reach import CUT_OFF, choose
 
@@ -87,7 +88,8 @@ ENGLISH = {
 QUOTED = re.compile(r"`[^`]*`|“[^”]*”|\w+\.\w+")
 """Code where a screen cannot set it apart, words of the mission, names of methods and files."""
 
-each_language = pytest.mark.parametrize("language", ["fr", "ur"])
+each_language = pytest.mark.parametrize("language", cases(["ur"], ["fr"]))
+"""In Urdu a word of English is known by its letters; that no French word is missing is held by the page's own tests."""
 
 
 def meets_no_english(studio: Studio, language: str, screen: str) -> None:
