@@ -21,6 +21,7 @@ from kitrobot.sim.columns import (
     UX,
     UY,
 )
+from kitrobot.sim.contacts import TOUCH_MM
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
 from kitrobot.sim.sight import ray_to_discs
 from kitrobot.sim.state import State
@@ -28,7 +29,10 @@ from kitrobot.text import Sentence
 
 
 class Collision(Sensor):
-    """1 while a robot is nearer than `reach`, bumper to bumper along the road, or touches; 0 otherwise."""
+    """1 while a robot is nearer than `reach`, bumper to bumper along the road, or touches; 0 otherwise.
+
+    On a road a robot that touches it from behind does not press it: the way ahead is free.
+    """
 
     name = "collision"
     discrete = Discrete.GAP
@@ -71,11 +75,13 @@ def sense(first: int, last: int, step: int, state: State) -> None:
         near = 0
         if ended[i] == 0:
             backwards = speed[i] < 0.0 or (speed[i] == 0.0 and target[i] < 0.0)
-            if touching[i]:
-                near = 1
-            elif road[i] >= 0:
-                if (floats[GAP_BEHIND][i] if backwards else floats[GAP_AHEAD][i]) <= reaches[k]:
+            if road[i] >= 0:
+                ahead = floats[GAP_BEHIND][i] if backwards else floats[GAP_AHEAD][i]
+                behind = floats[GAP_AHEAD][i] if backwards else floats[GAP_BEHIND][i]
+                if ahead <= reaches[k] or ahead <= TOUCH_MM or (touching[i] and behind > TOUCH_MM):
                     near = 1
+            elif touching[i]:
+                near = 1
             elif len(state.grid.items) > 0:
                 side = -1.0 if backwards else 1.0
                 reach = reaches[k] + floats[RADIUS][i]
