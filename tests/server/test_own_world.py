@@ -47,7 +47,7 @@ def test_a_worlds_file_can_be_had_to_be_changed(page: TestClient) -> None:
         "name": "A",
         "road": "ring",
         "at_mm": 40.0,
-        "reach_mm": 30.0,
+        "reach_mm": 40.0,
         "storehouse": "A",
         "kind": "load",
         "side": "left",
