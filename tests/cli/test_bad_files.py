@@ -24,6 +24,7 @@ READS = {
     "format --write": ("format", "--write", "bad.lll"),
     "run": ("run", "bad.krt"),
     "run recorded": ("run", EXAMPLE, "--seconds", "0.1", "--trace", "bad.krtrace"),
+    "verify": ("verify", "bad.krt", "--seconds", "1"),
     "replay": ("replay", "bad.krtrace"),
     "replay --at": ("replay", "bad.krtrace", "--at", "1"),
     "diff ours": ("diff", "bad.krt", EXAMPLE),
@@ -52,7 +53,7 @@ READS = {
 }
 WRITES = ("run recorded", "merge output")
 DEVICES = ("endless device", "nothing")
-WITH_JSON = ("check", "run", "replay", "diff", "exec", "deploy", "watch", "log")
+WITH_JSON = ("check", "run", "verify", "replay", "diff", "exec", "deploy", "watch", "log")
 MAY_BE_RIGHT = {"empty", "cut off", "nothing", "odd name"}
 """An empty text is a program that does nothing, and half of one may be another."""
 

@@ -39,6 +39,7 @@ from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.sweep import with_moments
 from kitrobot.cli.team import run_team
+from kitrobot.cli.verify import verify_mission
 from kitrobot.cli.watch import watch_board
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
@@ -65,6 +66,7 @@ app = typer.Typer(
 )
 app.command("studio")(open_studio)
 app.command("run")(run_mission)
+app.command("verify")(verify_mission)
 app.command("team")(run_team)
 app.command("agent")(run_agent)
 app.command("replay")(replay_trace)

@@ -1,0 +1,156 @@
+"""`kitrobot verify`: what can go wrong in a mission, whatever the order of events; a table, or JSON."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from kitrobot.cli.output import give, json_text, show
+
+if TYPE_CHECKING:
+    from kitrobot.workspace.verification import Finding, Progress, Verification
+
+_FIRST, _LAST = 6, 24
+"""Events of one run that are shown: the first and the last ones."""
+
+
+def verify_mission(
+    file: Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)],
+    properties: Annotated[
+        list[str] | None,
+        typer.Option("--property", metavar="NAME", help="Check this one only; may be given again.", show_default=False),
+    ] = None,
+    timings: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--timing",
+            metavar="lockstep|prompt|free",
+            help="When agents tick: all at once, each between two events, or whenever; may be given again. Else all.",
+            show_default=False,
+        ),
+    ] = None,
+    failures: Annotated[int, typer.Option(metavar="K", help="Up to so many failures at any moment, 0 to 3.")] = 0,
+    most_states: Annotated[
+        int, typer.Option("--max-states", metavar="N", min=1, help="Explore at most so many states of each.")
+    ] = 1_000_000,
+    seconds: Annotated[float, typer.Option(metavar="S", help="Take at most so long, together.")] = 60.0,
+    as_json: Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")] = False,
+) -> None:
+    """Check what can go wrong in a mission, whatever the order of events.
+
+    The exit status is 0 when every property holds wherever it was checked, 1 when one is broken, and 3 when none is
+    and a search was not finished.
+    """
+    if not (math.isfinite(seconds) and seconds > 0):
+        raise typer.BadParameter("a check takes more than 0 seconds", param_hint="'--seconds'")
+    from kitrobot.verifier import Answer, Timing
+    from kitrobot.workspace import RunOptions, open_mission
+    from kitrobot.workspace.verification import MOST_FAILURES, VerificationOptions, verify
+
+    if not 0 <= failures <= MOST_FAILURES:
+        raise typer.BadParameter(f"a check takes 0 to {MOST_FAILURES} failures", param_hint="'--failures'")
+    known = {one.value: one for one in Timing}
+    for name in timings or ():
+        if name not in known:
+            raise typer.BadParameter(f"expected one of {', '.join(known)}", param_hint="'--timing'")
+    chosen = tuple(one for one in Timing if not timings or one.value in timings)
+    prepared = open_mission(file).prepare(RunOptions(1, 600.0))
+    show(prepared.problems, prepared.sources)
+    options = VerificationOptions(tuple(properties or ()), chosen, failures, most_states, seconds)
+    with _progress() as progress:
+        made = verify(prepared, options, progress)
+    give(json_text(made.to_json()) + "\n" if as_json else _table(made))
+    if Answer.BROKEN in made.answers:
+        raise typer.Exit(1)
+    if Answer.NOT_FINISHED in made.answers:
+        raise typer.Exit(3)
+
+
+@contextmanager
+def _progress() -> Iterator[Progress | None]:
+    """A line on standard error while a person watches."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress as Bar
+    from rich.progress import SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=None)
+        yield lambda timing, failures, states, depth: bar.update(
+            task, description=f"{_head(timing.value, failures)}: {states:,} states, {depth} deep"
+        )
+
+
+def _head(timing: str, failures: int) -> str:
+    return timing if failures == 0 else f"{timing}, {failures} failure{'' if failures == 1 else 's'}"
+
+
+def _table(made: Verification) -> str:
+    """The result as people read it: a row for each property, a column for each assumption, then what is broken."""
+    heads = [_head(column.judged.timing.value, column.judged.failures) for column in made.columns]
+    rows: dict[str, list[str]] = {}
+    for column in made.columns:
+        for finding in column.findings:
+            rows.setdefault(finding.verdict.property.name, []).append(_answer(finding))
+    names = max((len(name) for name in rows), default=0)
+    widths = [max(len(head), 13) for head in heads]
+    lines = ["  ".join([" " * names, *(head.ljust(width) for head, width in zip(heads, widths, strict=True))]).rstrip()]
+    for name, answers in rows.items():
+        cells = (answer.ljust(width) for answer, width in zip(answers, widths, strict=False))
+        lines.append("  ".join([name.ljust(names), *cells]).rstrip())
+    explored = (f"{column.judged.states:,}" for column in made.columns)
+    cells = (text.ljust(width) for text, width in zip(explored, widths, strict=True))
+    lines += ["", "  ".join(["states".ljust(names), *cells]).rstrip()]
+    lines += [f"  taken for granted: {limit}" for limit in made.limits]
+    told: set[str] = set()
+    for column, head in zip(made.columns, heads, strict=True):
+        for finding in column.findings:
+            name = finding.verdict.property.name
+            if finding.verdict.way is None or name in told:
+                continue
+            if not told:
+                lines += ["", *_told(finding, head, made.tick_ms)]
+            else:
+                lines += ["", f"{name} ({head}): see its run with --property {name}"]
+            told.add(name)
+    return "\n".join(lines) + "\n"
+
+
+def _answer(finding: Finding) -> str:
+    if finding.verdict.way is None:
+        return finding.verdict.answer.value
+    return "broken" if finding.confirmed is not None else "broken?"
+
+
+def _told(finding: Finding, head: str, tick_ms: int) -> Sequence[str]:
+    """One broken property: what it demands, the run, and whether the simulator shows it too."""
+    verdict, way = finding.verdict, finding.verdict.way
+    assert way is not None
+    lines = [f"{verdict.property.name} ({head}): not always: {verdict.property.sentence}"]
+    story = [f"  {step:>4}  {text}" for step, text in finding.story]
+    left_out = len(story) - _FIRST - _LAST
+    if left_out > 1:
+        story[_FIRST:-_LAST] = [f"        … {left_out} events …"]
+    lines += story
+    if way.repeats_from >= 0:
+        whole = way.repeats_from >= len(way.steps)
+        lines.append("        and so it stays" if whole else f"        from step {way.repeats_from} on again and again")
+    confirmed = finding.confirmed
+    if confirmed is None:
+        lines.append("  not reproduced in the simulator")
+        return lines
+    harms = [f"{harm.agent}: {harm.kind} at {harm.tick * tick_ms / 1000:.2f} s" for harm in confirmed.harms]
+    lines.append(
+        f"  confirmed in the simulator: seed {confirmed.seed}, at {confirmed.tick * tick_ms / 1000:.2f} s"
+        + (f" ({', '.join(harms)})" if harms else "")
+    )
+    return lines

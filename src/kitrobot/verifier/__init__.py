@@ -1,0 +1,34 @@
+"""Checks missions: explores what can happen in a discrete model of agents and world, and judges properties by it.
+
+The model's programs are tables that the interpreter itself fills (`programs`). The world is made discrete (`roads`,
+`motion`, `traffic`) from the numbers of a run (`parts`). Every verdict names the assumption about time under which it
+was found (`timing`).
+"""
+
+from kitrobot.verifier.exploring import Budget
+from kitrobot.verifier.judging import Answer, Judged, Verdict, Way, judge
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.parts import take_apart
+from kitrobot.verifier.programs import AbstractionError
+from kitrobot.verifier.properties import Property, ready_properties
+from kitrobot.verifier.replay import Confirmed, confirm
+from kitrobot.verifier.telling import told
+from kitrobot.verifier.timing import Timing
+
+__all__ = [
+    "AbstractionError",
+    "Answer",
+    "Budget",
+    "Confirmed",
+    "Judged",
+    "Model",
+    "Property",
+    "Timing",
+    "Verdict",
+    "Way",
+    "confirm",
+    "judge",
+    "ready_properties",
+    "take_apart",
+    "told",
+]

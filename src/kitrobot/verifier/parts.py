@@ -1,0 +1,348 @@
+"""What the model is made of: each agent's program table, and the discrete form of each of its devices.
+
+Everything is read from the tables of a run before its first step, so the model has the numbers that the simulator has.
+What cannot be abstracted exactly is named in `limits`, and verdicts say so.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field
+
+from kitrobot.mission import BreakdownRule
+from kitrobot.primitives import RobotObject
+from kitrobot.sim import Simulation
+from kitrobot.sim import columns as c
+from kitrobot.sim.agents import Agent
+from kitrobot.sim.devices import actuators, sensors
+from kitrobot.sim.devices.base import Discrete
+from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
+from kitrobot.sim.event_text import sensor_names
+from kitrobot.sim.state import State
+from kitrobot.text import Sentence
+from kitrobot.verifier.motion import Track
+from kitrobot.verifier.programs import AbstractionError, ProgramTable, greatest_argument, value_classes
+from kitrobot.verifier.roads import Gaps, Zones, zones_of
+
+_WAYS = (0, 1, -1)
+"""The directions of the procedures of wheels: stop, forward, back."""
+
+NOISE_DEVIATIONS = 4.0
+"""Speeds may be off by so many standard deviations."""
+
+
+@dataclass(frozen=True)
+class Sense:
+    """One input of a program.
+
+    Attributes:
+        discrete: where its value comes from; ANY for one that may read anything.
+        signs: SECTION: its value in each zone.
+        reach_mm: GAP: how far it looks.
+        dock: VISIT: the dock, by its number.
+        load: VISIT: the load that is wanted, 0 or 1; 2 for any.
+        store: EXACT: the storehouse, by its number; -1 for the robot's own bed.
+        choices: ANY: the values it may have.
+        least, most: the range that values are kept in.
+        actuator: BUSY: the place in `Inside.busy` of the actuator whose end it tells.
+    """
+
+    discrete: Discrete
+    signs: tuple[int, ...] = ()
+    reach_mm: float = 0.0
+    dock: int = -1
+    load: int = 2
+    store: int = -1
+    choices: tuple[int, ...] = ()
+    least: int = 0
+    most: int = 1
+    actuator: int = -1
+
+
+@dataclass(frozen=True)
+class Act:
+    """One actuator of a robot.
+
+    Attributes:
+        name: its name.
+        discrete: MOTION, BUSY or INSTANT.
+        ways: of each command of the robot that is for this actuator: the direction it gives the wheels (MOTION), or the
+            number of the procedure (BUSY); by the command's number.
+        later: the commands that take longer, by their numbers.
+        busy: its place in `Inside.busy`; -1 for one that nothing waits for.
+        is_arm: whether it moves boxes.
+        dock, store: where it does, by their numbers.
+    """
+
+    name: str
+    discrete: Discrete
+    ways: dict[int, int]
+    later: frozenset[int]
+    busy: int = -1
+    is_arm: bool = False
+    dock: int = -1
+    store: int = -1
+
+
+@dataclass
+class Part:
+    """One agent of the model.
+
+    Attributes:
+        agent: the agent of the run.
+        table: its program's reactions; agents of one program have the same.
+        senses: its inputs, in the order of their cells.
+        acts: its actuators, in the order of its XML.
+        shared: which shared variables it has, by their numbers, in the order of its XML.
+        road: the number of its road; -1 on none.
+        track: what its road is like.
+        leader, follower: the agents ahead and behind on the same road, by their numbers; -1 for none.
+        drive: the number of the actuator that moves it along its road; -1 for none.
+        is_late: whether commands reach that one late, or may be lost.
+    """
+
+    agent: Agent
+    table: ProgramTable
+    senses: list[Sense]
+    acts: list[Act]
+    shared: list[int]
+    road: int = -1
+    track: Track | None = None
+    leader: int = -1
+    follower: int = -1
+    drive: int = -1
+    is_late: bool = False
+
+
+@dataclass
+class Parts:
+    """All agents, and what cannot be abstracted exactly, in sentences."""
+
+    parts: list[Part]
+    limits: list[str] = field(default_factory=list)
+
+
+def take_apart(run: Simulation, kept: Collection[str] = ()) -> Parts:
+    """The parts of a run that is before its first step.
+
+    Args:
+        run: the run.
+        kept: names of variables whose values properties ask for.
+
+    Raises:
+        AbstractionError: something in the mission has no discrete form.
+    """
+    if run.team_plan is not None:
+        raise AbstractionError(
+            Sentence("the program of a team has no discrete form yet, so this mission cannot be checked"),
+            Sentence("check missions whose agents have programs of their own"),
+        )
+    return _Builder(run, kept).build()
+
+
+class _Builder:
+    def __init__(self, run: Simulation, kept: Collection[str]) -> None:
+        self.run = run
+        self.state: State = run.state
+        self.kept = kept
+        self.limits: dict[str, None] = {}
+        self.rows = sensor_names(run.state, run.members)
+        self.tables: dict[str, ProgramTable] = {}
+        self.numbers: dict[str, int] = {}
+        for agent in run.members:
+            for variable in agent.robot.variables:
+                if variable.shared:
+                    self.numbers.setdefault(variable.name, len(self.numbers))
+
+    def build(self) -> Parts:
+        mission = self.run.mission
+        if mission.failures:
+            self._limit(Sentence("the failures on the mission's schedule are left out"))
+        if mission.breakdown.rule is not BreakdownRule.STAY:
+            self._limit(Sentence("a robot that fails is taken to stay on its road"))
+        if mission.radio is not None:
+            self._limit(Sentence("shared variables are taken to reach everybody at once"))
+        members = self.run.members
+        zones = self._zones()
+        parts = []
+        for agent in members:
+            table = self.tables.get(agent.image_name)
+            if table is None:
+                table = ProgramTable(agent.machine.image, agent.robot, self.kept)
+                self.tables[agent.image_name] = table
+            acts = self._acts(agent)
+            road = int(self.state.robots.ints[c.ROAD][agent.index])
+            part = Part(agent, table, [], acts, self._shared(agent), road)
+            part.drive = next((at for at, act in enumerate(acts) if road >= 0 and act.discrete is Discrete.MOTION), -1)
+            part.senses = self._senses(agent, acts, zones.get(road))
+            parts.append(part)
+        self._neighbours(parts, zones)
+        return Parts(parts, list(self.limits))
+
+    def _limit(self, words: Sentence) -> None:
+        self.limits[str(words)] = None
+
+    def _shared(self, agent: Agent) -> list[int]:
+        return [self.numbers[one.name] for one in agent.robot.variables if one.shared]
+
+    # -- roads
+
+    def _zones(self) -> dict[int, Zones]:
+        """The zones of each road that somebody is on."""
+        state = self.state
+        roads, robots = state.roads, state.robots.ints
+        found: dict[int, Zones] = {}
+        for road in sorted({road for road in robots[c.ROAD] if road >= 0}):
+            first, last = roads.ints[c.CUT_FIRST][road], roads.ints[c.CUT_LAST][road]
+            aheads = {0.0}
+            for agent in self.run.members:
+                if robots[c.ROAD][agent.index] == road:
+                    aheads |= {
+                        state.sensors.floats[c.S_P][self.rows[agent.index, part.name]]
+                        for part in agent.robot.sensors
+                        if part.model in sensors() and sensors()[part.model].discrete is Discrete.SECTION
+                    }
+            cuts = [at - ahead for at in roads.cut_from[first:last] for ahead in aheads]
+            for dock, of in enumerate(state.docks.road):
+                if of == road:
+                    middle, reach = state.docks.floats[DOCK_AT][dock], state.docks.floats[DOCK_REACH][dock]
+                    cuts += [middle - reach, middle + reach]
+            found[road] = zones_of(roads.length[road], bool(roads.ints[c.CLOSED][road]), cuts)
+        return found
+
+    def _neighbours(self, parts: Sequence[Part], zones: dict[int, Zones]) -> None:
+        """Who follows whom, and the classes of the gaps between them."""
+        state = self.state
+        at, length = state.robots.floats[c.AT], state.robots.floats[c.LENGTH]
+        for road, its_zones in zones.items():
+            order = sorted((i for i, part in enumerate(parts) if part.road == road), key=lambda i: at[i])
+            for n, i in enumerate(order):
+                part = parts[i]
+                if n + 1 < len(order) or (its_zones.closed and len(order) > 1):
+                    part.leader = order[(n + 1) % len(order)]
+                    parts[part.leader].follower = i
+            for i in order:
+                part = parts[i]
+                reaches = {sense.reach_mm for one in (i, part.leader) if one >= 0 for sense in parts[one].senses}
+                half = (length[i] + length[part.leader]) / 2 if part.leader >= 0 else length[i]
+                gaps = Gaps(tuple(sorted(reach for reach in reaches if reach > 0.5)), half)
+                part.track = Track(its_zones, gaps, *self._ways(part))
+        if len(zones) > 1:
+            self._limit(Sentence("robots on different roads are taken to pass each other without touching"))
+
+    def _ways(self, part: Part) -> tuple[float, float]:
+        """How far a robot rolls until it stands, and from tick to tick, at its full speed."""
+        i = part.agent.index
+        floats, actuator = self.state.robots.floats, self.state.actuators
+        k = self._row(part.agent, part.drive) if part.drive >= 0 else -1
+        if k < 0:
+            return 0.0, 0.0
+        percent = _fastest(part.agent, part.acts[part.drive])
+        speed = percent / 100 * actuator.floats[c.A_P][k] * (1 + NOISE_DEVIATIONS * actuator.floats[c.A_NOISE][k])
+        dt = self.state.fixed_floats[c.DT]
+        tick = speed * dt * (part.agent.period + 1)
+        late = speed * dt * actuator.ints[c.A_DELAY][k]
+        part.is_late = actuator.ints[c.A_DELAY][k] > 0 or actuator.floats[c.A_DROPOUT][k] > 0.0
+        if actuator.floats[c.A_DROPOUT][k] > 0.0:
+            late = math.inf
+            self._limit(
+                Sentence("commands to {part} may be lost: it may brake at any time", part.acts[part.drive].name)
+            )
+        return speed * speed / 2 / floats[c.BRAKING][i] + tick + late, tick
+
+    def _row(self, agent: Agent, number: int) -> int:
+        """The number of an actuator in the tables."""
+        first = self.state.robots.ints[c.ACTUATOR_INDEX][agent.index]
+        return int(self.state.actuators.actuator_index[first + number])
+
+    # -- devices
+
+    def _acts(self, agent: Agent) -> list[Act]:
+        acts: list[Act] = []
+        busy = 0
+        known = actuators()
+        commands = agent.machine.layout.commands
+        for number, part in enumerate(agent.robot.actuators):
+            device = known[part.model]
+            ways: dict[int, int] = {}
+            for at, (whose, _, procedure) in enumerate(commands):
+                if whose == number:
+                    listed = device.procedures.index(procedure) if procedure in device.procedures else 0
+                    ways[at] = _WAYS[listed] if device.drives else listed
+            waits = part.name in agent.machine.layout.done
+            k = self._row(agent, number)
+            is_arm = device.name == "arm"
+            acts.append(
+                Act(
+                    part.name,
+                    device.discrete,
+                    ways,
+                    frozenset(at for at in ways if part.methods[_named(part, commands[at][2])].completes_later),
+                    busy if waits else -1,
+                    is_arm,
+                    int(self.state.actuators.ints[c.A_DOCK][k]),
+                    int(self.state.actuators.ints[c.A_STORE][k]),
+                )
+            )
+            busy += waits
+        return acts
+
+    def _senses(self, agent: Agent, acts: Sequence[Act], zones: Zones | None) -> list[Sense]:
+        found = [self._sense(agent, part, zones) for part in agent.robot.sensors]
+        for name in agent.machine.layout.done:
+            act = next(act for act in acts if act.name == name)
+            found.append(Sense(Discrete.BUSY, actuator=act.busy))
+        return found
+
+    def _sense(self, agent: Agent, part: RobotObject, zones: Zones | None) -> Sense:
+        k = self.rows[agent.index, part.name]
+        ints, floats = self.state.sensors.ints, self.state.sensors.floats
+        discrete = sensors()[part.model].discrete
+        least, most = int(ints[c.S_LEAST][k]), int(ints[c.S_MOST][k])
+        is_plain = ints[c.S_SIZE][k] == 1 and floats[c.S_NOISE][k] == 0.0 and floats[c.S_DROPOUT][k] == 0.0
+        if discrete in (Discrete.SECTION, Discrete.GAP) and zones is None:
+            is_plain = False
+        if not is_plain or discrete is Discrete.ANY:
+            if discrete is not Discrete.ANY:
+                self._limit(
+                    Sentence("{sensor} of {agent} is taken to read anything at any time", part.name, agent.name)
+                )
+            cell = agent.machine.layout.sensors[part.name]
+            return Sense(Discrete.ANY, choices=value_classes(agent.machine.image, cell, least, most))
+        if discrete is Discrete.SECTION:
+            assert zones is not None
+            return Sense(discrete, signs=self._signs(agent, zones, floats[c.S_P][k]), least=least, most=most)
+        if discrete is Discrete.GAP:
+            return Sense(discrete, reach_mm=floats[c.S_P][k])
+        if discrete is Discrete.VISIT:
+            return Sense(discrete, dock=int(ints[c.S_DOCK][k]), load=int(floats[c.S_P][k]))
+        is_store = sensors()[part.model].needs == "storehouse"
+        return Sense(discrete, store=int(ints[c.S_STORE][k]) if is_store else -1, least=least, most=most)
+
+    def _signs(self, agent: Agent, zones: Zones, ahead: float) -> tuple[int, ...]:
+        """The sign that a sensor reads in each zone."""
+        roads = self.state.roads
+        road = self.state.robots.ints[c.ROAD][agent.index]
+        first, last = roads.ints[c.CUT_FIRST][road], roads.ints[c.CUT_LAST][road]
+        signs = []
+        for zone in range(len(zones)):
+            begin, end = zones.ends(zone)
+            at = (begin + end) / 2 + ahead
+            at = at % zones.length_mm if zones.closed else at
+            inside = [cut for cut in range(first, last) if roads.cut_from[cut] <= at] or [first]
+            signs.append(int(roads.cut_sign[inside[-1]]) if first < last else 0)
+        return tuple(signs)
+
+
+def _named(part: RobotObject, method: str) -> int:
+    """The place of a method in its part."""
+    return [one.name for one in part.methods].index(method)
+
+
+def _fastest(agent: Agent, act: Act) -> float:
+    """The greatest speed, percent, that a program can ask of the wheels of its robot."""
+    part = next(one for one in agent.robot.actuators if one.name == act.name)
+    most = max((parameter.maximum for method in part.methods for parameter in method.parameters[:1]), default=0)
+    moving = [command for command, way in act.ways.items() if way]
+    return max((greatest_argument(agent.machine.image, command, most) for command in moving), default=0)

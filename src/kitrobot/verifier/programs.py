@@ -1,0 +1,317 @@
+"""Programs as tables: what one tick makes of a program's state and of what its robot senses.
+
+A reaction is computed by the interpreter itself (`kitrobot_onboard.interpreter.tick`), once for each pair of state and
+sensed values that comes up. There is no second meaning of a program.
+
+A *local state* is everything that can change in an image but its inputs and its shared variables: the cells that are
+live (their value may still be read), where each thread stands, which parallels are active and which stops are armed. Of
+two states that differ in dead cells only, one is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.image import Image, Machine
+from kitrobot.image.instructions import ACT, BY_NUMBER, CLAMP, END, EQ, FORK, LT, Role
+from kitrobot.primitives import Robot
+from kitrobot.text import Sentence
+
+MOST_OUTCOMES = 4096
+"""Reactions to the values that one robot may sense in one state, at most."""
+
+
+class AbstractionError(KitRobotError):
+    """Something of a mission has no discrete form that can be explored."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reaction:
+    """What one tick does: the state after it, its commands, and the shared variables after it.
+
+    Attributes:
+        local: the number of the local state after the tick.
+        commands: (actuator, command, first argument) in the order of the actuators; 0 where there is no argument.
+        shared: the values of the robot's shared variables after the tick, in the order of its XML.
+        ended: whether the program has ended.
+    """
+
+    local: int
+    commands: tuple[tuple[int, int, int], ...]
+    shared: tuple[int, ...]
+    ended: bool
+
+
+class ProgramTable:
+    """The reactions of one program, filled as they are asked for.
+
+    Args:
+        image: the program.
+        robot: the robot that it runs on.
+        kept: names of variables whose values are asked for from outside, so that they are never dead.
+    """
+
+    def __init__(self, image: Image, robot: Robot, kept: Collection[str] = ()) -> None:
+        self.machine = Machine(image, robot, watch=True)
+        layout = self.machine.layout
+        self.inputs = layout.inputs
+        """Sensors, then one flag for each actuator that takes longer."""
+        self.shared = [layout.variables[one.name] for one in robot.variables if one.shared]
+        self._reads = _cells_read(image)
+        apart = {*range(1, 1 + layout.inputs), *self.shared}
+        self._own = [cell for cell in range(image.first_constant) if cell not in apart]
+        self._kept = {layout.variables[name] for name in kept if name in layout.variables}
+        self._live = live_cells(image)
+        self._numbers: dict[tuple[int, ...], int] = {}
+        self._snapshots: list[tuple[list[int], list[int], list[int]]] = []
+        self._known: dict[tuple[int, tuple[int | None, ...], tuple[int, ...]], tuple[Reaction, ...]] = {}
+        self.first_shared = tuple(int(self.machine.cells[cell]) for cell in self.shared)
+        self.first = self.current()
+        self.may_end = _may_end(image)
+        """Whether the program can come to its end."""
+        self.ticks = 0
+        """How many times the interpreter was asked."""
+
+    def __len__(self) -> int:
+        """How many local states have come up."""
+        return len(self._snapshots)
+
+    def value(self, local: int, cell: int) -> int:
+        """What a cell of the robot's own holds in a local state; it must be one of `kept`."""
+        return self._snapshots[local][0][cell]
+
+    def has_ended(self, local: int) -> bool:
+        """Whether the program has ended in a local state."""
+        return self._snapshots[local][1][0] < 0
+
+    def places(self, local: int) -> list[tuple[int, int]]:
+        """(slot, instruction) where each live thread stands."""
+        self.machine.restore(self._snapshots[local])
+        return self.machine.active()
+
+    def react(
+        self,
+        local: int,
+        sensed: tuple[int | None, ...],
+        shared: tuple[int, ...],
+        choices: Mapping[int, Sequence[int]],
+    ) -> tuple[Reaction, ...]:
+        """All reactions that one tick can have.
+
+        Args:
+            local: the local state before it.
+            sensed: the value of each input; None for one that may be any of its `choices`.
+            shared: the values of the shared variables.
+            choices: of each input without a value (counted from 0) the values to try.
+
+        Raises:
+            AbstractionError: there are more than `MOST_OUTCOMES`.
+        """
+        key = local, sensed, shared
+        known = self._known.get(key)
+        if known is None:
+            known = self._known[key] = tuple(dict.fromkeys(self._try(local, sensed, shared, choices)))
+        return known
+
+    def _try(
+        self,
+        local: int,
+        sensed: tuple[int | None, ...],
+        shared: tuple[int, ...],
+        choices: Mapping[int, Sequence[int]],
+    ) -> Iterator[Reaction]:
+        """Tries only those values that the tick reads: one that it does not read makes no difference."""
+        waiting: list[dict[int, int]] = [{}]
+        tried = 0
+        while waiting:
+            chosen = waiting.pop()
+            reaction, read = self._tick(local, sensed, shared, chosen)
+            open_ones = [at for at, value in enumerate(sensed) if value is None and at not in chosen and at + 1 in read]
+            if not open_ones:
+                yield reaction
+                continue
+            at = open_ones[0]
+            tried += len(choices[at])
+            if tried > MOST_OUTCOMES:
+                raise AbstractionError(
+                    Sentence("`{robot}` may read too many different values at once", self.machine.robot.name),
+                    Sentence("compare a sensor with numbers instead of copying its value into a variable"),
+                )
+            waiting += [{**chosen, at: value} for value in choices[at]]
+
+    def _tick(
+        self, local: int, sensed: tuple[int | None, ...], shared: tuple[int, ...], chosen: Mapping[int, int]
+    ) -> tuple[Reaction, set[int]]:
+        machine = self.machine
+        machine.restore(self._snapshots[local])
+        cells = machine.cells
+        for at, value in enumerate(sensed):
+            cells[1 + at] = chosen.get(at, 0) if value is None else value
+        for cell, value in zip(self.shared, shared, strict=True):
+            cells[cell] = value
+        commands = tuple(
+            (machine.layout.commands[machine.out[at + 2]][0], machine.out[at + 2], self._argument(at))
+            for at in self._told(machine)
+        )
+        self.ticks += 1
+        read = {cell for pc, ran in enumerate(machine.seen) if ran for cell in self._reads[pc]}
+        after = tuple(int(cells[cell]) for cell in self.shared)
+        return Reaction(self.current(), commands, after, machine.ended), read
+
+    def _argument(self, at: int) -> int:
+        machine = self.machine
+        _, actuator, procedure = machine.layout.commands[machine.out[at + 2]]
+        return int(machine.out[at + 3]) if machine.robot.calls[actuator, procedure][1].parameters else 0
+
+    @staticmethod
+    def _told(machine: Machine) -> list[int]:
+        """Lets the machine tick; where in `out` the commands begin."""
+        machine.tick()
+        return [at for at in range(0, machine.width * machine.image.actuators, machine.width) if machine.out[at]]
+
+    def current(self) -> int:
+        """The number of the local state that the machine is in."""
+        machine = self.machine
+        cells, threads, pars = machine.snapshot()
+        slots = len(machine.image.slots)
+        live = self._kept.union(*(self._live[threads[2 * s]] for s in range(slots) if threads[2 * s] >= 0))
+        for cell in self._own:
+            if cell not in live:
+                cells[cell] = 0
+        for cell in range(1, 1 + self.inputs):
+            cells[cell] = 0
+        for cell in self.shared:
+            cells[cell] = 0
+        at_slots, at_parallels = 4 + 4 * slots, 4 + 4 * slots + 5 * len(machine.image.parallels)
+        stops = at_parallels + 3 * len(machine.image.stops)
+        key = (
+            *(cells[cell] for cell in self._own),
+            *threads[: 2 * slots],
+            *pars[at_slots:at_parallels:5],
+            *pars[at_parallels:stops:3],
+        )
+        number = self._numbers.get(key)
+        if number is None:
+            number = self._numbers[key] = len(self._snapshots)
+            self._snapshots.append((cells, threads, pars))
+        return number
+
+
+def _operands(image: Image) -> Iterator[tuple[int, int, int, int]]:
+    code = image.code
+    for at in range(0, len(code), 4):
+        yield code[at], code[at + 1], code[at + 2], code[at + 3]
+
+
+@lru_cache(64)
+def _cells_read(image: Image) -> tuple[frozenset[int], ...]:
+    """The cells that each instruction reads."""
+    found = []
+    for number, a, b, c in _operands(image):
+        op = BY_NUMBER[number]
+        read = {cell for role, cell in ((op.a, a), (op.b, b), (op.c, c)) if role is Role.READ}
+        if number == CLAMP:
+            read.add(a)
+        elif number == ACT:
+            read.update(range(b, b + c))
+        found.append(frozenset(read))
+    return tuple(found)
+
+
+@lru_cache(64)
+def _following(image: Image) -> tuple[tuple[int, ...], ...]:
+    """Of each instruction, those that may come next, in its thread or as the first of a branch that it starts."""
+    found = []
+    for pc, (number, a, b, c) in enumerate(_operands(image)):
+        op = BY_NUMBER[number]
+        nexts = [pc + 1] if op.falls_through else []
+        if op.jumps:
+            nexts.append(b + 256 * c)
+        if number == FORK:
+            nexts += [slot.entry for slot in image.slots if slot.parallel == a]
+        found.append(tuple(nexts))
+    return tuple(found)
+
+
+def _may_end(image: Image) -> bool:
+    """Whether the program's own thread can come to an END, as far as its jumps say."""
+    following, code = _following(image), image.code
+    seen, waiting = {image.slots[0].entry}, [image.slots[0].entry]
+    while waiting:
+        pc = waiting.pop()
+        if code[4 * pc] == END:
+            return True
+        nexts = following[pc][:1] if code[4 * pc] == FORK else following[pc]
+        waiting += [to for to in nexts if to not in seen]
+        seen.update(nexts)
+    return False
+
+
+@lru_cache(64)
+def live_cells(image: Image) -> tuple[frozenset[int], ...]:
+    """Of each instruction, the cells that the thread which comes to it, and those that it starts, may still read
+    before they are written.
+    """
+    reads = _cells_read(image)
+    following = _following(image)
+    # CLAMP writes what it reads, and the fault flag now and then: neither makes a cell dead.
+    writes = [
+        a if BY_NUMBER[number].a is Role.WRITTEN and number != CLAMP else -1 for number, a, _, _ in _operands(image)
+    ]
+    live: list[frozenset[int]] = [frozenset()] * len(reads)
+    changed = True
+    while changed:
+        changed = False
+        for pc in range(len(reads) - 1, -1, -1):
+            after = frozenset().union(*(live[to] for to in following[pc]))
+            now = (after - {writes[pc]}) | reads[pc]
+            if now != live[pc]:
+                live[pc] = now
+                changed = True
+    return tuple(live)
+
+
+def value_classes(image: Image, cell: int, least: int, most: int) -> tuple[int, ...]:
+    """Values of an input between `least` and `most`, one of each class that the program can tell apart.
+
+    Where the input is compared with constants only, the constants cut its range into classes; where its value goes
+    anywhere else (a variable, a sum, an argument, a comparison with another cell), each value is a class of its own.
+    """
+    cuts = {least}
+    for number, a, b, c in _operands(image):
+        op = BY_NUMBER[number]
+        roles = (op.a, a), (op.b, b), (op.c, c)
+        used = [at for at, (role, operand) in enumerate(roles) if role is Role.READ and operand == cell]
+        if number == ACT and b <= cell < b + c:
+            return tuple(range(least, most + 1))
+        if not used:
+            continue
+        if op.jumps or op.name == "NOT":
+            cuts |= {0, 1}
+            continue
+        other = roles[3 - used[0]][1] if number in (EQ, LT) else -1
+        if other < image.first_constant:
+            return tuple(range(least, most + 1))
+        constant = image.cells[other]
+        cuts |= {constant, constant + 1}
+    return tuple(sorted(value for value in cuts if least <= value <= most))
+
+
+def greatest_argument(image: Image, command: int, most: int) -> int:
+    """The greatest first argument that a program can give to a command; `most` where it is computed."""
+    writers: dict[int, list[int]] = {}
+    for number, a, b, _ in _operands(image):
+        if BY_NUMBER[number].a is Role.WRITTEN:
+            writers.setdefault(a, []).append(b if BY_NUMBER[number].name == "MOV" else -1)
+    greatest = 0
+    for number, a, b, c in _operands(image):
+        if number != ACT or a != command or c == 0:
+            continue
+        sources = [b] if b >= image.first_constant else writers.get(b, [-1])
+        if any(cell < image.first_constant for cell in sources):
+            return most
+        greatest = max(greatest, *(image.cells[cell] for cell in sources))
+    return min(greatest, most)

@@ -1,0 +1,111 @@
+"""Looks in the simulator for a run that breaks a property as the model said: tries seeds, and moments for failures.
+
+What befalls agents is taken from the run of the model: who fails or stalls, in which order, and who runs again. Times
+are not in the model, so moments are tried, spread evenly over the run without failures.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+from kitrobot.sim import Simulation
+from kitrobot.sim import columns as c
+from kitrobot.verifier.events import What
+from kitrobot.verifier.judging import Way
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import Property
+
+SEEDS = 8
+"""Seeds that are tried where nothing befalls anybody."""
+MOMENTS = 24
+"""Moments that are tried where something does."""
+MOST_RUNS = 300
+_CHUNK = 50
+_KINDS = {What.FAIL: "fail", What.STALL: "stall", What.RESUME: "revive"}
+
+
+@dataclass(frozen=True)
+class Harm:
+    """Something that befalls an agent in the simulator: the step before which it does, the agent's name, and what."""
+
+    tick: int
+    agent: str
+    kind: str
+
+
+@dataclass(frozen=True)
+class Confirmed:
+    """A run of the simulator that breaks a property: its seed, what befell agents, and the step in which it broke."""
+
+    seed: int
+    harms: tuple[Harm, ...]
+    tick: int
+
+
+def confirm(
+    one: Property, way: Way, model: Model, fresh: Callable[[int], Simulation], stop: Callable[[], bool]
+) -> Confirmed | None:
+    """A run of the simulator that breaks the property, or None where none was found.
+
+    Args:
+        one: the property.
+        way: how the model breaks it.
+        model: the model.
+        fresh: gives the run of a seed before its first step; it needs a time limit.
+        stop: asked between two runs whether to give up.
+    """
+    befell = [
+        (model.parts[event.agent].agent.name, _KINDS[event.what])
+        for step in way.steps
+        for event in step.events
+        if event.what in _KINDS
+    ]
+    if not befell:
+        tries: Iterator[tuple[int, tuple[Harm, ...]]] = ((seed, ()) for seed in range(1, SEEDS + 1))
+    else:
+        tries = _moments(befell, fresh(1))
+    for number, (seed, harms) in enumerate(tries):
+        if number >= MOST_RUNS or stop():
+            return None
+        tick = _broken_at(one, fresh(seed), harms)
+        if tick >= 0:
+            return Confirmed(seed, harms, tick)
+    return None
+
+
+def _moments(befell: Sequence[tuple[str, str]], run: Simulation) -> Iterator[tuple[int, tuple[Harm, ...]]]:
+    """What befell agents, at moments in order, spread over the run in which nothing does."""
+    while run.outcome is None:
+        run.advance(1000)
+    moments = [max(1, run.tick * number // MOMENTS) for number in range(MOMENTS)]
+    for chosen in combinations(dict.fromkeys(moments), len(befell)):
+        yield 1, tuple(Harm(tick, agent, kind) for tick, (agent, kind) in zip(chosen, befell, strict=True))
+
+
+def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm]) -> int:
+    """The step in which a run broke the property; -1 if it did not."""
+    left = list(harms)
+    while run.outcome is None or left:
+        if left and run.tick >= left[0].tick:
+            harm = left.pop(0)
+            run.harm(harm.agent, harm.kind)
+            continue
+        if run.outcome is not None:
+            break
+        run.advance(min(_CHUNK, left[0].tick - run.tick) if left else _CHUNK)
+        found = _seen(one, run)
+        if found >= 0:
+            return found
+    return run.tick if run.outcome in one.ends_as else -1
+
+
+def _seen(one: Property, run: Simulation) -> int:
+    """The step of the first event of the last steps that breaks the property; -1 for none."""
+    state = run.state
+    for at in range(0, c.EVENT * int(state.clock[c.EVENTS]), c.EVENT):
+        kind, _, what, _, tick = state.events[at : at + c.EVENT]
+        if kind in one.seen_as and not (kind == c.COLLISION and what < 0):
+            return int(tick)
+    return -1

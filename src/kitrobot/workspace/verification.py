@@ -1,0 +1,215 @@
+"""Checking a mission: every property under every assumption that there is time for, from the fast to the thorough."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.sim import Simulation
+from kitrobot.text import COMMA, Sentence, Series
+from kitrobot.verifier import (
+    Answer,
+    Budget,
+    Confirmed,
+    Judged,
+    Model,
+    Property,
+    Timing,
+    Verdict,
+    confirm,
+    judge,
+    ready_properties,
+    take_apart,
+    told,
+)
+from kitrobot.workspace.running import PreparedRun, prepare
+
+MOST_FAILURES = 3
+"""Failures in one run at most."""
+
+Progress = Callable[[Timing, int, int, int], None]
+"""Told now and then the assumption (timing, failures) and how many states there are, and how deep."""
+
+
+class VerificationError(KitRobotError):
+    """A check that makes no sense."""
+
+
+@dataclass(frozen=True)
+class VerificationOptions:
+    """What is chosen for a check.
+
+    Attributes:
+        properties: the names of those to check; none for all.
+        timings: the assumptions, from the fast to the thorough.
+        failures: up to how many failures there may be.
+        states: at most so many states under each assumption.
+        seconds: at most so long for all of them; None for no limit.
+        confirms: whether broken properties are looked for in the simulator.
+        stop: asked now and then whether to break off.
+    """
+
+    properties: tuple[str, ...] = ()
+    timings: tuple[Timing, ...] = tuple(Timing)
+    failures: int = 0
+    states: int = 1_000_000
+    seconds: float | None = 60.0
+    confirms: bool = True
+    stop: Callable[[], bool] = lambda: False
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A verdict, with the run of the simulator that confirms it where one was found, and the model's run in words."""
+
+    verdict: Verdict
+    confirmed: Confirmed | None = None
+    story: tuple[tuple[int, Sentence], ...] = ()
+
+
+@dataclass(frozen=True)
+class Column:
+    """The findings under one assumption."""
+
+    judged: Judged
+    findings: tuple[Finding, ...]
+
+
+@dataclass(frozen=True)
+class Verification:
+    """What came of a check.
+
+    Attributes:
+        tick_ms: a step of the simulator.
+        limits: what the model takes more generously than the simulator is, in sentences.
+        columns: the assumptions that were checked, in order.
+    """
+
+    tick_ms: int
+    limits: tuple[str, ...]
+    columns: tuple[Column, ...]
+
+    @property
+    def answers(self) -> list[Answer]:
+        """All answers."""
+        return [finding.verdict.answer for column in self.columns for finding in column.findings]
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain values, in the published shape."""
+        return {
+            "limits": list(self.limits),
+            "checks": [
+                {
+                    "timing": column.judged.timing.value,
+                    "failures": column.judged.failures,
+                    "states": column.judged.states,
+                    "depth": column.judged.depth,
+                    "complete": column.judged.complete,
+                    "properties": [_finding_json(finding, self.tick_ms) for finding in column.findings],
+                    "timing_seconds": round(column.judged.seconds, 3),
+                }
+                for column in self.columns
+            ],
+        }
+
+
+def _finding_json(finding: Finding, tick_ms: int) -> dict[str, Any]:
+    verdict, confirmed = finding.verdict, finding.confirmed
+    made: dict[str, Any] = {
+        "name": verdict.property.name,
+        "sentence": str(verdict.property.sentence),
+        "answer": verdict.answer.value,
+    }
+    if verdict.way is not None:
+        made["run"] = [{"step": step, "text": str(text)} for step, text in finding.story]
+        made["steps"] = len(verdict.way.steps)
+        made["repeats_from"] = verdict.way.repeats_from if verdict.way.repeats_from >= 0 else None
+        made["confirmed"] = None
+        if confirmed is not None:
+            made["confirmed"] = {
+                "seed": confirmed.seed,
+                "seconds": confirmed.tick * tick_ms / 1000,
+                "failures": [
+                    {"seconds": harm.tick * tick_ms / 1000, "agent": harm.agent, "what": harm.kind}
+                    for harm in confirmed.harms
+                ],
+            }
+    return made
+
+
+def verify(
+    prepared: PreparedRun,
+    options: VerificationOptions,
+    progress: Progress | None = None,
+    column_done: Callable[[Column], None] | None = None,
+) -> Verification:
+    """Checks a mission; it needs a time limit, within which the simulator confirms what the model finds.
+
+    Raises:
+        VerificationError: there is no such property, or a number makes no sense.
+        AbstractionError: the mission cannot be checked.
+    """
+    if not 0 <= options.failures <= MOST_FAILURES:
+        raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
+    run = prepared.again()
+    parts = take_apart(run)
+    ends = None if options.seconds is None else time.monotonic() + options.seconds
+    columns: list[Column] = []
+    for failures, timing in _assumptions(options):
+        model = Model(run, parts, failures)
+        properties = _chosen(ready_properties(model), options.properties)
+        if columns and (options.stop() or (ends is not None and time.monotonic() > ends)):
+            break
+        left = None if ends is None else max(0.0, ends - time.monotonic())
+
+        def tell(states: int, depth: int, timing: Timing = timing, failures: int = failures) -> None:
+            if progress is not None:
+                progress(timing, failures, states, depth)
+
+        judged = judge(model, properties, timing, failures, Budget(options.states, left, options.stop, tell))
+        findings = tuple(_found(verdict, model, prepared, options, ends) for verdict in judged.verdicts)
+        columns.append(Column(judged, findings))
+        if column_done is not None:
+            column_done(columns[-1])
+    return Verification(run.tick_ms, tuple(parts.limits), tuple(columns))
+
+
+def _assumptions(options: VerificationOptions) -> Iterator[tuple[int, Timing]]:
+    for failures in range(options.failures + 1):
+        for timing in options.timings:
+            yield failures, timing
+
+
+def _chosen(properties: list[Property], names: Sequence[str]) -> list[Property]:
+    """Those of these names; `served` is all whose name begins so."""
+    if not names:
+        return properties
+    known = [one.name for one in properties]
+    for name in names:
+        if not any(one == name or one.startswith(f"{name}-") for one in known):
+            raise VerificationError(
+                Sentence("this mission has no property {name}", name),
+                Sentence("its properties are: {names}", Series(COMMA, known)),
+            )
+    return [one for one in properties if any(one.name == name or one.name.startswith(f"{name}-") for name in names)]
+
+
+def _found(
+    verdict: Verdict, model: Model, prepared: PreparedRun, options: VerificationOptions, ends: float | None
+) -> Finding:
+    if verdict.way is None:
+        return Finding(verdict)
+    story = tuple(told(model, verdict.way))
+    if not options.confirms:
+        return Finding(verdict, None, story)
+
+    def fresh(seed: int) -> Simulation:
+        return prepare(prepared.opened, replace(prepared.options, seed=seed)).simulation
+
+    def stop() -> bool:
+        return options.stop() or (ends is not None and time.monotonic() > ends)
+
+    return Finding(verdict, confirm(verdict.property, verdict.way, model, fresh, stop), story)

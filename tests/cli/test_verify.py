@@ -1,0 +1,69 @@
+"""`kitrobot verify`: the table, the JSON, and what is told of a check that cannot be made."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+SMALL = ROOT / "examples" / "passing-loop" / "passing-loop.krt"
+
+
+def test_every_property_that_holds_is_in_the_table(kitrobot) -> None:
+    said = kitrobot("verify", SMALL, "--timing", "lockstep")
+    assert said.status == 0, said
+    rows = {line.split()[0]: line.split()[1:] for line in said.out.splitlines() if line and line[0] != " "}
+    assert rows["empty-storehouse"] == ["holds"]
+    assert rows["served-carrier-2"] == ["holds"]
+    assert int(rows["states"][0].replace(",", "")) > 1000
+    assert "taken for granted: robots on different roads" in said.out
+
+
+def test_what_is_broken_is_told_as_a_run_and_confirmed(kitrobot, tmp_path: Path) -> None:
+    text = SMALL.read_text(encoding="utf-8").replace(
+        '<vertex id="v1" element="Repetition"><set name="count">3</set>',
+        '<vertex id="v1" element="Repetition"><set name="count">9</set>',
+    )
+    path = tmp_path / "greedy.krt"
+    path.write_text(text, encoding="utf-8")
+    arguments = ("verify", path, "--timing", "lockstep", "--property", "empty-storehouse", "--seconds", "600")
+    said = kitrobot(*arguments)
+    assert said.status == 1
+    assert "reaches into the empty storehouse A\n  confirmed in the simulator: seed 1, at " in said.out
+    found = kitrobot(*arguments, "--json").json
+    broken = found["checks"][0]["properties"][0]
+    assert broken["answer"] == "broken"
+    assert broken["confirmed"]["seed"] == 1
+    assert broken["confirmed"]["failures"] == []
+    assert broken["run"][-1]["text"].endswith("reaches into the empty storehouse A")
+
+
+def test_a_search_that_is_cut_never_holds(kitrobot) -> None:
+    said = kitrobot("verify", SMALL, "--timing", "free", "--max-states", "50", "--json")
+    assert said.status == 3
+    checked = said.json["checks"][0]
+    assert (checked["states"], checked["complete"]) == (50, False)
+    assert {one["answer"] for one in checked["properties"]} == {"not finished"}
+
+
+@pytest.mark.parametrize(
+    ("options", "status", "words"),
+    [
+        (("--property", "nobody"), 1, "this mission has no property nobody"),
+        (("--timing", "never"), 2, "expected one of lockstep, prompt, free"),
+        (("--failures", "9"), 2, "a check takes 0 to 3 failures"),
+        (("--seconds", "0"), 2, "a check takes more than 0 seconds"),
+        (("--max-states", "0"), 2, "--max-states"),
+    ],
+)
+def test_a_check_that_makes_no_sense_is_refused(kitrobot, options: tuple[str, ...], status: int, words: str) -> None:
+    said = kitrobot("verify", SMALL, *options)
+    assert said.status == status
+    assert words in said.err
+
+
+def test_the_program_of_a_team_is_not_checked_yet_and_that_is_said(kitrobot) -> None:
+    said = kitrobot("verify", ROOT / "examples" / "transport-team" / "transport-team.krt")
+    assert said.status == 1
+    assert "the program of a team has no discrete form yet" in said.err

@@ -1,0 +1,113 @@
+"""Every step of the simulator is one that the model allows in lockstep.
+
+The model's hidden flags (whether a robot is new in its zone, since when it brakes) cannot be read off the simulator, so
+all model states that fit what was seen are followed side by side; there must always be one.
+"""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import pytest
+
+from kitrobot.mission import Failure, FailureKind
+from kitrobot.sim import Simulation
+from kitrobot.sim import columns as c
+from kitrobot.verifier import Model, Timing, take_apart
+from kitrobot.verifier.model import State
+from kitrobot.verifier.timing import Clock
+from tests.effort import cases
+from tests.sim.building import transport
+from tests.verifier.building import EXAMPLES, prepared
+
+KINDS = (FailureKind.FAIL, FailureKind.STALL)
+
+
+def seen(run: Simulation, model: Model) -> Any:
+    """What can be seen of a run that is also in a state of the model."""
+    state = run.state
+    floats, ints = state.robots.floats, state.robots.ints
+    agents = []
+    for i, part in enumerate(model.parts):
+        table, machine = part.table, run.members[i].machine
+        table.machine.restore(machine.snapshot())
+        motion: tuple[object, ...] = ()
+        if part.track is not None and ints[c.ROAD][i] >= 0:
+            zones = part.track.zones
+            gap = part.track.gaps.class_of(floats[c.GAP_AHEAD][i])
+            motion = zones.zone_at(floats[c.AT][i]), _sign(floats[c.SPEED][i]), _sign(floats[c.TARGET][i]), gap
+        agents.append((table.current(), ints[c.LOAD][i], ints[c.DOWN][i], motion))
+    return tuple(agents), tuple(state.docks.stock), tuple(state.shared.ints[0])
+
+
+def shown(state: State, model: Model) -> Any:
+    """The same of a state of the model."""
+    agents = []
+    for i in range(model.count):
+        inside = model.inside(state, i)
+        motion: tuple[object, ...] = ()
+        for at, road in enumerate(model.traffic):
+            if i in road.agents:
+                body = road.body(state[model.roads_at + at], i)
+                track = model.parts[i].track
+                assert track is not None
+                motion = body.zone, body.way, body.want, min(body.gap, track.gaps.beyond)
+        agents.append((inside.local, inside.load, inside.down, motion))
+    return tuple(agents), state[model.stock_at : model.shared_at], state[model.shared_at : model.failures_at]
+
+
+def _sign(number: float) -> int:
+    return (number > 0) - (number < 0)
+
+
+def follow(run: Simulation, steps: int, failures: int = 0) -> int:
+    """Follows a run, and all states of the model that fit; gives how many different things were seen."""
+    model = Model(run, take_apart(run), failures)
+    clock = Clock(model, Timing.LOCKSTEP)
+    fitting = {model.first}
+    different = set()
+    for _ in range(steps):
+        if run.outcome is not None:
+            break
+        before = run.tick
+        run.step()
+        now = seen(run, model)
+        different.add(now)
+        befallen = {state for one in fitting for state in befell(one, now, model)}
+        ticked = {after for state in befallen for after in model.after_all(state)}
+        fitting = {moved for state in ticked for moved, _ in clock.moments(state) if shown(moved, model) == now}
+        assert fitting, f"step {before}: {now}"
+    return len(different)
+
+
+def befell(state: State, now: Any, model: Model) -> set[State]:
+    """A state of the model, and those after failures that agents were seen to have."""
+    down = [agent[2] for agent in now[0]]
+    found = {state}
+    waiting = [state]
+    while waiting:
+        for _, after in model.failures(waiting.pop()):
+            if after not in found:
+                found.add(after)
+                waiting.append(after)
+    return {one for one in found if [model.inside(one, i).down for i in range(model.count)] == down}
+
+
+@pytest.mark.parametrize("seed", cases([1, 2], list(range(3, 60))))
+def test_the_transport_mission_does_nothing_that_the_model_does_not(seed: int) -> None:
+    assert follow(transport(seed, stock=3, carriers=3), 4000) > 50
+
+
+@pytest.mark.parametrize("name", ["merge", "passing-loop"])
+def test_missions_on_two_roads_do_nothing_that_the_model_does_not(name: str) -> None:
+    assert follow(prepared(EXAMPLES / name / f"{name}.krt").again(), 3000) > 50
+
+
+@pytest.mark.parametrize("seed", cases([1, 2], list(range(3, 60))))
+def test_failures_do_nothing_that_the_model_does_not(seed: int) -> None:
+    chance = random.Random(seed)
+    harms = [
+        Failure(f"carrier-{chance.randint(1, 3)}", chance.randint(1, 300) / 10, chance.choice(KINDS)) for _ in range(2)
+    ]
+    follow(transport(seed, stock=3, carriers=3, failures=harms), 3000, failures=2)

@@ -1,0 +1,112 @@
+"""What is known of the shipped missions, and of ones that were made wrong on purpose."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kitrobot.verifier import Timing
+from kitrobot.workspace.verification import VerificationOptions, verify
+from tests.sim.building import transport
+from tests.verifier.building import EXAMPLES, answers, judged, mutant, prepared
+
+SAFE = ("contact", "empty-storehouse", "empty-swing", "deadlock")
+LIVE = ("delivered", "served-carrier-1", "served-carrier-2", "end")
+
+
+@pytest.mark.parametrize("timing", [Timing.LOCKSTEP, Timing.PROMPT])
+def test_the_transport_mission_is_right_as_long_as_nobody_lags(timing: Timing) -> None:
+    made = judged(transport(stock=2, carriers=2), timing)
+    assert made.complete
+    assert answers(made) == dict.fromkeys((*SAFE, *LIVE), "holds")
+
+
+def test_who_may_lag_reaches_into_an_empty_storehouse_and_may_never_end() -> None:
+    made = judged(transport(stock=1, carriers=1), Timing.FREE)
+    assert made.complete
+    found = answers(made)
+    assert {name for name, answer in found.items() if answer == "broken"} == {
+        "empty-storehouse",
+        "served-carrier-1",
+        "end",
+    }
+    assert set(found.values()) == {"broken", "holds"}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "broken"),
+    [
+        pytest.param(
+            '<vertex id="v15" element="Wheel.Stop"/>',
+            '<vertex id="v15" element="Lamp.LightOn"/>',
+            "contact",
+            id="a carrier that does not stop for the one ahead",
+        ),
+        pytest.param(
+            '<vertex id="v6" element="StockA.GreaterThan"><set name="value">0</set></vertex>',
+            '<vertex id="v6" element="StockA.LessThan"><set name="value">100</set></vertex>',
+            "empty-storehouse",
+            id="a loader that does not ask for the stock",
+        ),
+        pytest.param(
+            '<vertex id="v4" element="Presence.IsPressed"/>\n    <vertex id="v5" element="Arm.Unload"/>',
+            '<vertex id="v4" element="Run.IsTrue"/>\n    <vertex id="v5" element="Arm.Unload"/>',
+            "empty-swing",
+            id="an unloader that does not look",
+        ),
+        pytest.param(
+            '<vertex id="v5" element="Goal.Add"/>\n    <vertex id="v6" element="Order.Value"/>',
+            '<vertex id="v5" element="Goal.Add"/>\n    <vertex id="v6" element="Goal.Value"/>',
+            "delivered",
+            id="a store-manager that miscounts",
+        ),
+        pytest.param(
+            '<vertex id="v25" element="Cargo.IsPressed"/>',
+            '<vertex id="v25" element="Cargo.IsReleased"/>',
+            "delivered",
+            id="a carrier that takes no box along",
+        ),
+    ],
+)
+def test_a_mission_made_wrong_is_found_out(tmp_path: Path, old: str, new: str, broken: str) -> None:
+    run = mutant(tmp_path, (old, new)).again()
+    made = judged(run, Timing.LOCKSTEP)
+    verdict = next(verdict for verdict in made.verdicts if verdict.property.name == broken)
+    assert verdict.answer.value == "broken"
+    assert verdict.way is not None
+    assert len(verdict.way.states) == len(verdict.way.steps) + 1
+    assert all(step.state == state for step, state in zip(verdict.way.steps, verdict.way.states[1:], strict=True))
+
+
+def test_a_loader_without_an_eye_on_the_stock_is_confirmed_in_the_simulator(tmp_path: Path) -> None:
+    old = '<vertex id="v6" element="StockA.GreaterThan"><set name="value">0</set></vertex>'
+    new = '<vertex id="v6" element="StockA.LessThan"><set name="value">100</set></vertex>'
+    made = verify(
+        mutant(tmp_path, (old, new), stock=1),
+        VerificationOptions(("empty-storehouse",), (Timing.LOCKSTEP,), seconds=None),
+    )
+    finding = made.columns[0].findings[0]
+    assert finding.confirmed is not None
+    assert finding.confirmed.harms == ()
+    assert str(finding.story[-1][1]) == "loader reaches into the empty storehouse A"
+
+
+def test_a_carrier_that_fails_stops_the_others_and_the_simulator_shows_it(tmp_path: Path) -> None:
+    made = verify(
+        mutant(tmp_path, stock=1),
+        VerificationOptions(("deadlock",), (Timing.LOCKSTEP,), failures=1, seconds=None),
+    )
+    assert [column.judged.failures for column in made.columns] == [0, 1]
+    holds, broken = (column.findings[0] for column in made.columns)
+    assert holds.verdict.answer.value == "holds"
+    assert broken.verdict.answer.value == "broken"
+    assert broken.confirmed is not None
+    assert broken.confirmed.harms
+
+
+@pytest.mark.parametrize("name", ["merge", "passing-loop"])
+def test_missions_with_two_roads_are_right_in_lockstep(name: str) -> None:
+    made = judged(prepared(EXAMPLES / name / f"{name}.krt").again(), Timing.LOCKSTEP)
+    assert made.complete
+    assert set(answers(made).values()) == {"holds"}

@@ -1,0 +1,131 @@
+"""The pieces of the model, each against a plain way to say the same."""
+
+from __future__ import annotations
+
+import random
+from array import array
+
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from kitrobot.compiler import compile_text
+from kitrobot.image import Machine
+from kitrobot.verifier.exploring import Explored
+from kitrobot.verifier.fairness import fair_part
+from kitrobot.verifier.programs import ProgramTable, value_classes
+from kitrobot.verifier.roads import Gaps, possible, zones_of
+from tests.effort import examples
+from tests.sim.building import catalogue
+
+
+def table(text: str, robot: str = "mini-robot") -> ProgramTable:
+    image = compile_text(text, catalogue().robots[robot], "test.lll").image
+    assert image is not None
+    return ProgramTable(image, catalogue().robots[robot])
+
+
+@settings(max_examples=examples(100), deadline=None)
+@given(
+    st.lists(st.floats(0, 1000), max_size=6),
+    st.booleans(),
+    st.floats(0, 999.9),
+    st.floats(0, 999.9),
+    st.lists(st.floats(1, 400), max_size=2),
+)
+def test_a_gap_that_there_is_is_possible(
+    cuts: list[float], closed: bool, mine: float, theirs: float, reaches: list[float]
+) -> None:
+    zones = zones_of(1000.0, closed, cuts)
+    gaps = Gaps(tuple(sorted(set(reaches))), 100.0)
+    way = theirs - mine
+    if way < 0:
+        assume(closed)
+        way += 1000.0
+    assume(way >= 100.0)
+    one, other = zones.zone_at(mine), zones.zone_at(theirs)
+    ahead = (other - one) % len(zones)
+    if ahead == 0 and theirs < mine:
+        ahead = len(zones)
+    assert possible(zones, gaps, one, ahead)[gaps.class_of(way - gaps.lengths_mm)]
+
+
+def test_classes_are_cut_by_the_constants_that_a_sensor_is_compared_with() -> None:
+    made = table("*[Run.IsTrue()]( [Captor.LessThan(30)]( Light.LightOn(); )!( Light.LightOff(); ); );")
+    layout = made.machine.layout
+    part = layout.ranges["Captor"]
+    classes = value_classes(made.machine.image, layout.sensors["Captor"], part.minimum, part.maximum)
+    assert [value for value in classes if value < 30]
+    assert [value for value in classes if value >= 30]
+    assert len(classes) <= 4
+
+
+def test_a_sensor_that_is_not_read_makes_no_difference_and_a_copied_one_all_the_difference() -> None:
+    made = table("Light.LightOn(); Light.LightOff();")
+    choices = {at: range(100) for at in range(made.inputs)}
+    assert len(made.react(made.first, (None,) * made.inputs, made.first_shared, choices)) == 1
+
+
+@settings(max_examples=examples(20), deadline=None)
+@given(st.integers(0, 10_000))
+def test_a_table_says_what_the_interpreter_says(seed: int) -> None:
+    """Local states drop what is dead; what a program does does not change by that."""
+    text = """
+    3*( [Captor.LessThan(30)]( Light.LightOn(); WAIT(1); )!( Light.LightOff(); ); );
+    //( <Captor.LessThan(10)>( Light.LightOn(); );, °Wheel.Advance(50)°; WAIT(2); );
+    """
+    made = table(text)
+    chance = random.Random(seed)
+    machine = Machine(made.machine.image, made.machine.robot)
+    local = made.first
+    for _ in range(60):
+        sensed = tuple(chance.choice((0, 1, 20, 50)) for _ in range(made.inputs))
+        for at, value in enumerate(sensed):
+            machine.cells[1 + at] = value
+        commands = [(command.actuator, command.procedure) for command in machine.tick()]
+        (reaction,) = made.react(local, sensed, made.first_shared, {})
+        local = reaction.local
+        names = made.machine.layout.commands
+        assert [names[command][1:] for _, command, _ in reaction.commands] == commands
+        assert reaction.ended == machine.ended == made.has_ended(local)
+        assert len(made) <= 40
+
+
+def explored(edges: dict[int, list[tuple[int, int]]], idle: list[int], forward: list[int]) -> Explored:
+    """A graph with the progress classes of its edges and states."""
+    made = Explored(first_edge=array("q", [0]))
+    for state in range(len(idle)):
+        for target, taken in edges.get(state, []):
+            made.targets.append(target)
+            made.taken.append(taken)
+        made.first_edge.append(len(made.targets))
+        made.states.append((state,))
+    made.idle, made.forward, made.backward = idle, forward, [0] * len(idle)
+    return made
+
+
+TICK, BEGIN, END, ZONE = 1, 2, 4, 8
+ALL = TICK | BEGIN | END
+
+
+def test_a_round_that_puts_off_an_end_for_ever_is_not_fair() -> None:
+    ring = {0: [(1, TICK)], 1: [(0, TICK), (2, END)]}
+    assert fair_part(explored(ring, [ALL, ALL & ~END, ALL], [0, 0, 0]), [0, 1], 1) is None
+    assert sorted(fair_part(explored(ring, [ALL, ALL, ALL], [0, 0, 0]), [0, 1], 1) or []) == [0, 1]
+
+
+def test_a_tick_may_be_idle_now_and_then_but_not_put_off_always() -> None:
+    ring = {0: [(1, 0)], 1: [(0, 0)]}
+    assert fair_part(explored(ring, [ALL & ~TICK, ALL & ~TICK], [0, 0]), [0, 1], 1) is None
+    assert fair_part(explored(ring, [ALL & ~TICK, ALL], [0, 0]), [0, 1], 1) is not None
+
+
+def test_who_rolls_comes_somewhere() -> None:
+    ring = {0: [(1, TICK)], 1: [(0, TICK)]}
+    assert fair_part(explored(ring, [ALL, ALL], [1, 1]), [0, 1], 1) is None
+    further = {0: [(1, TICK | ZONE)], 1: [(0, TICK)]}
+    assert fair_part(explored(further, [ALL, ALL], [1, 1]), [0, 1], 1) is not None
+
+
+def test_a_state_that_nothing_leaves_is_stayed_in_and_one_that_is_left_is_not() -> None:
+    assert fair_part(explored({}, [ALL], [0]), [0], 1) == [0]
+    assert fair_part(explored({0: [(1, TICK)]}, [ALL, ALL], [0, 0]), [0], 1) is None
