@@ -110,3 +110,24 @@ def test_missions_with_two_roads_are_right_in_lockstep(name: str) -> None:
     made = judged(prepared(EXAMPLES / name / f"{name}.krt").again(), Timing.LOCKSTEP)
     assert made.complete
     assert set(answers(made).values()) == {"holds"}
+
+
+def test_more_robots_than_can_be_followed_end_in_an_answer(tmp_path: Path) -> None:
+    """Nine on one road, bumper to bumper: they all wait, which is found though not all is looked at."""
+    text = (EXAMPLES / "transport" / "transport.krt").read_text(encoding="utf-8")
+    agent = '    <agent name="carrier-3" program="carrier"/>\n'
+    more = "".join(agent.replace("carrier-3", f"carrier-{number}") for number in range(4, 10))
+    ring = (EXAMPLES.parent / "src" / "kitrobot" / "world" / "shipped" / "ring.world.xml").read_text(encoding="utf-8")
+    start = '  <start name="carrier-3" road="ring" at="1100"/>\n'
+    starts = "".join(
+        start.replace("carrier-3", f"carrier-{number}").replace("1100", str(1100 - 140 * (number - 3)))
+        for number in range(4, 10)
+    )
+    (tmp_path / "full.world.xml").write_text(ring.replace(start, start + starts), encoding="utf-8")
+    path = tmp_path / "full.krt"
+    path.write_text(text.replace(agent, agent + more).replace("ring.world.xml", "full.world.xml"), encoding="utf-8")
+    made = verify(
+        prepared(path), VerificationOptions((), (Timing.LOCKSTEP,), states=2_000, seconds=None, confirms=False)
+    )
+    assert not made.columns[0].judged.complete
+    assert {answer.value for answer in made.answers} == {"broken", "not finished"}

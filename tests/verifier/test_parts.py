@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from array import array
 
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -12,7 +13,7 @@ from kitrobot.compiler import compile_text
 from kitrobot.image import Machine
 from kitrobot.verifier.exploring import Explored
 from kitrobot.verifier.fairness import fair_part
-from kitrobot.verifier.programs import ProgramTable, value_classes
+from kitrobot.verifier.programs import AbstractionError, ProgramTable, value_classes
 from kitrobot.verifier.roads import Gaps, possible, zones_of
 from tests.effort import examples
 from tests.sim.building import catalogue
@@ -63,6 +64,13 @@ def test_a_sensor_that_is_not_read_makes_no_difference_and_a_copied_one_all_the_
     made = table("Light.LightOn(); Light.LightOff();")
     choices = {at: range(100) for at in range(made.inputs)}
     assert len(made.react(made.first, (None,) * made.inputs, made.first_shared, choices)) == 1
+
+
+def test_a_value_of_very_many_that_is_copied_is_refused_in_words() -> None:
+    made = table("*[Run.IsTrue()]( Count.Set(Captor.Value()); );")
+    choices = {at: range(65_536) for at in range(made.inputs)}
+    with pytest.raises(AbstractionError, match="may read too many different values at once"):
+        made.react(made.first, (None,) * made.inputs, made.first_shared, choices)
 
 
 @settings(max_examples=examples(20), deadline=None)

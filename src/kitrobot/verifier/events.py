@@ -29,6 +29,14 @@ ENDS = (What.DONE, *SWINGS)
 """What takes longer than a tick came to its end."""
 
 
+MOST_AT_ONCE = 20_000
+"""Ways in which one step of a model can go, at most."""
+
+
+class TooManyError(Exception):
+    """One step of the model can go in more than `MOST_AT_ONCE` ways: exploring ends there."""
+
+
 @dataclass(frozen=True, slots=True)
 class Event:
     """Something that happens: to which agent, and where it matters to which other one, dock or storehouse."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 import time
 from array import array
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 
+from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.model import State
 from kitrobot.verifier.timing import Clock, Step
 
@@ -84,47 +86,48 @@ def explore(clock: Clock, budget: Budget, looking: Looking, keeps_steps: bool) -
     """
     began = time.monotonic()
     made = Explored()
+    with suppress(TooManyError):
+        _explore(clock, budget, looking, keeps_steps, made, began)
+    made.seconds = time.monotonic() - began
+    budget.progress(len(made.states), made.depth)
+    return made
+
+
+def _explore(clock: Clock, budget: Budget, looking: Looking, keeps_steps: bool, made: Explored, began: float) -> None:
     numbers: dict[State, int] = {clock.first: 0}
+    masks: dict[int, int] = {}  # so that each is kept once
     made.states.append(clock.first)
     made.parents.append(-1)
-    masks: dict[int, int] = {}  # so that each is kept once
-    at, level_end = 0, 1
-    while at < len(made.states):
+    level_end = 1
+    for at, state in enumerate(made.states):
         if at == level_end:
             made.depth += 1
             level_end = len(made.states)
         if at % _LOOK_EVERY == 0:
             budget.progress(len(made.states), made.depth)
-            spent = time.monotonic() - began
-            if budget.stop() or (budget.seconds is not None and spent > budget.seconds):
-                break
-        state = made.states[at]
+            if budget.stop():
+                return
         if not looking(at, state, None, state):
-            break
-        goes_on = True
+            return
         for step in clock.steps(state):
-            goes_on = goes_on and looking(at, state, step, step.state)
+            if budget.seconds is not None and time.monotonic() - began > budget.seconds:
+                return
+            if not looking(at, state, step, step.state):
+                return
             number = numbers.get(step.state)
             if number is None:
                 if len(made.states) >= budget.states:
-                    goes_on = False
-                    break
+                    return
                 number = numbers[step.state] = len(made.states)
                 made.states.append(step.state)
                 made.parents.append(at)
             if keeps_steps:
                 made.targets.append(number)
                 made.taken.append(masks.setdefault(step.taken, step.taken))
-        if not goes_on:
-            break
         if keeps_steps:
             made.first_edge.append(len(made.targets))
             idle, (forward, backward) = clock.idle(state), clock.rolling(state)
             made.idle.append(masks.setdefault(idle, idle))
             made.forward.append(forward)
             made.backward.append(backward)
-        at += 1
-    made.complete = at == len(made.states)
-    made.seconds = time.monotonic() - began
-    budget.progress(len(made.states), made.depth)
-    return made
+    made.complete = True

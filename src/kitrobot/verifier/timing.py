@@ -16,11 +16,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from enum import Enum
-from itertools import product
+from itertools import islice, product
 from typing import NamedTuple
 
 from kitrobot.verifier.bodies import FAILED
-from kitrobot.verifier.events import ENDS, Event, What
+from kitrobot.verifier.events import ENDS, MOST_AT_ONCE, Event, TooManyError, What
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.motion import Move
 
@@ -127,7 +127,9 @@ class Clock:
             for befallen, what in self._befallen(moved):
                 ticked = self._after.get(befallen)
                 if ticked is None:
-                    ticked = self._after[befallen] = tuple(self._ticked(befallen))
+                    ticked = self._after[befallen] = tuple(islice(self._ticked(befallen), MOST_AT_ONCE + 1))
+                    if len(ticked) > MOST_AT_ONCE:
+                        raise TooManyError
                 for after in ticked:
                     if (after, taken) not in found:
                         found.add((after, taken))

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.verifier.bodies import FAILED, RUNS, Body
-from kitrobot.verifier.events import Event
+from kitrobot.verifier.events import MOST_AT_ONCE, Event, TooManyError
 from kitrobot.verifier.motion import Move, moves
 from kitrobot.verifier.parts import Part
 from kitrobot.verifier.roads import PRESSED
@@ -216,6 +216,8 @@ class Traffic:
                     continue
                 seen.add((after, used | {own}))
                 waiting.append((after, used | {own}, (*events, event)))
+                if len(seen) > MOST_AT_ONCE:
+                    raise TooManyError
 
     def _with(self, number: int, i: int, body: Body) -> int:
         made = list(self._known[number])
