@@ -76,7 +76,7 @@ def follow(run: Simulation, steps: int, failures: int = 0) -> int:
         different.add(now)
         befallen = {state for one in fitting for state in befell(one, now, model)}
         ticked = {after for state in befallen for after in model.after_all(state)}
-        fitting = {moved for state in ticked for moved, _ in clock.moments(state) if shown(moved, model) == now}
+        fitting = {moved for state in ticked for moved, _, _ in clock.moments(state) if shown(moved, model) == now}
         assert fitting, f"step {before}: {now}"
     return len(different)
 

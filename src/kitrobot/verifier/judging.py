@@ -6,10 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from itertools import pairwise
+from operator import itemgetter
 
+from kitrobot.verifier.events import What
 from kitrobot.verifier.exploring import Budget, Explored, explore
 from kitrobot.verifier.fairness import fair_part, reachable, targets, way
 from kitrobot.verifier.model import Model, State
+from kitrobot.verifier.motion import Move
 from kitrobot.verifier.properties import Property
 from kitrobot.verifier.timing import Clock, Step, Timing
 
@@ -74,27 +77,26 @@ class Judged:
 def judge(model: Model, properties: Sequence[Property], timing: Timing, failures: int, budget: Budget) -> Judged:
     """Explores a model and judges properties by it."""
     clock = Clock(model, timing)
-    broken: dict[str, tuple[int, Step | None]] = {}
-    concerned: set[str] = {one.name for one in properties if one.concerns is None and one.concerned is None}
-    by_event = [one for one in properties if one.breaks is not None or one.concerns is not None]
+    first: dict[Move | What, tuple[int, Step]] = {}
+    concerned: set[str] = {one.name for one in properties if not one.about and one.concerned is None}
     by_state = [one for one in properties if one.concerned is not None]
 
     def looking(number: int, state: State, step: Step | None, after: State) -> bool:
         if step is None:
-            concerned.update(one.name for one in by_state if one.concerned is not None and one.concerned(state))
+            for one in by_state:
+                if one.name not in concerned and one.concerned is not None and one.concerned(state):
+                    concerned.add(one.name)
             return True
         for event in step.events:
-            for one in by_event:
-                if one.concerns is not None and one.name not in concerned and one.concerns(event):
-                    concerned.add(one.name)
-                if one.breaks is not None and one.name not in broken and one.breaks(event):
-                    broken[one.name] = number, step
+            if event.what not in first:
+                first[event.what] = number, step
         return True
 
     made = explore(clock, budget, looking, keeps_steps=True)
+    concerned.update(one.name for one in properties if not one.about.isdisjoint(first))
     verdicts = []
     for one in properties:
-        found = broken.get(one.name)
+        found = min((first[what] for what in one.broken_by if what in first), key=itemgetter(0), default=None)
         if found is not None:
             verdicts.append(Verdict(one, Answer.BROKEN, _way_to(clock, made, made.path(found[0]), found[1])))
             continue

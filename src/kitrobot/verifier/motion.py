@@ -7,21 +7,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from enum import Enum
+from enum import IntEnum
 
 from kitrobot.verifier.bodies import Body
 from kitrobot.verifier.roads import PRESSED, TOUCHING, Gaps, Zones, possible
 
 
-class Move(Enum):
-    """What happens to a robot that is on a road."""
+class Move(IntEnum):
+    """What happens to a robot that is on a road; the numbers are none of those of `events.What`."""
 
-    BEGIN = "begins to roll"
-    HALT = "comes to stand"
-    ZONE = "comes into the next zone"
-    CLOSER = "comes nearer to the robot ahead"
-    TOUCH = "touches the robot ahead"
-    WIDER = "is left behind by the robot ahead"
+    BEGIN = 1
+    HALT = 2
+    ZONE = 3
+    CLOSER = 4
+    TOUCH = 5
+    WIDER = 6
 
 
 @dataclass(frozen=True)

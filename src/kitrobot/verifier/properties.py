@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from kitrobot.sim import columns as c
 from kitrobot.text import Sentence
-from kitrobot.verifier.events import SWINGS, Event, What
+from kitrobot.verifier.events import SWINGS, What
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.motion import Move
 
@@ -23,23 +23,23 @@ class Property:
     Attributes:
         name: its name on the command line, in lower-case letters with hyphens.
         sentence: what it demands.
-        breaks: whether an event breaks it; None for one that no event breaks.
+        broken_by: the events that break it.
         is_wrong: whether a state, which nothing leaves, breaks it; None for one that no state breaks.
         waits: whether a state waits for what is to come; of liveness only. A run that waits for ever breaks it.
         from_start: whether only waiting since the first state counts.
-        concerns, concerned: whether an event, or a state, is what the property is about; where neither comes up, it is
-            vacuous; None for both where it always is in question.
+        about, concerned: the events, or states, that the property is about; where none comes up, it is vacuous. Without
+            both it always is in question.
         seen_as: the events of the simulator (see `sim.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
     """
 
     name: str
     sentence: Sentence
-    breaks: Callable[[Event], bool] | None = None
+    broken_by: frozenset[Move | What] = frozenset()
     is_wrong: Callable[[State], bool] | None = None
     waits: Callable[[State], bool] | None = None
     from_start: bool = False
-    concerns: Callable[[Event], bool] | None = None
+    about: frozenset[Move | What] = frozenset()
     concerned: Callable[[State], bool] | None = None
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
@@ -53,9 +53,9 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "contact",
                 Sentence("no robot drives into another one on its road"),
-                breaks=lambda event: event.what is Move.TOUCH,
+                broken_by=frozenset({Move.TOUCH}),
                 seen_as=(c.COLLISION,),
-                concerns=lambda event: event.what is Move.CLOSER or event.what is Move.TOUCH,
+                about=frozenset({Move.CLOSER, Move.TOUCH}),
             )
         )
     if any(act.is_arm for part in model.parts for act in part.acts):
@@ -63,18 +63,18 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "empty-storehouse",
                 Sentence("no arm reaches into an empty storehouse"),
-                breaks=lambda event: event.what is What.NO_BOX,
+                broken_by=frozenset({What.NO_BOX}),
                 seen_as=(c.NO_BOX,),
-                concerns=lambda event: event.what in SWINGS,
+                about=frozenset(SWINGS),
             )
         )
         found.append(
             Property(
                 "empty-swing",
                 Sentence("no arm moves without a carrier that it can load or unload"),
-                breaks=lambda event: event.what in (What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER),
+                broken_by=frozenset({What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER}),
                 seen_as=(c.NO_EMPTY_CARRIER, c.NO_LOADED_CARRIER),
-                concerns=lambda event: event.what in SWINGS,
+                about=frozenset(SWINGS),
             )
         )
     found.append(

@@ -23,7 +23,7 @@ MOMENTS = 24
 """Moments that are tried where something does."""
 MOST_RUNS = 300
 _CHUNK = 50
-_KINDS = {What.FAIL: "fail", What.STALL: "stall", What.RESUME: "revive"}
+_KINDS: dict[int, str] = {What.FAIL: "fail", What.STALL: "stall", What.RESUME: "revive"}
 
 
 @dataclass(frozen=True)

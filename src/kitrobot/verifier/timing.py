@@ -14,22 +14,15 @@ again and again comes into another zone again and again.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from enum import Enum
 from itertools import islice, product
 from typing import NamedTuple
 
 from kitrobot.verifier.bodies import FAILED
-from kitrobot.verifier.events import ENDS, MOST_AT_ONCE, Event, TooManyError, What
+from kitrobot.verifier.events import MOST_AT_ONCE, Event, TooManyError, What, progress
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.motion import Move
-
-_CLASSES: dict[Move | What, int] = {
-    What.TICK: 0,
-    Move.BEGIN: 1,
-    **dict.fromkeys(ENDS, 2),
-    Move.ZONE: 3,
-}
 
 
 class Timing(Enum):
@@ -96,35 +89,29 @@ class Clock:
             forward, backward = forward | ways[0], backward | ways[1]
         return forward, backward
 
-    def _taken(self, events: Iterable[Event]) -> int:
-        """The progress classes of events."""
-        found = 0
-        for event in events:
-            place = _CLASSES.get(event.what, -1)
-            if place >= 0:
-                found |= 1 << place * self.count + event.agent
-        return found
-
     # -- lockstep
 
-    def moments(self, state: State) -> Iterator[tuple[State, tuple[Event, ...]]]:
-        """What can be between two ticks of all, in the order of the simulator: what takes longer ends, robots move."""
+    def moments(self, state: State) -> Iterator[tuple[State, tuple[Event, ...], int]]:
+        """What can be between two ticks of all, in the order of the simulator: what takes longer ends, robots move; the
+        state then, the events, and their progress classes.
+        """
         model = self.model
-        for ended, events in self._ended(state):
+        for ended, events, taken in self._ended(state):
             roads = (traffic.moment(ended[model.roads_at + road]) for road, traffic in enumerate(model.traffic))
             for moments in product(*roads):
                 moved = list(ended)
-                happened = events
-                for road, (passed, number) in enumerate(moments):
+                happened, further = events, taken
+                for road, (passed, came, number) in enumerate(moments):
                     moved[model.roads_at + road] = number
                     happened += passed
-                yield tuple(moved), happened
+                    further |= came
+                yield tuple(moved), happened, further
 
     def _moments(self, state: State) -> Iterator[Step]:
         found: set[tuple[State, int]] = set()
-        for moved, happened in self.moments(state):
-            taken = self._taken(happened)
-            for befallen, what in self._befallen(moved):
+        may_befall = state[self.model.failures_at] > 0 or any(True for _ in self.model.failures(state))
+        for moved, happened, taken in self.moments(state):
+            for befallen, what in self._befallen(moved) if may_befall else ((moved, ()),):
                 ticked = self._after.get(befallen)
                 if ticked is None:
                     ticked = self._after[befallen] = tuple(islice(self._ticked(befallen), MOST_AT_ONCE + 1))
@@ -135,15 +122,15 @@ class Clock:
                         found.add((after, taken))
                         yield Step((*happened, *what), taken, after)
 
-    def _ended(self, state: State) -> Iterator[tuple[State, tuple[Event, ...]]]:
+    def _ended(self, state: State) -> Iterator[tuple[State, tuple[Event, ...], int]]:
         """After none, some or all of what takes longer has ended."""
-        waiting: list[tuple[State, tuple[Event, ...]]] = [(state, ())]
+        waiting: list[tuple[State, tuple[Event, ...], int]] = [(state, (), 0)]
         while waiting:
-            now, events = waiting.pop()
-            yield now, events
+            now, events, taken = waiting.pop()
+            yield now, events, taken
             for event, after in self.model.ends(now):
                 if not events or event.agent > events[-1].agent:
-                    waiting.append((after, (*events, event)))
+                    waiting.append((after, (*events, event), taken | progress(event, self.count)))
 
     def _befallen(self, state: State) -> Iterator[tuple[State, tuple[Event, ...]]]:
         """After nothing befell anybody, or something some of them."""
@@ -172,11 +159,13 @@ class Clock:
                     yield Step((Event(i, What.TICK),), 1 << i, after)
         if not prompt or state[-1] == 0:
             for event, after in model.ends(state):
-                yield Step((event,), self._taken((event,)), self._due(after))
+                yield Step((event,), progress(event, self.count), self._due(after))
             for road, traffic in enumerate(model.traffic):
                 at = model.roads_at + road
                 for event, number in traffic.moves(state[at]):
-                    yield Step((event,), self._taken((event,)), self._due((*state[:at], number, *state[at + 1 :])))
+                    yield Step(
+                        (event,), progress(event, self.count), self._due((*state[:at], number, *state[at + 1 :]))
+                    )
         for event, after in model.failures(state):
             yield Step((event,), 0, self._waiting(after, after[-1]) if prompt else after)
 

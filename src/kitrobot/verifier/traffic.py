@@ -8,13 +8,15 @@ from collections.abc import Iterator, Sequence
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.verifier.bodies import FAILED, RUNS, Body
-from kitrobot.verifier.events import MOST_AT_ONCE, Event, TooManyError
+from kitrobot.verifier.events import MOST_AT_ONCE, Event, TooManyError, progress
 from kitrobot.verifier.motion import Move, moves
 from kitrobot.verifier.parts import Part
 from kitrobot.verifier.roads import PRESSED
 
 _ONCE = {Move.BEGIN: 1, Move.HALT: 1, Move.ZONE: 2}
 """What a robot does once at most in a moment: moves of one number exclude each other. It comes once to each gap."""
+_Moment = tuple[tuple[Event, ...], int, int]
+"""What happens to the robots of a road between two ticks: events in order, their progress classes, the number after."""
 _Own = tuple[int, object]
 """An agent, and what it did of what it does once."""
 
@@ -35,7 +37,7 @@ class Traffic:
         self._known: list[tuple[Body, ...]] = []
         self._numbers: dict[tuple[Body, ...], int] = {}
         self._moves: dict[int, tuple[tuple[Event, int], ...]] = {}
-        self._moments: dict[int, tuple[tuple[tuple[Event, ...], int], ...]] = {}
+        self._moments: dict[int, tuple[_Moment, ...]] = {}
         self._ticks: dict[tuple[int, int, int, bool], int] = {}
         self._rolling: dict[int, tuple[int, int]] = {}
         self._standing: dict[tuple[int, int], tuple[int, ...]] = {}
@@ -153,10 +155,8 @@ class Traffic:
             found = self._moves[number] = tuple(self._moves_from(number))
         return found
 
-    def moment(self, number: int) -> tuple[tuple[tuple[Event, ...], int], ...]:
-        """What may happen between two steps of the simulator: the events in order, and the number after it. No robot
-        waits that can begin to roll.
-        """
+    def moment(self, number: int) -> tuple[_Moment, ...]:
+        """What may happen between two steps of the simulator. No robot waits that can begin to roll."""
         found = self._moments.get(number)
         if found is None:
             found = self._moments[number] = tuple(self._moments_from(number))
@@ -198,7 +198,7 @@ class Traffic:
                     made[self._place[part.follower]] = moved.follower
                 yield Event(i, moved.move, part.leader), self._number(tuple(made))
 
-    def _moments_from(self, number: int) -> Iterator[tuple[tuple[Event, ...], int]]:
+    def _moments_from(self, number: int) -> Iterator[_Moment]:
         waiting: deque[tuple[int, frozenset[_Own], tuple[Event, ...]]] = deque([(number, frozenset(), ())])
         seen = {(number, waiting[0][1])}
         given: set[tuple[int, frozenset[int]]] = set()
@@ -208,7 +208,7 @@ class Traffic:
             which = now, frozenset(who for who, what in used if what in (_ONCE[Move.BEGIN], _ONCE[Move.ZONE]))
             if not self.begins(now) and which not in given:
                 given.add(which)
-                yield events, now
+                yield events, sum({progress(event, len(self.parts)) for event in events}), now
             for event, after in self.moves(now):
                 assert isinstance(event.what, Move)
                 own = event.agent, _ONCE.get(event.what) or (event.what, self.body(after, event.agent).gap)
