@@ -11,12 +11,15 @@ from hypothesis import strategies as st
 
 from kitrobot.compiler import compile_text
 from kitrobot.image import Machine
+from kitrobot.text import Sentence
+from kitrobot.verifier import Budget, Model, Property, Timing, judge, take_apart
 from kitrobot.verifier.exploring import Explored
 from kitrobot.verifier.fairness import fair_part
 from kitrobot.verifier.programs import AbstractionError, ProgramTable, value_classes
 from kitrobot.verifier.roads import Gaps, possible, zones_of
+from kitrobot.verifier.timing import Clock
 from tests.effort import examples
-from tests.sim.building import catalogue
+from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of
 
 
 def table(text: str, robot: str = "mini-robot") -> ProgramTable:
@@ -137,3 +140,20 @@ def test_who_rolls_comes_somewhere() -> None:
 def test_a_state_that_nothing_leaves_is_stayed_in_and_one_that_is_left_is_not() -> None:
     assert fair_part(explored({}, [ALL], [0]), [0], 1) == [0]
     assert fair_part(explored({0: [(1, TICK)]}, [ALL, ALL], [0, 0]), [0], 1) is None
+
+
+def test_who_ticks_more_slowly_may_miss_a_moment_of_lockstep_and_never_all_of_them() -> None:
+    fast, slow = avatar(WHEEL.format(settings=""), name="fast"), avatar(WHEEL.format(settings=""), tick=40, name="slow")
+    world = empty_world(a=(500, 500, 0), b=(900, 900, 0))
+    run = run_of({"a": (fast, "3*( WAIT(1); );"), "b": (slow, "3*( WAIT(1); );")}, world)
+    model = Model(run, take_apart(run))
+    clock = Clock(model, Timing.LOCKSTEP)
+    assert {step.taken & 2 for step in clock.steps(clock.first)} == {0, 2}
+    properties = [Property("over", Sentence("in the end both end"), waits=lambda state: not model.ended(state, 1))]
+    made = judge(model, properties, Timing.LOCKSTEP, 0, Budget())
+    assert [verdict.answer.value for verdict in made.verdicts] == ["holds"]
+    never = Property(
+        "never", Sentence("in the end the slow one is not over"), waits=lambda state: model.ended(state, 1)
+    )
+    broken = judge(model, [never], Timing.LOCKSTEP, 0, Budget()).verdicts[0]
+    assert broken.answer.value == "broken"

@@ -49,7 +49,7 @@ class Clock:
         self.timing = timing
         self.count = model.count
         self._everyone = range(model.count)
-        self._after: dict[State, tuple[State, ...]] = {}
+        self._after: dict[State, tuple[tuple[int, State], ...]] = {}
         fastest = min((part.agent.period for part in model.parts), default=1)
         self._slower = [i for i, part in enumerate(model.parts) if part.agent.period > fastest]
 
@@ -117,10 +117,10 @@ class Clock:
                     ticked = self._after[befallen] = tuple(islice(self._ticked(befallen), MOST_AT_ONCE + 1))
                     if len(ticked) > MOST_AT_ONCE:
                         raise TooManyError
-                for after in ticked:
-                    if (after, taken) not in found:
-                        found.add((after, taken))
-                        yield Step((*happened, *what), taken, after)
+                for slower, after in ticked:
+                    if (after, taken | slower) not in found:
+                        found.add((after, taken | slower))
+                        yield Step((*happened, *what), taken | slower, after)
 
     def _ended(self, state: State) -> Iterator[tuple[State, tuple[Event, ...], int]]:
         """After none, some or all of what takes longer has ended."""
@@ -142,10 +142,15 @@ class Clock:
                 if not events or event.agent > events[-1].agent:
                     waiting.append((after, (*events, event)))
 
-    def _ticked(self, state: State) -> Iterator[State]:
-        """After a tick of all; agents whose ticks are longer than others' may have none."""
+    def _ticked(self, state: State) -> Iterator[tuple[int, State]]:
+        """After a tick of all; agents whose ticks are longer than others' may have none. Which of these had one, as
+        bits, stands before the state.
+        """
         for pauses in product((False, True), repeat=len(self._slower)):
-            yield from self.model.after_all(state, [i for i, pause in zip(self._slower, pauses, strict=True) if pause])
+            paused = {i for i, pause in zip(self._slower, pauses, strict=True) if pause}
+            ticking = sum(1 << i for i in self._slower if i not in paused)
+            for after in self.model.after_all(state, paused):
+                yield ticking, after
 
     # -- prompt and free
 
