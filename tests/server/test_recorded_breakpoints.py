@@ -161,14 +161,11 @@ def test_without_its_robot_a_condition_is_said_not_to_be_tested_and_the_place_st
 def test_over_the_socket_a_recording_pauses_and_goes_on(connect, page, recording):
     opened = page.post("/api/trace", content=recording.read_bytes()).json()
     with connect() as watcher:
-        watcher.send(type="replay", recording=opened["recording"], speed=0)
         replay = Replay(open_trace(recording), TRANSPORT)
         place = waiting_place(replay)
-        # Sought before there is a breakpoint: a pause on the way there would be taken for the one after it.
-        watcher.send(type="seek", tick=0)
-        watcher.until("state", status="paused", tick=0)
-        watcher.send(type="breakpoints", breakpoints=[{"program": "carrier", "vertex": place}])
-        watcher.send(type="resume")
+        # At full speed it may be over before another request comes: the breakpoints come with this one.
+        marks = [{"program": "carrier", "vertex": place}]
+        watcher.send(type="replay", recording=opened["recording"], speed=0, breakpoints=marks)
         hits = hits_of(replay, Breakpoint("carrier", place))
         for tick in sorted({tick for tick, _ in hits})[:3]:
             said = watcher.until("state", status="paused", tick=tick)

@@ -14,10 +14,12 @@ from kitrobot.server.replay import Replay
 from kitrobot.server.routing import refuse_visitors, studio_of
 from kitrobot.server.shapes import (
     Beginning,
+    BreakpointsRequest,
     ProblemsMessage,
     ReplayRequest,
     RobotsRequest,
     StartRequest,
+    Steering,
     mission_from_shape,
     problem_shapes,
 )
@@ -42,6 +44,13 @@ async def run_of(
     if isinstance(request, ReplayRequest):
         return await asyncio.to_thread(_replay, studio, request)
     return await asyncio.to_thread(_simulated, studio, request)
+
+
+def come_with(request: Beginning) -> list[Steering]:
+    """What a request asks of its run before its first step; what is at full speed may be over when the next comes."""
+    if isinstance(request, ReplayRequest | RobotsRequest) and request.breakpoints:
+        return [BreakpointsRequest(type="breakpoints", breakpoints=request.breakpoints)]
+    return []
 
 
 def _opened(studio: Studio, request: StartRequest | RobotsRequest) -> OpenMission:

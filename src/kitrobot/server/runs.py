@@ -28,7 +28,7 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber, Telling
 from kitrobot.server.realtime_clock import Pace, speed_of
 from kitrobot.server.routing import studio_of
-from kitrobot.server.run_sources import run_of
+from kitrobot.server.run_sources import come_with, run_of
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     REQUEST,
@@ -166,7 +166,7 @@ class Session:
         except BaseException:
             self._count(False)
             raise
-        self._pace, self._watch, self._early, self._steps, self._jobs = None, None, [], 0, []
+        self._pace, self._watch, self._early, self._steps, self._jobs = None, None, come_with(request), 0, []
         self._stopping, self._said, self._state_now, self._broadcast, self._looks = False, ("", -1), None, None, ()
         self._wake.clear()
         self._task = asyncio.create_task(self._whole_run(request))

@@ -965,11 +965,12 @@ export interface RecordingEntry {
   problem: string;
 }
 
-/** Play a recording that was opened; `recording` is its name. */
+/** Play a recording that was opened; `recording` is its name. From its first step on it pauses at breakpoints. */
 export interface ReplayRequest {
   type: "replay";
   recording: string;
   speed: number;
+  breakpoints?: Breakpoint[];
 }
 
 /** A mission looked through. `projections`: one for each kind of robot that runs the program of the whole team. */
@@ -1024,7 +1025,8 @@ export interface RobotObject {
 
 /**
  * Watch and steer real robots that this page holds; `holder` is its name among those with robots, and `mission` is what
- * the programs of the robots are of. They run whatever is asked for; what is shown of them can be paused.
+ * the programs of the robots are of. They run whatever is asked for; what is shown of them can be paused, and pauses at
+ * the breakpoints.
  */
 export interface RobotsRequest {
   type: "robots";
@@ -1033,6 +1035,7 @@ export interface RobotsRequest {
   holder: string;
   addresses: string[];
   speed: number;
+  breakpoints?: Breakpoint[];
 }
 
 /** A role, the kind of robot that can play it, and how many are wanted. */

@@ -203,14 +203,12 @@ function hangUp(): void {
 }
 
 /** Begins a run, plays a recording, or watches robots, in the place of what was on. */
-function connect(mission: Mission, ...requests: RunRequest[]): void {
+function connect(mission: Mission, request: RunRequest): void {
   hangUp();
   clearFrames();
   useRun.setState({ ...NOTHING, status: "connecting", mission });
   socket = openRunSocket({
-    onOpen: (opened) => {
-      for (const request of requests) opened.send(request);
-    },
+    onOpen: (opened) => opened.send(request),
     onMessage: (message) => {
       useRun.setState((state) => applyMessage(state, message));
       if (message.type === "started") {
@@ -251,15 +249,11 @@ export const useRun = create<RunState>((set, get) => ({
   },
   robots: ({ mission, ...robots }) => {
     const { breakpoints = [] } = useStudio.getState().mission;
-    connect(mission, { type: "robots", mission, speed: get().speed, ...robots }, { type: "breakpoints", breakpoints });
+    connect(mission, { type: "robots", mission, speed: get().speed, breakpoints, ...robots });
   },
   watch: ({ mission, run }) => connect(mission, { type: "watch", run, mission }),
   replay: ({ mission, recording, breakpoints }) =>
-    connect(
-      mission,
-      { type: "replay", recording, speed: get().speed },
-      ...(breakpoints.length > 0 ? [{ type: "breakpoints", breakpoints } as const] : []),
-    ),
+    connect(mission, { type: "replay", recording, speed: get().speed, breakpoints }),
   pause: () => {
     if (get().status === "running") steer({ type: "pause" });
   },

@@ -28,6 +28,9 @@ MOST_ADDRESSES = 32
 """Real robots that are watched as one run."""
 
 
+Breakpoints = Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)]
+
+
 class StartRequest(BaseModel):
     """Run this mission; `path` is the file it was opened from, "" for a new one. `fail_rate` is the probability that
     an agent fails by chance within a minute, `seconds` the simulated time after which the run ends, null for never.
@@ -43,16 +46,18 @@ class StartRequest(BaseModel):
 
 
 class ReplayRequest(BaseModel):
-    """Play a recording that was opened; `recording` is its name."""
+    """Play a recording that was opened; `recording` is its name. From its first step on it pauses at breakpoints."""
 
     type: Literal["replay"]
     recording: Annotated[str, Field(max_length=20)]
     speed: Speed
+    breakpoints: Breakpoints = []
 
 
 class RobotsRequest(BaseModel):
     """Watch and steer real robots that this page holds; `holder` is its name among those with robots, and `mission` is
-    what the programs of the robots are of. They run whatever is asked for; what is shown of them can be paused.
+    what the programs of the robots are of. They run whatever is asked for; what is shown of them can be paused, and
+    pauses at the breakpoints.
     """
 
     type: Literal["robots"]
@@ -61,6 +66,7 @@ class RobotsRequest(BaseModel):
     holder: Name
     addresses: Annotated[list[Address], Field(min_length=1, max_length=MOST_ADDRESSES)]
     speed: Speed
+    breakpoints: Breakpoints = []
 
 
 class WatchRequest(BaseModel):
@@ -137,7 +143,7 @@ class BreakpointsRequest(BaseModel):
     """Pause at these from now on."""
 
     type: Literal["breakpoints"]
-    breakpoints: Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)]
+    breakpoints: Breakpoints
 
 
 class StopRequest(BaseModel):
