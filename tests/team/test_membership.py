@@ -6,7 +6,6 @@ crashes (once); within a round every message arrives. States are compared by tim
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import pytest
@@ -60,7 +59,7 @@ def _relative(value: Any, now: int) -> Any:
 
         peers = tuple((p.life, p.view, ago(p.stamp), ago(p.heard), ago(p.echoed), ago(p.granted)) for p in known.peers)
         times = ago(known.since), ago(known.beat_at), ago(known.right), known.heard, peers
-        log = dataclasses.replace(value.log, retry_at=ago(value.log.retry_at) if value.log.retry_at else NEVER)
+        log = value.log._replace(retry_at=ago(value.log.retry_at) if value.log.retry_at else NEVER)
         return ago(value.now), times, log, tuple(ago(time) for time in value.acts_from)
     return tuple(_relative(one, now) for one in value)
 

@@ -82,11 +82,11 @@ def _truth(value: object) -> bool:
 
 
 def _row(item: _Reader) -> _Reader:
-    return lambda value: tuple(item(one) for one in _list(value))
+    return lambda value: tuple([item(one) for one in _list(value)])
 
 
 def _fields(kind: type, readers: list[_Reader]) -> _Reader:
-    return lambda value: kind(*(read(one) for read, one in zip(readers, _list(value), strict=True)))
+    return lambda value: kind(*[read(one) for read, one in zip(readers, _list(value), strict=True)])
 
 
 def _one_of(kinds: list[_Reader]) -> _Reader:

@@ -13,7 +13,7 @@ A voter keeps its promises for the whole of its life; a process that forgot them
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from kitrobot.team.commands import Batch, Seat
 from kitrobot.team.messages import EVERYONE, Accepted, Ballot, Chosen, Denied, Prepare, Promise, Propose, Sending
@@ -32,8 +32,7 @@ def is_quorum(ranks: Collection[int], voters: int) -> bool:
     return 2 * len(ranks) > voters or (2 * len(ranks) == voters and 0 in ranks)
 
 
-@dataclass(frozen=True, slots=True)
-class Decision:
+class Decision(NamedTuple):
     """One voter's (or onlooker's) part in one slot.
 
     Attributes:
@@ -75,9 +74,9 @@ def attempt(state: Decision, wanted: Batch) -> tuple[Decision, tuple[Sending, ..
     if state.ballot == state.promised:
         return state, asked(state)
     if state.rank == 0 and state.promised == FIRST:
-        return _propose(replace(state, ballot=FIRST), wanted)
+        return _propose(state._replace(ballot=FIRST), wanted)
     ballot = Ballot(state.promised.round + 1, state.rank)
-    state = replace(state, promised=ballot, ballot=ballot, wanted=wanted, proposal=None, promises=(), votes=())
+    state = state._replace(promised=ballot, ballot=ballot, wanted=wanted, proposal=None, promises=(), votes=())
     state, sent = _promised(state, state.rank, state.accepted, state.value)
     return state, sent or asked(state)
 
@@ -86,7 +85,7 @@ def receive(state: Decision, message: SynodMessage) -> Answer:
     """Takes in what another voter says about this slot, or what anyone says that it decided."""
     if isinstance(message, Chosen):
         if state.chosen is None:
-            return replace(state, chosen=message.value), (), None
+            return state._replace(chosen=message.value), (), None
         return state, (), None if state.chosen == message.value else contradiction(message.sender)
     if message.sender not in state.voters or message.slot != state.slot:
         return state, (), None
@@ -101,7 +100,7 @@ def receive(state: Decision, message: SynodMessage) -> Answer:
     if isinstance(message, Prepare | Propose):
         return _vote(state, message, rank)
     if isinstance(message, Denied):
-        return (replace(state, promised=message.ballot) if message.ballot > state.promised else state), (), None
+        return (state._replace(promised=message.ballot) if message.ballot > state.promised else state), (), None
     if message.ballot != state.ballot:
         return state, (), None
     if isinstance(message, Promise):
@@ -119,11 +118,11 @@ def _vote(state: Decision, message: Prepare | Propose, rank: int) -> Answer:
     if ballot < state.promised:
         return state, _to(message.sender, Denied(state.seat, state.slot, state.promised)), None
     if isinstance(message, Prepare):
-        state = replace(state, promised=ballot)
+        state = state._replace(promised=ballot)
         return state, _to(message.sender, Promise(state.seat, state.slot, ballot, state.accepted, state.value)), None
     if ballot == state.accepted and message.value != state.value:
         return state, (), contradiction(message.sender)
-    state = replace(state, promised=ballot, accepted=ballot, value=message.value)
+    state = state._replace(promised=ballot, accepted=ballot, value=message.value)
     return state, _to(message.sender, Accepted(state.seat, state.slot, ballot)), None
 
 
@@ -132,7 +131,7 @@ def _promised(state: Decision, rank: int, accepted: Ballot, value: Batch) -> tup
     if state.proposal is not None or state.ballot != state.promised:
         return state, ()
     others = [promise for promise in state.promises if promise[0] != rank]
-    state = replace(state, promises=tuple(sorted([*others, (rank, accepted, value)], key=lambda promise: promise[0])))
+    state = state._replace(promises=tuple(sorted([*others, (rank, accepted, value)], key=lambda promise: promise[0])))
     if not is_quorum([promise[0] for promise in state.promises], len(state.voters)):
         return state, ()
     _, highest, voted = max(state.promises, key=lambda promise: promise[1])
@@ -141,7 +140,7 @@ def _promised(state: Decision, rank: int, accepted: Ballot, value: Batch) -> tup
 
 def _propose(state: Decision, value: Batch) -> tuple[Decision, tuple[Sending, ...]]:
     """Asks for votes, and votes itself."""
-    state = replace(state, proposal=value, promises=(), accepted=state.ballot, value=value)
+    state = state._replace(proposal=value, promises=(), accepted=state.ballot, value=value)
     state, sent = _voted(state, state.rank)
     return state, sent or asked(state)
 
@@ -150,10 +149,10 @@ def _voted(state: Decision, rank: int) -> tuple[Decision, tuple[Sending, ...]]:
     """Counts a vote; with a quorum the value is chosen."""
     if state.proposal is None:
         return state, ()
-    state = replace(state, votes=tuple(sorted({*state.votes, rank})))
+    state = state._replace(votes=tuple(sorted({*state.votes, rank})))
     if not is_quorum(state.votes, len(state.voters)):
         return state, ()
-    return replace(state, chosen=state.proposal), (
+    return state._replace(chosen=state.proposal), (
         Sending(EVERYONE, Chosen(state.seat, state.slot, state.proposal or ())),
     )
 

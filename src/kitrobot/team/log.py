@@ -11,7 +11,8 @@ A member that missed decisions asks whoever knows more. Only the last `KEPT` are
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from kitrobot.team import decision as synod
 from kitrobot.team.applying import applied
@@ -53,8 +54,7 @@ class Out:
         self.changes.append(Refused(member, why))
 
 
-@dataclass(frozen=True, slots=True)
-class Log:
+class Log(NamedTuple):
     """A member's copy.
 
     Attributes:
@@ -93,7 +93,7 @@ def ordered(log: Log, body: Body) -> Log | None:
     if len(log.pending) >= MOST_PENDING:
         return None
     command = Command(log.decision.seat, log.given + 1, body)
-    return replace(log, pending=(*log.pending, command), given=command.number)
+    return log._replace(pending=(*log.pending, command), given=command.number)
 
 
 def is_firm(charter: Charter, log: Log) -> bool:
@@ -122,7 +122,7 @@ def received(charter: Charter, log: Log, message: LogMessage, now: int, out: Out
         if known and message.commands and _newest(message.commands) < _newest(known):
             return log
         asked = (*log.asked[: sender.member], message.commands, *log.asked[sender.member + 1 :])
-        return replace(log, asked=asked)
+        return log._replace(asked=asked)
     if isinstance(message, Behind):
         if message.slot < log.slot:
             out.messages.append(Sending(sender.member, _what_follows(log, message.slot)))
@@ -155,9 +155,9 @@ def received(charter: Charter, log: Log, message: LogMessage, now: int, out: Out
     out.messages.extend(sent)
     if why:
         out.refuse(sender.member, why)
-    log = replace(log, decision=after)
+    log = log._replace(decision=after)
     if after.promised > before and log.retry_at:
-        log = replace(log, retry_at=now + _patience(charter, log))
+        log = log._replace(retry_at=now + _patience(charter, log))
     return _progress(charter, log, out)
 
 
@@ -167,16 +167,16 @@ def advance(charter: Charter, log: Log, now: int, out: Out) -> Log:
         state, batch = log.decision, _batch(log)
         free = state.rank == 0 and state.promised == FIRST and state.ballot == NO_BALLOT
         if state.rank < 0 or not (batch or state.accepted != NO_BALLOT or state.ballot != NO_BALLOT):
-            return replace(log, retry_at=0) if log.retry_at else log
+            return log._replace(retry_at=0) if log.retry_at else log
         if not (free and batch):
             if not log.retry_at:
-                return replace(log, retry_at=now + _patience(charter, log))
+                return log._replace(retry_at=now + _patience(charter, log))
             if now < log.retry_at:
                 return log
         after, sent = synod.attempt(state, batch)
         out.messages.extend(sent)
-        log = replace(log, decision=after, attempts=log.attempts + 1)
-        log = _progress(charter, replace(log, retry_at=now + _patience(charter, log)), out)
+        log = log._replace(decision=after, attempts=log.attempts + 1)
+        log = _progress(charter, log._replace(retry_at=now + _patience(charter, log)), out)
         if log.slot == state.slot:
             return log
 
@@ -189,7 +189,7 @@ def _progress(charter: Charter, log: Log, out: Out) -> Log:
     tables, told = applied(charter, log.tables, value)
     out.changes.extend(told)
     out.changes.append(Decided(log.slot))
-    return _opened(replace(log, tables=tables, kept=(*log.kept, value)[-KEPT:]), log.slot + 1)
+    return _opened(log._replace(tables=tables, kept=(*log.kept, value)[-KEPT:]), log.slot + 1)
 
 
 def _opened(log: Log, slot: int) -> Log:
@@ -197,8 +197,7 @@ def _opened(log: Log, slot: int) -> Log:
     life, count = log.tables.applied[log.decision.seat.member]
     seat = log.decision.seat
     pending = tuple(command for command in log.pending if seat.life > life or command.number > count)
-    return replace(
-        log,
+    return log._replace(
         decision=Decision(seat, slot, log.tables.view.seats),
         pending=pending,
         asked=tuple(
@@ -216,8 +215,10 @@ def _batch(log: Log) -> Batch:
     batch: list[Command] = []
     for place in range(len(seats)):
         seat = seats[(place + log.slot) % len(seats)]
-        count = log.tables.applied[seat.member].last
         own = log.pending if seat == log.decision.seat else log.asked[seat.member]
+        if not own:
+            continue
+        count = log.tables.applied[seat.member].last
         for command in own:
             if command.seat == seat and command.number == count + 1 and len(batch) < MOST_COMMANDS:
                 batch.append(command)
@@ -251,7 +252,7 @@ def _from_snapshot(charter: Charter, log: Log, message: Snapshot, out: Out) -> L
         out.refuse(message.sender.member, Sentence("member {member} is of another team", message.sender.member))
         return log
     out.changes.append(Skipped(message.slot))
-    return _opened(replace(log, tables=message.tables, kept=()), message.slot)
+    return _opened(log._replace(tables=message.tables, kept=()), message.slot)
 
 
 def fits(charter: Charter, tables: Tables) -> bool:

@@ -13,8 +13,6 @@ What differs from a usual replicated state machine, and why: docs/team-protocol.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from kitrobot.team import log as logs
 from kitrobot.team import membership, shared
 from kitrobot.team.changes import Change, Granted, Late, Passed, Quorum, Viewed, Written
@@ -43,12 +41,12 @@ def step(charter: Charter, state: Member, now: int, event: Event) -> Stepped:
     elif isinstance(event, Write):
         state = _write(charter, state, event, out)
     elif isinstance(event, Leave):
-        state = replace(state, leaving=True)
+        state = state._replace(leaving=True)
     elif isinstance(event, Time):
         state = _time(charter, state, now, out)
     else:
         state = _ordered(charter, state, event, out)
-    state = replace(state, log=logs.advance(charter, state.log, now, out))
+    state = state._replace(log=logs.advance(charter, state.log, now, out))
     if state.log.tables != before.log.tables or isinstance(event, Announce):
         state = _followed(charter, before, state, now, out)
     return Stepped(state, tuple(out.messages), tuple(out.changes))
@@ -61,8 +59,8 @@ def _rights_kept(charter: Charter, state: Member, now: int) -> Member:
     since = now if now - state.now >= charter.lease // 2 else state.membership.since
     known = state.membership
     if (right, since) != (known.right, known.since):
-        known = replace(known, right=right, since=since)
-    return replace(state, now=now, membership=known)
+        known = known._replace(right=right, since=since)
+    return state._replace(now=now, membership=known)
 
 
 def _received(charter: Charter, state: Member, now: int, message: Message, out: Out) -> Member:
@@ -75,9 +73,9 @@ def _received(charter: Charter, state: Member, now: int, message: Message, out: 
     if spent > BUDGET:
         if spent == BUDGET + 1:
             out.refuse(member, Sentence("member {member} sends too much; the rest is left unread", member))
-            state = replace(state, spent=_with(state.spent, member, spent))
-        return replace(state, refused=_with(state.refused, member, state.refused[member] + 1))
-    state = replace(state, spent=_with(state.spent, member, spent))
+            state = state._replace(spent=_with(state.spent, member, spent))
+        return state._replace(refused=_with(state.refused, member, state.refused[member] + 1))
+    state = state._replace(spent=_with(state.spent, member, spent))
     told = len(out.changes)
     if isinstance(message, Heartbeat):
         state = _heard(state, now, message, out)
@@ -89,11 +87,11 @@ def _received(charter: Charter, state: Member, now: int, message: Message, out: 
         out.changes.extend(Written(entry.variable, entry.value) for entry in news)
         if refused:
             out.refuse(member, Sentence("member {member} wrote a shared variable in a way that cannot be", member))
-        state = replace(state, store=store)
+        state = state._replace(store=store)
     else:
-        state = replace(state, log=logs.received(charter, state.log, message, now, out))
+        state = state._replace(log=logs.received(charter, state.log, message, now, out))
     if any(getattr(change, "why", None) for change in out.changes[told:]):
-        state = replace(state, refused=_with(state.refused, member, state.refused[member] + 1))
+        state = state._replace(refused=_with(state.refused, member, state.refused[member] + 1))
     return state
 
 
@@ -105,7 +103,7 @@ def _heard(state: Member, now: int, message: Heartbeat, out: Out) -> Member:
         out.messages.append(Sending(member, Behind(state.seat, state.log.slot)))
     elif message.digest != shared.digest(state.store):
         out.messages.append(Sending(member, Compare(state.seat, state.store.stamps)))
-    return replace(state, membership=known)
+    return state._replace(membership=known)
 
 
 def _write(charter: Charter, state: Member, event: Write, out: Out) -> Member:
@@ -115,7 +113,7 @@ def _write(charter: Charter, state: Member, event: Write, out: Out) -> Member:
     store, entry = shared.written(state.store, state.seat, event.variable, event.value)
     out.messages.append(Sending(EVERYONE, Writes(state.seat, (entry,))))
     out.changes.append(Written(entry.variable, entry.value))
-    return replace(state, store=store)
+    return state._replace(store=store)
 
 
 def _ordered(charter: Charter, state: Member, body: Body, out: Out) -> Member:
@@ -124,7 +122,7 @@ def _ordered(charter: Charter, state: Member, body: Body, out: Out) -> Member:
         if not 0 <= body.meeting < len(charter.meetings):
             out.refuse(state.seat.member, Sentence("there is no meeting {number}", body.meeting))
             return state
-        state = replace(state, standing=tuple(sorted({*state.standing, (body.meeting, body.occurrence)})))
+        state = state._replace(standing=tuple(sorted({*state.standing, (body.meeting, body.occurrence)})))
         if is_over(state.tables.meetings[body.meeting], body.occurrence):
             return state
     log = logs.ordered(state.log, body)
@@ -134,7 +132,7 @@ def _ordered(charter: Charter, state: Member, body: Body, out: Out) -> Member:
     first = state.tables.view.seats[0]
     if first != state.seat and log != state.log:
         out.messages.append(logs.request(log, first.member))
-    return replace(state, log=log)
+    return state._replace(log=log)
 
 
 def _time(charter: Charter, state: Member, now: int, out: Out) -> Member:
@@ -143,8 +141,8 @@ def _time(charter: Charter, state: Member, now: int, out: Out) -> Member:
     heard = membership.hears_quorum(known, charter, view, state.seat, now)
     if heard != known.heard:
         out.changes.append(Quorum(heard))
-        known = replace(known, heard=heard, since=now)
-        state = replace(state, membership=known)
+        known = known._replace(heard=heard, since=now)
+        state = state._replace(membership=known)
     if now < known.beat_at:
         return state
     if state.leaving and state.seat not in view.seats:
@@ -161,9 +159,8 @@ def _time(charter: Charter, state: Member, now: int, out: Out) -> Member:
     out.messages.append(Sending(EVERYONE, membership.heartbeat(known, charter, now, beat)))
     if state.log.pending and state.seat != view.seats[0]:
         out.messages.append(logs.request(state.log, EVERYONE))
-    state = replace(
-        state,
-        membership=replace(known, beat_at=now + charter.beat),
+    state = state._replace(
+        membership=known._replace(beat_at=now + charter.beat),
         spent=(0,) * charter.members,
     )
     if state.leaving and len(view.seats) > 1:
@@ -207,9 +204,8 @@ def _followed(charter: Charter, before: Member, state: Member, now: int, out: Ou
         if unit.holder >= 0
     ]
     if tables.view != before.tables.view:
-        state = replace(state, membership=membership.in_new_view(state.membership, now))
-    return replace(
-        state,
+        state = state._replace(membership=membership.in_new_view(state.membership, now))
+    return state._replace(
         standing=tuple(standing),
         acts_from=tuple(now + charter.hold if role in new else at for role, at in enumerate(state.acts_from)),
         leases=tuple(known.get(one[:3], Lease(*one)) for one in held),

@@ -12,7 +12,8 @@ that gets a role waits `Charter.hold` from when it learned of it. Clocks may dif
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import NamedTuple
 
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Seat, ViewChange
@@ -23,8 +24,7 @@ from kitrobot.team.tables import View
 NEVER = -(1 << 52)
 
 
-@dataclass(frozen=True, slots=True)
-class Peer:
+class Peer(NamedTuple):
     """What is known of another member.
 
     Attributes:
@@ -41,8 +41,7 @@ class Peer:
     granted: int = NEVER
 
 
-@dataclass(frozen=True, slots=True)
-class Membership:
+class Membership(NamedTuple):
     """What a member knows of the others.
 
     Attributes:
@@ -77,16 +76,16 @@ def hear(state: Membership, view: View, seat: Seat, message: Heartbeat, now: int
     if sender.life > peer.life:
         peer = Peer(sender.life)
     if message.stamp >= peer.stamp:
-        peer = replace(peer, view=message.view, stamp=message.stamp, heard=now)
+        peer = peer._replace(view=message.view, stamp=message.stamp, heard=now)
     mine = max((e.stamp for e in message.echoes if (e.member, e.life) == seat and e.stamp <= now), default=NEVER)
     supports = message.firm and message.view == view.number and sender in view.seats
-    peer = replace(peer, echoed=max(peer.echoed, mine), granted=max(peer.granted, mine) if supports else peer.granted)
-    return replace(state, peers=(*state.peers[: sender.member], peer, *state.peers[sender.member + 1 :]))
+    peer = peer._replace(echoed=max(peer.echoed, mine), granted=max(peer.granted, mine) if supports else peer.granted)
+    return state._replace(peers=(*state.peers[: sender.member], peer, *state.peers[sender.member + 1 :]))
 
 
 def in_new_view(state: Membership, now: int) -> Membership:
     """Support of the view before says nothing of this one."""
-    return replace(state, since=now, peers=tuple(replace(peer, granted=NEVER) for peer in state.peers))
+    return state._replace(since=now, peers=tuple(peer._replace(granted=NEVER) for peer in state.peers))
 
 
 def lent_until(state: Membership, charter: Charter, view: View, seat: Seat, now: int, firm: bool) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from kitrobot.team import log as logs
@@ -25,8 +24,7 @@ class Lease(NamedTuple):
     until: int
 
 
-@dataclass(frozen=True, slots=True)
-class Member:
+class Member(NamedTuple):
     """The state of a member: frozen and hashable.
 
     Attributes:
