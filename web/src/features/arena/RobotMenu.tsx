@@ -16,9 +16,8 @@ export function RobotMenu({ onClosed }: { onClosed: () => void }) {
 }
 
 /** What can be done to a robot as it is now. */
-export function entriesOf(name: string): MenuEntry[] {
+export function entriesOf(name: string, on: boolean): MenuEntry[] {
   const run = useRun.getState();
-  const on = can("fail", run);
   const index = run.agents.findIndex((agent) => agent.name === name);
   const flags = posesAt(0, false)?.poses[index]?.flags ?? 0;
   const isDown = (flags & (FAILED | STALLED)) !== 0;
@@ -40,7 +39,7 @@ export function entriesOf(name: string): MenuEntry[] {
 function Open({ name, x, y, onClosed }: { name: string; x: number; y: number; onClosed: () => void }) {
   const on = useRun((state) => can("fail", state));
   // A run may begin or end while the menu is open; what is in it keeps its order meanwhile.
-  const entries = useMemo(() => entriesOf(name), [name, on]);
+  const entries = useMemo(() => entriesOf(name, on), [name, on]);
   return (
     <FloatingMenu
       id="robot"
