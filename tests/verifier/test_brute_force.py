@@ -135,10 +135,10 @@ def test_random_missions_stand_still_where_brute_force_says_so(
     said = {True: 0, False: 0}
     for seed in range(examples(40, 2000)):
         run, texts = random_run(random.Random(seed))
+        model = Model(run, take_apart(run), 0)
         stands = brute_force(run)
         if stands is None:
             continue
-        model = Model(run, take_apart(run), 0)
         ready = [one for one in ready_properties(model) if one.name == "deadlock"]
         made = judge(model, ready, timing, 0, Budget(10 * MOST_STATES))
         assert made.complete, texts
