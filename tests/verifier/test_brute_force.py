@@ -8,12 +8,14 @@ after another. It knows nothing of tables, liveness of cells, classes of reading
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
 import pytest
 
+from kitrobot.image import Machine
 from kitrobot.lll import print_program
 from kitrobot.sim import Simulation
 from kitrobot.sim.sharing import SHARED_VALUE
@@ -50,9 +52,30 @@ def explored(first: State, after: Callable[[State], Iterator[State]]) -> dict[St
     return found
 
 
-def stands_still(found: dict[State, set[State]], ended: Callable[[State], bool]) -> bool:
-    """Whether there is a state that nothing leaves although not all programs have ended."""
-    return any(following == {state} and not ended(state) for state, following in found.items())
+@dataclass(frozen=True)
+class Standstill:
+    """Whether nothing can stir any more before both programs have ended: `strictly`, when there is a state that nothing
+    leaves; `as_seen`, when what can follow differs in temporary cells only, which a later tick may or may not read.
+    """
+
+    strictly: bool
+    as_seen: bool
+
+
+def standstill(
+    found: dict[State, set[State]], seen: Callable[[State], State], ended: Callable[[State], bool]
+) -> Standstill:
+    """Looks for states that nothing leaves, and for those of which all that may ever follow looks alike."""
+    still = {state for state, following in found.items() if all(seen(one) == seen(state) for one in following)}
+    while left := {state for state in still if not found[state] <= still}:
+        still -= left
+    going_on = [state for state in still if not ended(state)]
+    return Standstill(any(found[state] == {state} for state in going_on), bool(going_on))
+
+
+def without_temporaries(machine: Machine, cells: Sequence[int]) -> tuple[int, ...]:
+    """The fault flag and the variables."""
+    return (cells[0], *(cells[cell] for cell in machine.layout.variables.values()))
 
 
 def random_run(rng: random.Random) -> tuple[Simulation, list[str]]:
@@ -62,8 +85,8 @@ def random_run(rng: random.Random) -> tuple[Simulation, list[str]]:
     return run_of({"a": (ROBOT, texts[0]), "b": (ROBOT, texts[1])}, world, seconds=None), texts
 
 
-def in_lockstep(run: Simulation) -> bool | None:
-    """Whether the simulator can come to stand still before both have ended; None when it has too many states."""
+def in_lockstep(run: Simulation) -> Standstill | None:
+    """Whether the simulator can come to stand still; None when it has too many states."""
     snapshots: dict[State, bytes] = {}
     ends: dict[State, bool] = {}
 
@@ -91,10 +114,19 @@ def in_lockstep(run: Simulation) -> bool | None:
             yield seen()
 
     found = explored(seen(), after)
-    return None if found is None else stands_still(found, lambda state: ends[state])
+    if found is None:
+        return None
+    machines = [member.machine for member in run.members]
+
+    def looks(state: State) -> State:
+        return state[0], *(
+            (without_temporaries(m, one[0]), one[1:]) for m, one in zip(machines, state[1:], strict=True)
+        )
+
+    return standstill(found, looks, lambda state: ends[state])
 
 
-def in_free_timing(run: Simulation) -> bool | None:
+def in_free_timing(run: Simulation) -> Standstill | None:
     """The same where any robot may tick next, and tells what it wrote at once; None when there are too many states."""
     machines = [member.machine.twin() for member in run.members]
 
@@ -123,14 +155,18 @@ def in_free_timing(run: Simulation) -> bool | None:
         return all(machine.ended for machine in machines)
 
     found = explored(seen(), after)
-    return None if found is None else stands_still(found, ended)
+
+    def looks(state: State) -> State:
+        return tuple((without_temporaries(m, one[0]), one[1:]) for m, one in zip(machines, state, strict=True))
+
+    return None if found is None else standstill(found, looks, ended)
 
 
 @pytest.mark.parametrize(
     ("timing", "brute_force"), [(Timing.LOCKSTEP, in_lockstep), (Timing.FREE, in_free_timing)], ids=["lockstep", "free"]
 )
 def test_random_missions_stand_still_where_brute_force_says_so(
-    timing: Timing, brute_force: Callable[[Simulation], bool | None]
+    timing: Timing, brute_force: Callable[[Simulation], Standstill | None]
 ) -> None:
     said = {True: 0, False: 0}
     for seed in range(examples(40, 2000)):
@@ -142,6 +178,7 @@ def test_random_missions_stand_still_where_brute_force_says_so(
         ready = [one for one in ready_properties(model) if one.name == "deadlock"]
         made = judge(model, ready, timing, 0, Budget(10 * MOST_STATES))
         assert made.complete, texts
-        assert (made.verdicts[0].answer.value == "broken") == stands, (seed, texts)
-        said[stands] += 1
+        broken = made.verdicts[0].answer.value == "broken"
+        assert stands.strictly <= broken <= stands.as_seen, (seed, texts)
+        said[broken] += stands.strictly == stands.as_seen
     assert min(said.values()) > 5
