@@ -37,6 +37,8 @@ const STATE: BoardsState = {
   given: {},
   chosen: {},
   typed: [],
+  bodies: {},
+  team: null,
 };
 
 function board(more: Partial<Board> = {}): Board {
@@ -69,8 +71,8 @@ describe("addresses on the network", () => {
   });
 
   it("remembers only what makes sense", () => {
-    expect(readKept(null)).toEqual({ chosen: {}, typed: [] });
-    expect(readKept("{")).toEqual({ chosen: {}, typed: [] });
+    expect(readKept(null)).toEqual({ chosen: {}, typed: [], bodies: {} });
+    expect(readKept("{")).toEqual({ chosen: {}, typed: [], bodies: {} });
     expect(readKept('{"chosen": {"a": "b", "c": 1}, "typed": ["socket://a:1", "spy://x", 3]}')).toEqual({
       chosen: { a: "b" },
       typed: ["socket://a:1"],
