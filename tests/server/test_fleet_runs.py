@@ -97,6 +97,7 @@ def ended(app: Any, pids: dict[str, int]) -> bool:
 
 @pytest.mark.slow
 def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(visit, app, tmp_path: Path) -> None:
+    app.state.studio.boards.team.pace = 1.0
     with visit() as page, visit() as other, visit("192.168.1.7") as away, page.fleet() as run:
         begun = run.until("started")
         assert [agent["name"] for agent in begun["agents"]] == NAMES
@@ -219,10 +220,12 @@ class Sending(SerialGateway):
 def test_programs_are_sent_to_all_boards_or_it_is_told_why_not(visit, app) -> None:
     room = app.state.studio.boards
     links = room.links = Sending()
+    links.goes_on.clear()
     two = [{"agent": "robot-1", "address": "socket://h:1"}, {"agent": "robot-2", "address": "socket://h:2"}]
     with visit() as page:
         page.ask("team-send", boards=two)
         page.team(lambda said: any((one["progress"] or {}).get("total") == 20 for one in said["agents"]))
+        links.goes_on.set()
         said = page.team(lambda said: said["phase"] == "idle" and said["failed"])
         assert said["message"] == "No robot of the team is started, since this failed: robot-2."
         assert [(one["state"], one["way"]) for one in said["agents"][:2]] == [("sent", ""), ("idle", "replace")]
