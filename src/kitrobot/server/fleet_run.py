@@ -180,7 +180,9 @@ class FleetRunning:
         if not run.outcome == "stopped":
             self._room.say(message=run.sentence, help="", failed=False)
             return
-        silent = [one.name for one in self._room.standing.agents if one.state != "ended" and one.name not in run.stopped_ms]
+        silent = [
+            one.name for one in self._room.standing.agents if one.state != "ended" and one.name not in run.stopped_ms
+        ]
         ms = max(run.stopped_ms.values(), default=None)
         if silent or ms is None:
             message: str = Sentence("stopped; these did not say that they stand still: {names}", listed(silent))

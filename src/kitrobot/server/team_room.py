@@ -201,14 +201,14 @@ class TeamRoom:
         """Breaks off the sending."""
         self._cancelled = True
 
-    def _send(
-        self, opened: OpenMission, boards: Mapping[str, str], ways: Mapping[str, BoardWay], folder: Path
-    ) -> None:
+    def _send(self, opened: OpenMission, boards: Mapping[str, str], ways: Mapping[str, BoardWay], folder: Path) -> None:
         try:
             programs = self._programs(opened, boards, folder)
             if len(programs) == len(boards):
                 with ThreadPoolExecutor(len(boards)) as threads:
-                    list(threads.map(lambda name: self._send_to(name, boards[name], programs[name], ways[name]), boards))
+                    list(
+                        threads.map(lambda name: self._send_to(name, boards[name], programs[name], ways[name]), boards)
+                    )
             self._tell_of_sending(sent=len(programs) == len(boards))
         finally:
             self.release()
