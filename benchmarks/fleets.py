@@ -1,8 +1,9 @@
-"""`python -m benchmarks.fleets WHAT COUNT SECONDS`: one run of a fleet, as `kitrobot team` runs it, measured from inside.
+"""`python -m benchmarks.fleets WHAT COUNT SECONDS`: one run of a fleet as `kitrobot team` runs it, measured from inside.
 
-WHAT is `cost` (what COUNT agents take in memory and on the network while they drive, for so many seconds) or `hang` (an agent of a team of COUNT is
-stopped with SIGSTOP: how long until its substitute's first command). It prints the figures as JSON. The network is counted in a
-network of its own, where nobody else's bytes are; where that may not be made (it takes root on Linux), it is left out.
+WHAT is `cost` (what COUNT agents take in memory and on the network while they drive, for so many seconds) or `hang` (an
+agent of a team of COUNT is stopped with SIGSTOP: how long until its substitute's first command). It prints the figures
+as JSON. Bytes are counted in a network of its own, where nobody else's are; where that may not be made (it takes root on
+Linux), they are left out.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ CLONE_NEWNET, SIOCGIFFLAGS, SIOCSIFFLAGS, IFF_UP = 0x40000000, 0x8913, 0x8914, 1
 
 
 def own_network() -> bool:
-    """A network for this process and its children alone, with nothing but a loopback; False where it may not be made."""
+    """A network for this process and its children alone, a loopback; False where it may not be made."""
     if not sys.platform.startswith("linux") or ctypes.CDLL(None).unshare(CLONE_NEWNET) != 0:
         return False
     with socket.socket() as probe:
@@ -135,7 +136,7 @@ def network_bytes() -> int:
 
 
 def memory_mb(pid: int, kind: str) -> float:
-    """The memory of a process: `Rss` all, `Pss` with what it shares with others counted in parts; 0 where nobody knows."""
+    """The memory of a process: `Rss` all, `Pss` with what it shares counted in parts; 0 where nobody knows."""
     try:
         lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
     except OSError:

@@ -90,6 +90,7 @@ def test_what_an_agent_says_is_read_as_it_was_said_and_other_lines_are_passed_ov
     told = Told(Sentence("refused: {why}", Sentence("a message of another run")), Sentence("press Run for that"), True)
     again = read_told(told_line(told))
     assert again == told
-    assert isinstance(again.sentence, Sentence) and again.sentence.template == "refused: {why}"
+    assert isinstance(again.sentence, Sentence)
+    assert again.sentence.template == "refused: {why}"
     for line in (b"", b"\n", b"hello\n", told_line(told)[:40], b"AAAA\n", b"\xff" * 70_000):
         assert read_told(line) is None

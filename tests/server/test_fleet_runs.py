@@ -17,6 +17,7 @@ import pytest
 
 from kitrobot.deploy import ForeignError
 from kitrobot.server.robot_gateway import SerialGateway
+from kitrobot.text import Sentence
 from kitrobot.trace import TraceReader
 from kitrobot.workspace import agent_program, open_mission
 from tests.boards.host import board_with
@@ -113,7 +114,9 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
         with away.client.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}") as line:
             watcher = RunPage(line)
             watcher.send(type="watch", run=begun["run"], mission=away.mission)
-            assert (told := watcher.until("started"))["watching"] and told["fleet"] and not told["another"]
+            assert (told := watcher.until("started"))["watching"]
+            assert told["fleet"]
+            assert not told["another"]
             watcher.send(type="stop")
             assert "steers it" in watcher.until("error")["message"]
         run.report(lambda said: bool(said["active"]), "robot-1")
@@ -138,7 +141,8 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
         with TraceReader(path) as recorded:
             texts = [event.text for _, event in recorded.events]
             assert (recorded.outcome["outcome"], recorded.header.real, recorded.cut) == ("done", False, False)
-        assert "takes over for robot-3" in texts and "is missed by its team" in texts
+        assert "takes over for robot-3" in texts
+        assert "is missed by its team" in texts
         page.team(lambda said: said["phase"] == "idle")
         run.send(type="seek", tick=5)
         assert run.until("state", tick=5)["status"] == "paused"
@@ -181,7 +185,7 @@ def test_a_cable_that_is_pulled_and_a_board_of_another_program_are_told_beside_t
             assert "The team has" in page.until("refused")["message"]
             lost = page.team(lambda said: said["agents"][1]["failed"])
             assert "the line to" in lost["agents"][1]["message"].lower()
-            events = []
+            events: list[dict[str, Any]] = []
             while not any("takes over for robot-2" in event["text"].lower() for event in events):
                 events += run.until("tick")["events"]
             run.send(type="stop")
@@ -213,7 +217,9 @@ class Sending(SerialGateway):
         self.goes_on.wait(20)
         progress("send", 20, 20)
         if address.endswith(":2") and not replace:
-            raise ForeignError("holds a main.py that is not KitRobot's", "save it, or take --replace")
+            raise ForeignError(
+                Sentence("holds a main.py that is not KitRobot's"), Sentence("save it, or take --replace")
+            )
         self.sent.append(address)
 
 

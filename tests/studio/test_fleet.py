@@ -1,4 +1,4 @@
-"""A team of processes in the studio: given bodies, started, shown as a run, stopped; by keys, on a phone, in the dark."""
+"""A team of processes in the studio: given bodies, started, shown as a run, stopped; by keys and on a phone."""
 
 from __future__ import annotations
 

@@ -145,7 +145,7 @@ def say(name: str, sentence: str) -> None:
 
 @contextmanager
 def _saying(name: str, told: bool) -> Iterator[Callable[[str], None]]:
-    """How an agent says something: to people, or (`told`) to the process that started it, which hears why it failed too."""
+    """How an agent says something: to people, or (`told`) to who started it, which hears why it failed too."""
     if not told:
         yield lambda sentence: say(name, sentence)
         return

@@ -1,4 +1,4 @@
-"""`FleetSource`: a fleet as a `RunSource`. Its run is written as a trace while it goes on, and its past is read from that.
+"""`FleetSource`: a fleet as a `RunSource`, whose trace is written while it goes on and whose past is read from that.
 
 The thread of the team's process adds steps (`step`, `finish`); whoever shows the run stands at a tick of it, in another
 thread, one at a time. What has happened cannot be changed; only the emergency stop reaches the fleet.

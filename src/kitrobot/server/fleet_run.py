@@ -1,8 +1,8 @@
 """A team of processes for the page: started in a thread, told like a simulated run, and ended with the page.
 
-The agents are processes; the world of their bodies and what watches over them is a thread here (`fleet.TeamProcess`). A
-studio that is killed takes its agents along: they end when they are heard no more. What the agents read is laid out in a
-temporary folder, since the page may have changes that no file has; it goes when the run is over and nobody looks at it.
+The agents are processes; the world of their bodies and what watches over them is a thread here (`fleet.TeamProcess`).
+A studio that is killed takes its agents along: they read an input that ends with it. What they read besides is laid out
+in a temporary folder, since the page may have changes that no file has; it goes when the run is over and nobody looks at it.
 """
 
 from __future__ import annotations
@@ -177,7 +177,7 @@ class FleetRunning:
         return Sentence("the team was not started, since this failed: {names}", listed(one.name for one in failed))
 
     def _tell_end(self, run: FleetRun) -> None:
-        if not run.outcome == "stopped":
+        if run.outcome != "stopped":
             self._room.say(message=run.sentence, help="", failed=False)
             return
         silent = [

@@ -367,4 +367,5 @@ def way_out(error: KitRobotError) -> str:
 
 
 def no_answer(name: str) -> KitRobotError:
+    """The error of a robot that said nothing at all."""
     return KitRobotError(Sentence("`{robot}` does not answer", name), Sentence("look at its cable, then try again"))

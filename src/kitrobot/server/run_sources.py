@@ -87,7 +87,7 @@ def _from_any_thread(wake: Callable[[], None]) -> Callable[[], None]:
 
 
 async def _fleet(studio: Studio, request: FleetRequest, wake: Callable[[], None]) -> WatchedRun | ProblemsMessage:
-    """Nothing is waited for between the start of the fleet and its being given back: whoever calls this off leaves none."""
+    """Nothing is waited for once the fleet is made: whoever calls this off leaves none."""
     if find_spec("zenoh") is None:
         raise KitRobotError(
             Sentence("a team as processes needs the package `{package}`", "eclipse-zenoh"),

@@ -1,7 +1,7 @@
 """The team of one studio: which agents have boards, sending to all of them, and the fleet that runs.
 
-There is one at a time: while programs are sent, or a fleet runs or ends, nobody begins another, and the boards in it are
-nobody else's. What pages are told is one value that is replaced as a whole (`standing`); threads change it, and the
+There is one at a time: while programs are sent, or a fleet runs or ends, nobody begins another, and the boards in it
+are nobody else's. What pages are told is one value that is replaced as a whole (`standing`); threads change it, and the
 server's event loop tells it. Left to others: the fleet itself (fleet_run), single robots (robot_registry).
 """
 

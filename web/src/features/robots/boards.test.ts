@@ -5,6 +5,7 @@ import { systemOf } from "./EmptyRobots";
 import { recordingName } from "./recording";
 import { runOf, shownBoards } from "./shown";
 import type { Mission } from "../../model/types";
+import { bodyOf, placesFor, withBody } from "./team";
 import type { Board } from "./wire";
 
 const BOARD: Board = {
@@ -77,6 +78,22 @@ describe("addresses on the network", () => {
       chosen: { a: "b" },
       typed: ["socket://a:1"],
     });
+  });
+});
+
+describe("the boards of a team", () => {
+  it("gives a board to one agent of a mission, and leaves other missions alone", () => {
+    const before = withBody({ "b.krt\nants": "COM3" }, "a.krt", "one", "COM3");
+    expect(bodyOf({ bodies: before }, "a.krt", "one")).toBe("COM3");
+    const after = withBody(before, "a.krt", "two", "COM3");
+    expect(["one", "two"].map((agent) => bodyOf({ bodies: after }, "a.krt", agent))).toEqual(["", "COM3"]);
+    expect(withBody(after, "a.krt", "two", "")).toEqual({ "b.krt\nants": "COM3" });
+  });
+
+  it("can be chosen though they are not there", () => {
+    const chosen = placesFor(STATE, "socket://h:1").map(({ address }) => address);
+    expect(chosen).toEqual(["/dev/ttyACM0", "socket://h:1"]);
+    expect(placesFor(STATE, "")).toHaveLength(1);
   });
 });
 
