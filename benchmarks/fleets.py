@@ -2,8 +2,8 @@
 
 WHAT is `cost` (what COUNT agents take in memory and on the network while they drive, for so many seconds) or `hang` (an
 agent of a team of COUNT is stopped with SIGSTOP: how long until its substitute's first command). It prints the figures
-as JSON. Bytes are counted in a network of its own, where nobody else's are; where that may not be made (it takes root on
-Linux), they are left out.
+as JSON. Bytes are counted in a network of its own, where nobody else's are; where that may not be made (it takes root
+on Linux), they are left out.
 """
 
 from __future__ import annotations

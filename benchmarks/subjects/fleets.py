@@ -1,8 +1,8 @@
-"""What a team of processes takes: memory and bytes of each agent, and the time from a hang to a substitute's first command.
+"""What a team of processes takes: memory and bytes of each agent, time from a hang to a substitute's command.
 
 Each run is that of `kitrobot team` with its usual lease of 500 ms, at real time, in a process of its own
-(`benchmarks.fleets`). There is no peer. The bytes are those of a loopback that has nobody else on it, TCP and the frames
-of bodies included.
+(`benchmarks.fleets`). There is no peer. The bytes are those of a loopback that has nobody else on it, TCP and the
+frames of bodies included.
 """
 
 from __future__ import annotations

@@ -2,7 +2,8 @@
 
 The agents are processes; the world of their bodies and what watches over them is a thread here (`fleet.TeamProcess`).
 A studio that is killed takes its agents along: they read an input that ends with it. What they read besides is laid out
-in a temporary folder, since the page may have changes that no file has; it goes when the run is over and nobody looks at it.
+in a temporary folder, since the page may have changes that no file has; it goes when the run is over and nobody looks
+at it.
 """
 
 from __future__ import annotations

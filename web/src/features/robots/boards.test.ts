@@ -77,6 +77,7 @@ describe("addresses on the network", () => {
     expect(readKept('{"chosen": {"a": "b", "c": 1}, "typed": ["socket://a:1", "spy://x", 3]}')).toEqual({
       chosen: { a: "b" },
       typed: ["socket://a:1"],
+      bodies: {},
     });
   });
 });
