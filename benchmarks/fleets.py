@@ -1,4 +1,4 @@
-"""`python -m benchmarks.fleets WHAT COUNT SECONDS`: one run of a fleet as `kitrobot team` runs it, measured from inside.
+"""`python -m benchmarks.fleets WHAT COUNT SECONDS`: one run of a fleet as `kitrobot team` runs it, from inside.
 
 WHAT is `cost` (what COUNT agents take in memory and on the network while they drive, for so many seconds) or `hang` (an
 agent of a team of COUNT is stopped with SIGSTOP: how long until its substitute's first command). It prints the figures
