@@ -159,7 +159,10 @@ export interface BoardProgress {
   total: number;
 }
 
-/** A request that was not followed; `problems` are those of the program that was to be sent. */
+/**
+ * A request that was not followed; `problems` are those of the program that was to be sent. Of a team's requests
+ * `address` is `team`.
+ */
 export interface BoardRefusedMessage {
   type: "refused";
   address: string;
@@ -363,6 +366,21 @@ export interface Fix {
   text: string;
   kind: "text" | "element" | "setting" | "unset" | "unwrap" | "before";
   name: string;
+}
+
+/**
+ * Run this mission as a team of processes, some of whose agents have a board: `holder` is the page's name among those
+ * with robots. It goes on in real time whatever is shown of it, and ends with this socket.
+ */
+export interface FleetRequest {
+  type: "fleet";
+  mission: Mission;
+  path: string;
+  holder: string;
+  boards: TeamBoard[];
+  seed: number;
+  speed: number;
+  breakpoints?: Breakpoint[];
 }
 
 /** A coloured part of the floor, by the points of its border, sampled like a road. */
@@ -1215,8 +1233,9 @@ export interface StartedAgent {
 }
 
 /**
- * The run is on, or a recording of one. `abilities`: what can be done to it here. `watching`: another page steers it;
- * `another`: what runs there is not the mission that this page has open.
+ * The run is on, or a recording of one. `abilities`: what can be done to it here. `fleet`: its agents are processes,
+ * which go on whatever is shown of them. `watching`: another page steers it; `another`: what runs there is not the
+ * mission that this page has open.
  */
 export interface StartedMessage {
   type: "started";
@@ -1230,6 +1249,7 @@ export interface StartedMessage {
   abilities: ("force" | "set" | "seek" | "fail" | "step")[];
   recording: boolean;
   fail_rate: number;
+  fleet: boolean;
   watching: boolean;
   another: boolean;
 }
@@ -1329,6 +1349,33 @@ export interface SweepStopRequest {
   type: "stop";
 }
 
+/**
+ * An agent of the team that programs were sent to, or that was started, last; `address` of its board, "" for none.
+ * `message` is what it said last, or (`failed`) what went wrong.
+ */
+export interface TeamAgent {
+  name: string;
+  address: string;
+  state: "idle" | "sending" | "sent" | "starting" | "there" | "ended";
+  progress: BoardProgress | null;
+  message: string;
+  help: string;
+  way: "" | "replace" | "fresh";
+  failed: boolean;
+}
+
+/** The board of an agent; `way`: what else may be done when its program is sent. */
+export interface TeamBoard {
+  agent: string;
+  address: string;
+  way?: "" | "replace" | "fresh";
+}
+
+/** Break off the sending to a team. */
+export interface TeamCancelRequest {
+  type: "team-cancel";
+}
+
 /** Roles, groups and agents under one name, and what happens when one of them fails. */
 export interface TeamGroup {
   name: string;
@@ -1338,10 +1385,36 @@ export interface TeamGroup {
   failure: "drop" | "substitute" | "abort";
 }
 
+/**
+ * The team of this studio as it stands; there is one at a time. `path` is the file of its mission. `stopped_ms`: within
+ * how many ms all agents said that they stand still, after the emergency stop; null before.
+ */
+export interface TeamMessage {
+  type: "team";
+  phase: "idle" | "sending" | "starting" | "running" | "stopping";
+  path: string;
+  agents: TeamAgent[];
+  message: string;
+  help: string;
+  failed: boolean;
+  stopped_ms: number | null;
+}
+
 /** A team as it stands: its members, and where some of them wait. */
 export interface TeamNow {
   members: Member[];
   meetings: Meeting[];
+}
+
+/**
+ * Put the programs of a team's agents onto their boards, which then wait for the team to be started. When one of them
+ * cannot be made, nothing is sent.
+ */
+export interface TeamSendRequest {
+  type: "team-send";
+  mission: Mission;
+  path: string;
+  boards: TeamBoard[];
 }
 
 /** The canonical text of a `.krt`. */
@@ -1499,6 +1572,7 @@ export type RunRequest =
   | StartRequest
   | ReplayRequest
   | RobotsRequest
+  | FleetRequest
   | WatchRequest
   | PauseRequest
   | ResumeRequest

@@ -100,8 +100,8 @@ export function withFailure(mission: Mission, agent: string, at_s: number): Miss
 
 /** Whether a field cannot be played now: real robots go on at their own pace, and are not left to themselves. */
 export function isHeldByRobots(): boolean {
-  const { real, status } = useRun.getState();
-  return real && isLive(status);
+  const { real, isFleet, status } = useRun.getState();
+  return (real || isFleet) && isLive(status);
 }
 
 /** Plays a field: the run that it stands for, in the place of what was on. */
