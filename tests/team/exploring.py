@@ -1,4 +1,4 @@
-"""Every run of a model within its bounds, breadth first: how many states, what law one breaks, and the shortest run to it.
+"""Every run of a model within its bounds, breadth first: how many states, and the shortest run that breaks a law.
 
 A model gives its first state, the steps from a state, and the laws that a state or a step breaks. States are hashable
 values; a state that was reached before is not gone on from again. Because a state is found on a shortest way to it, the

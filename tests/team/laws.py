@@ -20,9 +20,7 @@ def a_slot_and_so_a_view_is_agreed_by_a_majority_of_the_view_before(model: Three
 def no_two_members_may_act_in_one_role(model: Three, team: Team) -> bool:
     """At every moment at most so many members have the right to act in a role as are wanted; here one."""
     roles = range(len(model.plan.charter.roles))
-    return all(
-        sum(model.acting(team.members[m], role) for m in MEMBERS if m != team.down) <= 1 for role in roles
-    )
+    return all(sum(model.acting(team.members[m], role) for m in MEMBERS if m != team.down) <= 1 for role in roles)
 
 
 def a_meeting_is_over_when_all_have_come_or_left(model: Three, team: Team) -> bool:
@@ -37,7 +35,7 @@ def a_meeting_is_over_when_all_have_come_or_left(model: Three, team: Team) -> bo
 
 
 def a_question_has_one_answer_and_it_is_that_of_those_who_came(model: Three, team: Team) -> bool:
-    """All that know the result know the same one; it combines what those said who had come, nobody left out that stayed."""
+    """All that know a result know the same one; it combines what was said by some who came and all that stayed."""
     results = {r for n in team.members for meeting in model.states[n].tables.meetings for r in meeting.results}
     if not results:
         return True

@@ -1,9 +1,9 @@
-"""Three members of a team as a model for `exploring`: the machines that ship, a network, and programs that go on at any time.
+"""Three members of a team as a model for `exploring`: the machines that ship, a network, and programs.
 
 A state is the three members, the letters under way, how far the programs are, and the faults that are still to come.
-Letters arrive in any order, those to one that crashed never; one may be lost, or arrive twice; a member may crash (with or without all that it sent), or be cut off until it is heard
-again. Time goes on in beats: heartbeats of a beat arrive in it or, between those that are cut off, not at all. It
-stands still while nobody has anything to do at a timeout: a step of time is as many beats as pass until one sends
+Letters arrive in any order, those to one that crashed never; one may be lost, or arrive twice; a member may crash (with
+or without all that it sent), or be cut off until it is heard again. Time goes on in beats: heartbeats of a beat arrive
+in it or, between those that are cut off, not at all. A step of time is as many beats as pass until somebody sends
 something else, tells its host something, or gains or loses the right to act in a role.
 
 Members and letters are numbered, and their steps are looked up. After a beat, times are made relative to `NOW`.
@@ -14,21 +14,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from kitrobot.team import (
     EVERYONE,
     Announce,
     Change,
     Charter,
-    Counted,
     Done,
     Event,
     Granted,
     Member,
     Message,
     Received,
-    Refused,
     Seat,
     Sending,
     Take,
@@ -39,16 +37,15 @@ from kitrobot.team import (
 )
 from kitrobot.team.applying import applied
 from kitrobot.team.commands import Batch, Command
-from kitrobot.team.membership import NEVER
 from kitrobot.team.messages import Ballot, Heartbeat
-from kitrobot.team.state import Stepped
 from kitrobot.team.tables import View, first_tables
 from tests.team.exploring import Step
+from tests.team.moving import LEASE, NOW, relative
+from tests.team.step_laws import step_breaks
 
 SIZE = 3
-LEASE = 16
-"""Ms: a beat is 2 of them, and all that a machine waits for is a number of beats."""
-NOW = 1_000
+T = TypeVar("T")
+
 LONGEST = 40
 """Beats that pass at most in one step of time."""
 MEMBERS = range(SIZE)
@@ -68,6 +65,9 @@ class Faults(NamedTuple):
     late: int = 0
 
 
+NO_FAULTS = Faults()
+
+
 class Program(NamedTuple):
     """How far a member's program is: whether it came to the meeting and asked for a unit, the units (unit, number) that
     it was given, and those that it said are done.
@@ -82,7 +82,7 @@ class Program(NamedTuple):
 class Team(NamedTuple):
     """A state; `down` has crashed, `cut` is cut off from the others, -1: nobody."""
 
-    members: tuple[int, int, int]
+    members: tuple[int, ...]
     programs: tuple[Program, ...]
     letters: frozenset[int]
     faults: Faults
@@ -101,14 +101,14 @@ class Plan:
     """
 
     charter: Charter
-    faults: Faults = Faults()
+    faults: Faults = NO_FAULTS
     answers: tuple[int, int, int] = (-1, -1, -1)
     takers: tuple[int, ...] = ()
     letters: int = 6
 
 
 class Effect(NamedTuple):
-    """What a step of one member does: the member after it, the letters it sends, what it tells, a law that it breaks."""
+    """A step of one member: the member after it, the letters it sends, what it tells, a law that it breaks."""
 
     member: int
     letters: tuple[int, ...]
@@ -120,7 +120,7 @@ Law = Callable[["Three", Team], bool]
 
 
 class Three:
-    """The model. `laws` hold of states, those of single steps are in `_step_breaks`."""
+    """The model. `laws` hold of states, those of single steps are in `step_breaks`."""
 
     def __init__(self, plan: Plan, laws: tuple[Law, ...]) -> None:
         self.plan = plan
@@ -165,11 +165,11 @@ class Three:
         found = self.effects.get(key)
         if found is None:
             before = self.states[number]
-            happens: Event = Received(self.letters[event][1]) if isinstance(event, int) else event  # type: ignore[assignment]
+            happens: Event = Received(self.letters[event][1]) if isinstance(event, int) else event
             stepped = step(self.plan.charter, before, now, happens)
             spent = stepped.state._replace(spent=(0,) * SIZE)
             letters = tuple(self.sent(before.seat.member, stepped.messages))
-            broken = _step_breaks(before, stepped)
+            broken = step_breaks(before, stepped)
             found = self.effects[key] = Effect(self.member(spent), letters, stepped.changes, broken)
         return found
 
@@ -182,7 +182,7 @@ class Three:
     def relative(self, number: int) -> int:
         """The member at `NOW`, with what is long over made equal."""
         if number not in self.calm:
-            self.calm[number] = self.member(_relative(self.states[number]))
+            self.calm[number] = self.member(relative(self.states[number]))
         return self.calm[number]
 
     # Steps of the team.
@@ -190,7 +190,7 @@ class Three:
     def first(self) -> Team:
         """All have heard each other, and nothing else has happened."""
         started = tuple(self.member(first_state(self.plan.charter, Seat(m, 0), NOW)) for m in MEMBERS)
-        team = Team(started, (Program(),) * SIZE, frozenset(), self.plan.faults)  # type: ignore[arg-type]
+        team = Team(started, (Program(),) * SIZE, frozenset(), self.plan.faults)
         for _ in range(2 * LEASE):
             team = self.beat(team)[0]
         assert not team.letters
@@ -226,7 +226,9 @@ class Three:
                 yield from self.fitting("is lost", letter, gone._replace(faults=faults._replace(lost=faults.lost - 1)))
             if faults.doubled:
                 twice = team._replace(faults=faults._replace(doubled=faults.doubled - 1))
-                yield from self.fitting("arrives, and will once more", letter, self.after(twice, to, effect), effect.broken)
+                yield from self.fitting(
+                    "arrives, and will once more", letter, self.after(twice, to, effect), effect.broken
+                )
         for member in MEMBERS:
             if member == team.down:
                 continue
@@ -311,10 +313,10 @@ class Three:
             to = self.letters[letter][0]
             if to in running and team.cut not in (sender, to):
                 stepped(to, letter)
-        return team._replace(members=tuple(self.relative(number) for number in team.members)), told, broken  # type: ignore[arg-type]
+        return team._replace(members=tuple(self.relative(number) for number in team.members)), told, broken
 
     def quiet(self, team: Team) -> Team:
-        """The team when every letter has arrived, in the order in which they were sent, and every program has gone on."""
+        """The team when every letter has arrived, in the order of sending, and every program has gone on."""
         for _ in range(MOST_ROUNDS):
             for letter in sorted(team.letters):
                 to = self.letters[letter][0]
@@ -349,7 +351,9 @@ class Three:
         if letter < 0:
             return words
         to, message = self.letters[letter]
-        rest = ", ".join(f"{name} {_plain(getattr(message, name))}" for name in type(message).__slots__ if name != "sender")
+        rest = ", ".join(
+            f"{name} {_plain(getattr(message, name))}" for name in type(message).__slots__ if name != "sender"
+        )
         return f"{type(message).__name__} of {message.sender.member} to {to} ({rest}) {words}"
 
 
@@ -365,58 +369,5 @@ def _named(law: Law) -> str:
     return law.__name__.replace("_", " ")
 
 
-def _with(row, index, value):  # type: ignore[no-untyped-def]
+def _with(row: tuple[T, ...], index: int, value: T) -> tuple[T, ...]:
     return (*row[:index], value, *row[index + 1 :])
-
-
-def moved(state: Member, ms: int, oldest: int = -(1 << 60)) -> Member:
-    """The member with all its times so much later, none before the `oldest`."""
-
-    def at(time: int) -> int:
-        return max(time + ms if time != NEVER else NEVER, oldest)
-
-    known = state.membership
-    peers = tuple(
-        peer._replace(stamp=at(peer.stamp), heard=at(peer.heard), echoed=at(peer.echoed), granted=at(peer.granted))
-        for peer in known.peers
-    )
-    log = state.log
-    return state._replace(
-        now=state.now + ms,
-        log=log._replace(retry_at=at(log.retry_at) if log.retry_at else 0),
-        membership=known._replace(peers=peers, since=at(known.since), beat_at=at(known.beat_at), right=at(known.right)),
-        acts_from=tuple(at(time) for time in state.acts_from),
-        leases=tuple(lease._replace(until=at(lease.until)) for lease in state.leases),
-    )
-
-
-def _relative(state: Member) -> Member:
-    """The member with `NOW` for its time. What is over for four leases is over, and so is a ninth attempt as the eighth."""
-    state = moved(state, NOW - state.now, NOW - 4 * LEASE)
-    return state._replace(log=state.log._replace(attempts=min(state.log.attempts, 8)))
-
-
-def _step_breaks(before: Member, stepped: Stepped) -> str:
-    """The law of single steps that this one breaks, "" if none."""
-    after = stepped.state
-    if any(isinstance(change, Refused) for change in stepped.changes):
-        return "no message of a member that follows the protocol is refused"
-    if after.log.slot < before.log.slot or after.tables.view.number < before.tables.view.number:
-        return "nobody forgets what was decided"
-    for was, now in zip(before.tables.works, after.tables.works, strict=True):
-        for a, b in zip(was.units, now.units, strict=True):
-            if b.number < a.number or a.done > b.done:
-                return "the number of a unit never falls and a unit that is done stays done"
-    holders = {
-        (number, index): (unit.holder, unit.done)
-        for number, work in enumerate(before.tables.works)
-        for index, unit in enumerate(work.units)
-    }
-    for change in stepped.changes:
-        if isinstance(change, Granted) and change.unit >= 0:
-            holders[change.work, change.unit] = change.member, False
-        if isinstance(change, Counted):
-            if holders[change.work, change.unit] != (change.member, False):
-                return "a unit is counted once and for its holder"
-            holders[change.work, change.unit] = -1, True
-    return ""
