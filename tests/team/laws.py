@@ -166,3 +166,16 @@ def what_stays_undone(model: Three, team: Team, rounds: int = 30) -> str:
     if not lacking:
         model.known.update((("settles", one), True) for one in way)
     return lacking
+
+
+def all_is_done(model: Three, team: Team) -> bool:
+    """Whether something was decided, and every program that runs has nothing left to do or to wait for."""
+    states = [model.states[team.members[m]] for m in MEMBERS if m != team.down]
+    wishes = (wish for m in MEMBERS if m != team.down for wish in model.wishes(team, m))
+    works = (work for state in states for work in state.tables.works)
+    return (
+        not unsettled(model, team)
+        and next(wishes, None) is None
+        and all(state.log.slot and all(meeting.results for meeting in state.tables.meetings) for state in states)
+        and all(unit.done for work in works for unit in work.units)
+    )
