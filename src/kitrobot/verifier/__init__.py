@@ -11,7 +11,7 @@ from kitrobot.verifier.model import Model
 from kitrobot.verifier.parts import take_apart
 from kitrobot.verifier.programs import AbstractionError
 from kitrobot.verifier.properties import Property, ready_properties
-from kitrobot.verifier.replay import Confirmed, confirm
+from kitrobot.verifier.replay import Confirmed, Harm, befell, confirm
 from kitrobot.verifier.telling import told
 from kitrobot.verifier.timing import Timing
 
@@ -20,12 +20,14 @@ __all__ = [
     "Answer",
     "Budget",
     "Confirmed",
+    "Harm",
     "Judged",
     "Model",
     "Property",
     "Timing",
     "Verdict",
     "Way",
+    "befell",
     "confirm",
     "judge",
     "ready_properties",

@@ -56,16 +56,11 @@ def confirm(
         fresh: gives the run of a seed before its first step; it needs a time limit.
         stop: asked between two runs whether to give up.
     """
-    befell = [
-        (model.parts[event.agent].agent.name, _KINDS[event.what])
-        for step in way.steps
-        for event in step.events
-        if event.what in _KINDS
-    ]
-    if not befell:
+    wanted = befell(way, model)
+    if not wanted:
         tries: Iterator[tuple[int, tuple[Harm, ...]]] = ((seed, ()) for seed in range(1, SEEDS + 1))
     else:
-        tries = _moments(befell, fresh(1))
+        tries = _moments(wanted, fresh(1))
     for number, (seed, harms) in enumerate(tries):
         if number >= MOST_RUNS or stop():
             return None
@@ -73,6 +68,16 @@ def confirm(
         if tick >= 0:
             return Confirmed(seed, harms, tick)
     return None
+
+
+def befell(way: Way, model: Model) -> tuple[tuple[str, str], ...]:
+    """What befalls agents in a run of the model, in order: the agent's name, and what. `confirm` looks for no more."""
+    return tuple(
+        (model.parts[event.agent].agent.name, _KINDS[event.what])
+        for step in way.steps
+        for event in step.events
+        if event.what in _KINDS
+    )
 
 
 def _moments(befell: Sequence[tuple[str, str]], run: Simulation) -> Iterator[tuple[int, tuple[Harm, ...]]]:

@@ -10,7 +10,7 @@ import { socketAddress } from "../../api/address";
 import type {
   SweepMapMessage,
   SweepProgressMessage,
-  SweepRefusedMessage,
+  WorkRefusedMessage,
   SweepStartRequest,
 } from "../../api/generated";
 import { t } from "../../i18n/words";
@@ -19,10 +19,10 @@ import type { Mission } from "../../model/types";
 import { isLive, useRun } from "../../session/run";
 import type { Place } from "./map";
 
-type Message = SweepProgressMessage | SweepMapMessage | SweepRefusedMessage;
+type Message = SweepProgressMessage | SweepMapMessage | WorkRefusedMessage;
 /** What runs of a sweep are of. */
 type Asked = Omit<SweepStartRequest, "type" | "moments">;
-type Refused = Pick<SweepRefusedMessage, "message" | "help" | "problems">;
+type Refused = Pick<WorkRefusedMessage, "message" | "help" | "problems">;
 
 export interface Swept {
   asked: Asked;
