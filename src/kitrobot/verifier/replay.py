@@ -92,6 +92,8 @@ def _moments(befell: Sequence[tuple[str, str]], run: Simulation) -> Iterator[tup
 def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm]) -> int:
     """The step in which a run broke the property; -1 if it did not."""
     left = list(harms)
+    watch = one.watch(run) if one.watch is not None else None
+    chunk = _CHUNK if watch is None else 1
     while run.outcome is None or left:
         if left and run.tick >= left[0].tick:
             harm = left.pop(0)
@@ -99,10 +101,12 @@ def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm]) -> int:
             continue
         if run.outcome is not None:
             break
-        run.advance(min(_CHUNK, left[0].tick - run.tick) if left else _CHUNK)
-        found = _seen(one, run)
+        run.advance(min(chunk, left[0].tick - run.tick) if left else chunk)
+        found = _seen(one, run) if watch is None else run.tick if watch.after_step() else -1
         if found >= 0:
             return found
+    if watch is not None:
+        return run.tick if watch.at_end() else -1
     return run.tick if run.outcome in one.ends_as else -1
 
 

@@ -19,12 +19,14 @@ from kitrobot.verifier import (
     Property,
     Timing,
     Verdict,
+    asked_properties,
     befell,
     confirm,
     judge,
     ready_properties,
     take_apart,
     told,
+    variables_asked,
 )
 from kitrobot.workspace.running import PreparedRun
 
@@ -192,13 +194,17 @@ def verify_runs(
     if not 0 <= options.failures <= MOST_FAILURES:
         raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
     run = runs(seed)
-    parts = take_apart(run)
+    asked = run.mission.properties
+    parts = take_apart(run, variables_asked(run, asked))
+    limits = list(parts.limits)
     ends = None if options.seconds is None else time.monotonic() + options.seconds
     columns: list[Column] = []
     search = _Search(runs, options, ends)
     for failures, timing in _assumptions(options):
         model = Model(run, parts, failures)
-        properties = _chosen(ready_properties(model), options.properties)
+        own, left_out = asked_properties(model, asked)
+        limits += [words for words in left_out if words not in limits]
+        properties = _chosen([*ready_properties(model), *own], options.properties)
         if columns and (options.stop() or (ends is not None and time.monotonic() > ends)):
             break
         left = None if ends is None else max(0.0, ends - time.monotonic())
@@ -216,7 +222,7 @@ def verify_runs(
             if column_done is not None:
                 column_done(column)
         columns.append(column)
-    return Verification(run.tick_ms, tuple(parts.limits), tuple(columns))
+    return Verification(run.tick_ms, tuple(limits), tuple(columns))
 
 
 def _assumptions(options: VerificationOptions) -> Iterator[tuple[int, Timing]]:

@@ -67,6 +67,14 @@ export interface Arc {
   at: string;
 }
 
+/** What is demanded of every run: see `kitrobot.mission.AskedProperty`. */
+export interface AskedProperty {
+  name: string;
+  form: "never" | "after" | "eventually" | "stays";
+  first: string;
+  second?: string;
+}
+
 /** Break off the sending; the robot keeps the program that it had. */
 export interface BoardCancelRequest {
   type: "cancel";
@@ -599,6 +607,7 @@ export interface Mission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   breakdown?: Breakdown | null;
+  properties?: AskedProperty[];
   own_world?: OwnWorld | null;
   radio?: Radio | null;
   roles?: Role[];
@@ -1151,6 +1160,7 @@ export interface SentMission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   breakdown?: Breakdown | null;
+  properties?: AskedProperty[];
   own_world?: OwnWorld | null;
   radio?: Radio | null;
   roles?: Role[];
