@@ -21,7 +21,10 @@ export function BrokenRun({ cell }: { cell: Cell }) {
     cell,
   );
   const place = useRef<HTMLElement>(null);
-  useEffect(() => place.current?.scrollIntoView({ block: "nearest" }), []);
+  useEffect(() => {
+    // Not returned: newer browsers give a promise.
+    place.current?.scrollIntoView({ block: "nearest" });
+  }, []);
   if (shown === null) return null;
   const { answer, column } = shown;
   return (

@@ -11,6 +11,7 @@ import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
 import { AnswerTable } from "./AnswerTable";
 import { BrokenRun } from "./BrokenRun";
+import { Properties } from "./Properties";
 import { assumptionWords, Limits, Verdict } from "./Verdict";
 import { answerAt, begin, breakOff, useCheck } from "./verifying";
 import "./check.css";
@@ -36,6 +37,7 @@ export function CheckPanel() {
         <div className="check-answers">
           <Refused refused={refused} />
           {asked === null ? <p className="check-note check-what">{t("check.what")}</p> : <Answers />}
+          <Properties />
         </div>
         {shown && open !== null ? <BrokenRun key={`${String(open.row)} ${String(open.column)}`} cell={open} /> : null}
       </div>
