@@ -1,5 +1,5 @@
 /** A condition as text, with what may stand next in a list that arrows walk and Enter takes. */
-import { type KeyboardEvent, useId, useRef, useState } from "react";
+import { type KeyboardEvent, useEffect, useId, useRef, useState } from "react";
 
 import { useStudio } from "../../model/studio";
 import { type Suggestion, suggest } from "./suggest";
@@ -17,6 +17,10 @@ export function ConditionField({ label, testId, value, keep }: FieldProps) {
   const [text, setText] = useState(value);
   const [rows, setRows] = useState<readonly Suggestion[]>([]);
   const [at, setAt] = useState(0);
+  const list = useRef<HTMLSpanElement>(null);
+  useEffect(() => {
+    if (rows.length > 0) list.current?.scrollIntoView({ block: "nearest" });
+  }, [rows]);
 
   const look = (typed: string, caret: number) => {
     const { mission, catalogue } = useStudio.getState();
