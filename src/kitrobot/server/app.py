@@ -40,11 +40,13 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.server.shapes.sent import ForgottenError
 from kitrobot.server.shapes.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
+from kitrobot.server.shapes.verification import VERIFY_MESSAGE_MODELS, VERIFY_REQUEST_MODELS
 from kitrobot.server.studio import Studio
 from kitrobot.server.sweeps import sweep_routes
 from kitrobot.server.texts import text_routes
 from kitrobot.server.trace_routes import trace_routes
 from kitrobot.server.tutorials import tutorial_routes
+from kitrobot.server.verifications import verify_routes
 from kitrobot.text import Sentence, Word
 
 ROUTERS = (
@@ -53,6 +55,7 @@ ROUTERS = (
     fragment_routes,
     run_routes,
     sweep_routes,
+    verify_routes,
     board_routes,
     journal_routes,
     text_routes,
@@ -129,8 +132,10 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
     """The schema of all requests, with the shapes that travel over the WebSocket, which OpenAPI knows no place for."""
     if app.openapi_schema is None:
         schema = FastAPI.openapi(app)
-        models = [(model, "validation") for model in (*REQUEST_MODELS, *BOARD_REQUEST_MODELS, *SWEEP_REQUEST_MODELS)]
-        messages = (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS, *BOARD_MESSAGE_MODELS, *SWEEP_MESSAGE_MODELS)
+        of_work = (*SWEEP_REQUEST_MODELS, *VERIFY_REQUEST_MODELS)
+        models = [(model, "validation") for model in (*REQUEST_MODELS, *BOARD_REQUEST_MODELS, *of_work)]
+        messages = (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS, *BOARD_MESSAGE_MODELS)
+        messages += (*SWEEP_MESSAGE_MODELS, *VERIFY_MESSAGE_MODELS)
         models += [(model, "serialization") for model in messages]
         _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
         schema["components"]["schemas"] |= extra["$defs"]

@@ -63,8 +63,8 @@ class Studio:
         self.journals = Journals(self.folder)
         self.first = self.folder.name_of(mission) if mission is not None else None
         self.runs = 0
-        self.sweeping = False
-        """Whether a fail sweep is on; as `runs`."""
+        self.at_work: set[str] = set()
+        """The kinds of work in the background that are on (`background_work`); as `runs`."""
         self.watches: dict[str, WatchedRun] = {}
         """The runs and recordings that are on, by their names."""
         self.broadcasts: dict[str, Broadcast] = {}

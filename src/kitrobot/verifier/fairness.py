@@ -62,11 +62,9 @@ def _stays(made: Explored, state: int) -> bool:
     return state in following or not following
 
 
-def reachable(made: Explored, within: Sequence[bool]) -> list[int]:
-    """The states that can be reached from the first one through states that count."""
-    if not within or not within[0]:
-        return []
-    found, seen, at = [0], {0}, 0
+def reachable(made: Explored, within: Sequence[bool], starts: Sequence[int]) -> list[int]:
+    """The states that can be reached from some, which count, through states that count; with those."""
+    found, seen, at = list(starts), set(starts), 0
     while at < len(found):
         for target in targets(made, found[at]):
             if within[target] and target not in seen:

@@ -78,6 +78,8 @@ def judge(model: Model, properties: Sequence[Property], timing: Timing, failures
     """Explores a model and judges properties by it."""
     clock = Clock(model, timing)
     first: dict[Move | What, tuple[int, Step]] = {}
+    wrong: dict[str, tuple[int, Step | None]] = {}
+    by_step = [one for one in properties if one.never is not None or one.breaks is not None]
     concerned: set[str] = {one.name for one in properties if not one.about and one.concerned is None}
     by_state = [one for one in properties if one.concerned is not None]
 
@@ -86,17 +88,24 @@ def judge(model: Model, properties: Sequence[Property], timing: Timing, failures
             for one in by_state:
                 if one.name not in concerned and one.concerned is not None and one.concerned(state):
                     concerned.add(one.name)
+            for one in by_step:
+                if one.never is not None and one.name not in wrong and one.never(state):
+                    wrong[one.name] = number, None
             return True
         for event in step.events:
             if event.what not in first:
                 first[event.what] = number, step
+        for one in by_step:
+            if one.breaks is not None and one.name not in wrong and one.breaks(state, after):
+                wrong[one.name] = number, step
         return True
 
     made = explore(clock, budget, looking, keeps_steps=True)
     concerned.update(one.name for one in properties if not one.about.isdisjoint(first))
     verdicts = []
     for one in properties:
-        found = min((first[what] for what in one.broken_by if what in first), key=itemgetter(0), default=None)
+        found: tuple[int, Step | None] | None = wrong.get(one.name)
+        found = found or min((first[what] for what in one.broken_by if what in first), key=itemgetter(0), default=None)
         if found is not None:
             verdicts.append(Verdict(one, Answer.BROKEN, _way_to(clock, made, made.path(found[0]), found[1])))
             continue
@@ -121,13 +130,23 @@ def _endless(clock: Clock, made: Explored, one: Property) -> Way | None:
     if one.waits is None:
         return None
     waiting = [one.waits(state) for state in made.states]
-    inside = reachable(made, waiting) if one.from_start else [n for n, waits in enumerate(waiting) if waits]
+    since = one.since
+    if one.from_start:
+        starts = [0] if waiting[:1] == [True] else []
+    else:
+        starts = [n for n, waits in enumerate(waiting) if waits and (since is None or since(made.states[n]))]
+    inside = reachable(made, waiting, starts)
     part = fair_part(made, inside, clock.count)
     if part is None:
         return None
-    begin = min(part)
-    path = made.path(begin)
-    return _way_to(clock, made, [*path, *_round(made, set(part), begin)], None, repeats=True, first=len(path) - 1)
+    # The run begins to wait in one of the starts, and waits until it is in the part and for ever after.
+    members, within = set(part), set(inside)
+    for start in starts:
+        onward = [] if start in members else way(made, start, members, within)
+        if onward or start in members:
+            break
+    path = [*made.path(start), *onward]
+    return _way_to(clock, made, [*path, *_round(made, members, path[-1])], None, repeats=True, first=len(path) - 1)
 
 
 def _round(made: Explored, part: set[int], begin: int) -> list[int]:

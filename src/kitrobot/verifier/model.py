@@ -109,6 +109,26 @@ class Model:
         road = self._dock_road[dock]
         return self.traffic[road].standing_in(state[self.roads_at + road], dock) if road >= 0 else ()
 
+    def seen(self, state: State, i: int) -> tuple[int, ...]:
+        """All of a state that decides what a tick of agent i does, and what it reads and keeps."""
+        found: tuple[int, ...] = self._seen_by[i](state)
+        return found
+
+    def cells(self, state: State, i: int) -> list[int]:
+        """The first cells of agent i as its program would find them now: inputs, then variables, each at its place. An
+        input that may read anything is 0, and so is a variable that `take_apart` was not told of.
+        """
+        part, inside = self.parts[i], self.inside(state, i)
+        layout = part.agent.machine.layout
+        found = [0] * layout.cells
+        for at, sense in enumerate(part.senses):
+            found[1 + at] = _reads(inside, sense, self._there(state, i, self._road_of[i], sense)) or 0
+        for cell in layout.variables.values():
+            found[cell] = part.table.value(inside.local, cell)
+        for cell, v in zip(part.table.shared, part.shared, strict=True):
+            found[cell] = state[self.shared_at + v]
+        return found
+
     # -- ticks
 
     def react(self, state: State, i: int) -> tuple[_Outcome, ...]:

@@ -8,12 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
+from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.text import Sentence
 from kitrobot.verifier.events import SWINGS, What
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.motion import Move
+
+
+class Watch(Protocol):
+    """Looks at a run of the simulator, whether it breaks a property."""
+
+    def after_step(self) -> bool:
+        """Whether the step that was just made broke it."""
+
+    def at_end(self) -> bool:
+        """Whether the run, which is over, broke it."""
 
 
 @dataclass(frozen=True)
@@ -29,6 +41,10 @@ class Property:
         from_start: whether only waiting since the first state counts.
         about, concerned: the events, or states, that the property is about; where none comes up, it is vacuous. Without
             both it always is in question.
+        never: whether a state breaks it.
+        breaks: whether a step from one state to another breaks it.
+        since: whether waiting counts from a state on; of liveness only. None: from any, but see `from_start`.
+        watch: begins to look at a run of the simulator, where its events do not tell whether it breaks the property.
         seen_as: the events of the simulator (see `sim.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
     """
@@ -41,6 +57,10 @@ class Property:
     from_start: bool = False
     about: frozenset[Move | What] = frozenset()
     concerned: Callable[[State], bool] | None = None
+    never: Callable[[State], bool] | None = None
+    breaks: Callable[[State, State], bool] | None = None
+    since: Callable[[State], bool] | None = None
+    watch: Callable[[Simulation], Watch] | None = None
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
 

@@ -10,8 +10,6 @@ from __future__ import annotations
 import multiprocessing
 import os
 import queue
-import signal
-import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -35,6 +33,7 @@ from kitrobot.sim.sweep import (
     snapshots_at,
 )
 from kitrobot.text import Sentence
+from kitrobot.workspace.child_process import begin_child
 from kitrobot.workspace.running import PreparedRun, Run
 
 OUTCOMES: Final[tuple[Outcome, ...]] = ("done", "failed", "stuck", "time")
@@ -262,18 +261,10 @@ _here: list[Any] = []
 
 
 def _begin(parts: tuple[Any, ...], is_plain: bool, stop: Any) -> None:
-    """In a process of the pool, once. Ctrl-C is the parent's, which says so to all; it ends when the parent is gone."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    """In a process of the pool, once."""
+    begin_child()
     _here[:] = [Simulation(*parts), stop]
     _here[0].stays_plain = is_plain
-
-
-def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
 
 
 def _work(task: Task) -> list[Field]:

@@ -67,6 +67,14 @@ export interface Arc {
   at: string;
 }
 
+/** What is demanded of every run: see `kitrobot.mission.AskedProperty`. */
+export interface AskedProperty {
+  name: string;
+  form: "never" | "after" | "eventually" | "stays";
+  first: string;
+  second?: string;
+}
+
 /** Break off the sending; the robot keeps the program that it had. */
 export interface BoardCancelRequest {
   type: "cancel";
@@ -245,6 +253,25 @@ export interface Check {
   path: string;
 }
 
+/** One event of a run that breaks a property, and the step it is in. */
+export interface CheckedEvent {
+  step: number;
+  text: string;
+}
+
+/** One answer: see `kitrobot.workspace.background_check.Answered`. */
+export interface CheckedProperty {
+  name: string;
+  sentence: string;
+  answer: "holds" | "broken" | "not finished" | "vacuous";
+  steps: number;
+  repeats_from: number;
+  events: CheckedEvent[];
+  left_out: number;
+  confirmed: ConfirmingRun | null;
+  searched: boolean;
+}
+
 /** An offer that becomes a slot under that name; numbers with one name become one slot. */
 export interface Chosen {
   vertex: string;
@@ -270,6 +297,24 @@ export interface Claimed {
   name: string;
   records: string[];
   damaged: boolean;
+}
+
+/** What befell an agent in a run of the simulator. */
+export interface ConfirmingFailure {
+  agent: string;
+  at_s: number;
+  kind: "fail" | "stall" | "revive";
+}
+
+/**
+ * A run of the simulator that breaks a property: the run of the same mission with that seed and these failures on its
+ * schedule, which breaks it in step `tick`, at `seconds`.
+ */
+export interface ConfirmingRun {
+  seed: number;
+  tick: number;
+  seconds: number;
+  failures: ConfirmingFailure[];
 }
 
 /** The file is not what the page last saw; `revision` is what it is now. */
@@ -580,6 +625,7 @@ export interface Mission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   breakdown?: Breakdown | null;
+  properties?: AskedProperty[];
   own_world?: OwnWorld | null;
   radio?: Radio | null;
   roles?: Role[];
@@ -1132,6 +1178,7 @@ export interface SentMission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   breakdown?: Breakdown | null;
+  properties?: AskedProperty[];
   own_world?: OwnWorld | null;
   radio?: Radio | null;
   roles?: Role[];
@@ -1322,14 +1369,6 @@ export interface SweepProgressMessage {
   total: number;
 }
 
-/** Why there is no map; `problems` are the errors of the mission, where it has some. */
-export interface SweepRefusedMessage {
-  type: "refused";
-  message: string;
-  help: string;
-  problems: Problem[];
-}
-
 /**
  * Run this mission once for each agent and moment at which that one fails. Everything else is as in a run's start: the
  * chosen field is the run of the same mission, seed and limit with that failure on its schedule.
@@ -1500,6 +1539,50 @@ export interface VariableAsk {
   shared: boolean;
 }
 
+/** The answers under one assumption. They come once more when the simulator was searched for what is broken. */
+export interface VerifyColumnMessage {
+  type: "column";
+  timing: "lockstep" | "prompt" | "free";
+  failures: number;
+  states: number;
+  depth: number;
+  complete: boolean;
+  seconds: number;
+  properties: CheckedProperty[];
+}
+
+/** The check is over; what is taken for granted in its answers. */
+export interface VerifyEndMessage {
+  type: "end";
+  limits: string[];
+}
+
+/** How far the check is under one assumption: see `kitrobot.workspace.background_check.Explored`. */
+export interface VerifyProgressMessage {
+  type: "progress";
+  timing: "lockstep" | "prompt" | "free";
+  failures: number;
+  states: number;
+  depth: number;
+  seconds: number;
+  memory: number;
+}
+
+/** Check this mission, with up to so many failures, for so many seconds of the clock on the wall. */
+export interface VerifyStartRequest {
+  type: "start";
+  mission: Mission;
+  path: string;
+  seed: number;
+  failures?: number;
+  seconds: number;
+}
+
+/** Break the check off; what was found until then is told. */
+export interface VerifyStopRequest {
+  type: "stop";
+}
+
 /**
  * A program element: `element` is Start, Stop, a constructor's name, or `Object.Method`. `settings` holds what was
  * typed into number and text slots, or parameters, by name. `unknown` keeps, word for word, XML inside the vertex that
@@ -1535,6 +1618,14 @@ export interface Work {
   after?: string | null;
   units: number;
   lease?: number | null;
+}
+
+/** Why nothing came of it; `problems` are the errors of the mission, where it has some. */
+export interface WorkRefusedMessage {
+  type: "refused";
+  message: string;
+  help: string;
+  problems: Problem[];
 }
 
 /** The place of a mission. */

@@ -7,6 +7,7 @@
 import { accessibility } from "../features/accessibility";
 import { arena } from "../features/arena";
 import { canvas } from "../features/canvas";
+import { check } from "../features/check";
 import { code } from "../features/code";
 import { customBlocks } from "../features/custom-blocks";
 import { debug } from "../features/debug";
@@ -37,6 +38,7 @@ export const FEATURES: readonly Feature[] = [
   team,
   run,
   sweep,
+  check,
   robots,
   world,
   gallery,

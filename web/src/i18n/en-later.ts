@@ -1,5 +1,8 @@
 /** English for the rooms of the team and the world, which are fetched later, and their words with them (`moreWords`). */
+import { CHECK_EN } from "./en-later-check";
+
 export const LATER_EN = {
+  ...CHECK_EN,
   "command.cast": "Put {name} elsewhere",
   "command.first-team": "Start a team's program",
 
@@ -299,7 +302,6 @@ export const LATER_EN = {
   "sweep.progress": "{done} of {total} runs",
   "sweep.break-off": "Break off",
   "sweep.lost": "The connection to the studio was lost, and the sweep ended with it.",
-  "sweep.problems": "Show the problems",
   "sweep.map": "How the runs end: a row for each robot, a column for each moment at which it fails",
   "sweep.robot": "Robot",
   "sweep.baseline": "Without these failures:",
