@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         NAME_NO_TEXT,
         RECORDING,
         RENAME,
+        EXERCISE_ENDING,
         TUTORIAL_ENDING,
         ConflictError,
         MissionEntry,
@@ -77,6 +78,7 @@ else:
                 "NAME_NO_TEXT",
                 "RECORDING",
                 "RENAME",
+                "EXERCISE_ENDING",
                 "TUTORIAL_ENDING",
                 "ConflictError",
                 "MissionEntry",
@@ -95,6 +97,7 @@ else:
     )
 
 __all__ = [
+    "EXERCISE_ENDING",
     "LARGEST_FILE_BYTES",
     "LOCK_NAME",
     "NAME_NO_TEXT",
