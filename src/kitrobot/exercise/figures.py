@@ -6,7 +6,8 @@ the simplified line. It is the figure when all of these hold:
 - it ends at most the tolerance away from where it began,
 - the simplified line has exactly as many corners as the figure; a beginning in the middle of a side is no corner,
 - each side is at least as long as asked for, and no two sides differ by more than twice the tolerance,
-- the direction changes at each corner by 360° / corners, give or take `ANGLE_TOLERANCE` degrees, all the same way round.
+- the direction changes at each corner by 360° / corners, give or take `ANGLE_TOLERANCE` degrees, always the same
+  way round.
 
 So the size, the place and the direction of the figure are the child's choice; one round is driven.
 """
@@ -21,6 +22,9 @@ from kitrobot.text import Sentence
 
 ANGLE_TOLERANCE = 15.0
 """Degrees that the turn at a corner may be off."""
+
+_ROUNDS = 4
+"""How often corners are moved to where they belong."""
 
 Place = tuple[float, float]
 
@@ -68,22 +72,42 @@ def figure_fault(path: Sequence[PathPoint], corners: int, side: float, tolerance
 
 
 def _corners(places: Sequence[Place], tolerance: float, turn: float) -> list[Place]:
-    """The corners of a closed path; where the path began is one only if the way turns there by at least half of
-    `turn` degrees.
-    """
+    """The corners of a closed path; a point where the way turns by less than half of `turn` degrees is none."""
     far = max(range(len(places)), key=lambda i: math.dist(places[0], places[i]))
-    line = [*_simplified(places[: far + 1], tolerance)[:-1], *_simplified(places[far:], tolerance)[:-1]]
-    return [
-        line[i]
-        for i in range(len(line))
-        if len(line) < 3 or abs(_turn(line[i - 1], line[i], line[(i + 1) % len(line)])) >= turn / 2
-    ]
+    kept = [*_simplified(places, 0, far, tolerance)[:-1], *_simplified(places, far, len(places) - 1, tolerance)[:-1]]
+    kept = _sharp(places, kept, turn / 2)
+    if len(kept) >= 3:
+        for _ in range(_ROUNDS):
+            _settle(places, kept)
+        kept = _sharp(places, kept, turn / 2)
+    return [places[i] for i in kept]
 
 
-def _simplified(places: Sequence[Place], tolerance: float) -> list[Place]:
-    """A part of the points, the first and the last among them, from whose line none is further than the tolerance."""
-    keep = {0, len(places) - 1}
-    waiting = [(0, len(places) - 1)]
+def _sharp(places: Sequence[Place], kept: list[int], least: float) -> list[int]:
+    """Those of the points at which the line through them turns by at least so many degrees."""
+    if len(kept) < 3:
+        return kept
+    around = zip(kept[-1:] + kept[:-1], kept, kept[1:] + kept[:1], strict=True)
+    return [i for before, i, after in around if abs(_turn(places[before], places[i], places[after])) >= least]
+
+
+def _settle(places: Sequence[Place], kept: list[int]) -> None:
+    """Moves each corner to the point between its neighbours that is furthest from the line through them.
+
+    Simplifying keeps points that are far from long lines, which need not be the corners themselves.
+    """
+    count = len(places)
+    for k in range(len(kept)):
+        before, after = kept[k - 1], kept[(k + 1) % len(kept)]
+        between = [i % count for i in range(before + 1, after if after > before else after + count)]
+        kept[k] = max(between, key=lambda i: _away(places[i], places[before], places[after]), default=kept[k])
+    kept.sort()
+
+
+def _simplified(places: Sequence[Place], begin: int, end: int, tolerance: float) -> list[int]:
+    """Some of the points from `begin` to `end`, both among them, from whose line none is further than the tolerance."""
+    keep = {begin, end}
+    waiting = [(begin, end)]
     while waiting:
         first, last = waiting.pop()
         if last - first < 2:
@@ -92,7 +116,7 @@ def _simplified(places: Sequence[Place], tolerance: float) -> list[Place]:
         if _away(places[furthest], places[first], places[last]) > tolerance:
             keep.add(furthest)
             waiting += [(first, furthest), (furthest, last)]
-    return [places[i] for i in sorted(keep)]
+    return sorted(keep)
 
 
 def _away(place: Place, one: Place, other: Place) -> float:

@@ -85,8 +85,9 @@ class CheckGoal(Goal):
             case "vacuous":
                 return Fault(Sentence("{property}: it never comes to that", seen.sentence))
             case "not finished":
-                words = Sentence("{property}: not known, there are more than {states} states", seen.sentence, self.states)
-                return Fault(words)
+                return Fault(
+                    Sentence("{property}: not known, there are more than {states} states", seen.sentence, self.states)
+                )
             case "none":
                 return Fault(Sentence("this could not be checked: {reason}", seen.sentence))
         if not seen.steps:
@@ -135,12 +136,16 @@ class Within(RunGoal):
 
 @dataclass(frozen=True)
 class Visits(RunGoal):
-    """`<visits>`: the agent, "" any, comes at most `radius` mm near the place x, y of the world, in mm."""
+    """`<visits>`: the agent, "" any, comes at most `radius` mm near the place x, y of the world, in mm.
+
+    `when` is `ever`, or `end`: it is there when the run ends.
+    """
 
     x: float
     y: float
     radius: float
     agent: str
+    when: str
 
     @property
     def needs_path(self) -> bool:
@@ -151,7 +156,7 @@ class Visits(RunGoal):
         for name, path in (run.paths or {}).items():
             if self.agent not in ("", name):
                 continue
-            for one in path:
+            for one in path if self.when == "ever" else path[-1:]:
                 away = math.dist((one.x, one.y), (self.x, self.y))
                 if away < nearest:
                     nearest, point = away, one
@@ -159,6 +164,8 @@ class Visits(RunGoal):
             return None
         if nearest == math.inf:
             return Fault(Sentence("there is no robot `{name}`", self.agent))
+        if self.when == "end":
+            return Fault(Sentence("in the end it is {away} mm away from the place", round(nearest)), run.seconds)
         words = Sentence("the place was missed: {away} mm from it is as near as it got", round(nearest))
         return Fault(words, point.seconds)
 

@@ -146,6 +146,7 @@ KINDS = {
             "y": needed(_PLACE),
             "radius": optional(_LENGTH, "50", about="How near, in mm."),
             "agent": _AGENT,
+            "when": optional(one("ever", "end"), "ever", about="At any time, or when the run ends."),
         },
     ),
     "draws": _tag(

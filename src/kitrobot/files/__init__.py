@@ -31,10 +31,10 @@ if TYPE_CHECKING:
     from kitrobot.files.examples import examples_folder, first_example
     from kitrobot.files.file_lock import FileLock
     from kitrobot.files.folder import (
+        EXERCISE_ENDING,
         NAME_NO_TEXT,
         RECORDING,
         RENAME,
-        EXERCISE_ENDING,
         TUTORIAL_ENDING,
         ConflictError,
         MissionEntry,

@@ -1,5 +1,4 @@
-"""Files that begin with a mission beside them, tutorials and exercises: those that come with KitRobot and those that lie
-in the mission folder.
+"""Tutorials and exercises: what begins with a mission beside it. Those of KitRobot, and those of the mission folder.
 
 One is known by its file's name in the folder, as a mission is. One that has a mistake is found too, with what is wrong
 with it, so that whoever writes it sees that. Files are read again only when they changed.
@@ -118,7 +117,8 @@ class Lessons(Generic[L]):
         if there:
             return found
         words = self._kind.no_start_words(found.lesson.start)
-        problem = self._kind.no_start(words, Place(found.name), help=Sentence("put the mission that it begins with there"))
+        help = Sentence("put the mission that it begins with there")
+        problem = self._kind.no_start(words, Place(found.name), help=help)
         return _broken(found.name, [*found.problems, problem])
 
 
