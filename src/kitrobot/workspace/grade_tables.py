@@ -40,7 +40,9 @@ def as_csv(grades: Sequence[Grade]) -> str:
             continue
         for goal in one.goals:
             lines.writerow(map(_cell, _line(one, goal)))
-        lines.writerow(map(_cell, [one.submission, one.exercise["en"], "all", _yes(one.full), one.points, one.of]))
+        lines.writerow(
+            map(_cell, [one.submission, one.exercise["en"], "all", _yes(one.full), one.points, one.of, "", "", ""])
+        )
     return "\ufeff" + out.getvalue()
 
 

@@ -78,7 +78,7 @@ def shipped_exercises() -> list[Path]:
 def serve(connection: Connection, data: bytes, name: str, exercise: str | None) -> None:
     """Judges one submission and says what came of it, once."""
     end_with_parent()
-    _limit()
+    limit()
     try:
         answer = _judged(data, name, exercise)
     except KitRobotError as error:
@@ -94,7 +94,7 @@ def serve(connection: Connection, data: bytes, name: str, exercise: str | None) 
     connection.close()
 
 
-def _limit() -> None:
+def limit() -> None:
     """Takes from this process what a submission cannot need, where the system has such limits."""
     try:
         import resource
