@@ -159,6 +159,7 @@ def test_the_process_of_a_submission_gets_no_more_memory_and_writes_no_file(tmp_
     ours, theirs = context.Pipe(duplex=False)
     process = context.Process(target=allocate, args=(theirs,))
     process.start()
+    theirs.close()
     assert ours.recv() == (-1, False)
     process.join()
     assert (tmp_path / "written-by-a-submission").stat().st_size == 0

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
     from kitrobot.workspace.executables import Executable, load_executable
     from kitrobot.workspace.execution import Executed, execute
+    from kitrobot.workspace.exercises import Exercises, FoundExercise, handed_in
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
     from kitrobot.workspace.opening import (
         NoProgramError,
@@ -71,6 +72,7 @@ else:
             "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
             "team_boards": ("agent_program", "boards_of", "send_team"),
             "traces": ("OpenTrace", "is_trace", "open_trace", "parts_of", "unpack"),
+            "exercises": ("Exercises", "FoundExercise", "handed_in"),
             "tutorials": ("FoundTutorial", "Tutorials", "watched"),
         },
     )
@@ -82,7 +84,9 @@ __all__ = [
     "Converted",
     "Executable",
     "Executed",
+    "Exercises",
     "FileReport",
+    "FoundExercise",
     "FoundTutorial",
     "FoundWorld",
     "Inputs",
@@ -111,6 +115,7 @@ __all__ = [
     "convert",
     "execute",
     "find_robot",
+    "handed_in",
     "is_trace",
     "load_board_program",
     "load_executable",

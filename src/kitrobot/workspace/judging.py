@@ -117,12 +117,14 @@ class JudgingOptions:
     Attributes:
         hidden: the hidden goals and seeds too.
         seeds: these seeds only, in place of the exercise's; none: the exercise's.
+        runs: goals of runs too.
         checks: goals of checking too, which take longest.
         stop: asked now and then whether to break off.
     """
 
     hidden: bool = False
     seeds: tuple[int, ...] = ()
+    runs: bool = True
     checks: bool = True
     stop: Callable[[], bool] = _never
 
@@ -147,7 +149,7 @@ def judge(
     options = options or JudgingOptions()
     goals = exercise.goals_for(options.hidden)
     seeds = options.seeds or exercise.seeds_for(options.hidden)
-    run_goals = [goal for goal in goals if isinstance(goal, RunGoal)]
+    run_goals = [goal for goal in goals if isinstance(goal, RunGoal)] if options.runs else []
     checks = [goal for goal in goals if isinstance(goal, CheckGoal)] if options.checks else []
     total = (len(seeds) if run_goals else 0) + len(checks)
     done = 0

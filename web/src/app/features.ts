@@ -10,6 +10,7 @@ import { canvas } from "../features/canvas";
 import { code } from "../features/code";
 import { customBlocks } from "../features/custom-blocks";
 import { debug } from "../features/debug";
+import { exercise } from "../features/exercise";
 import { exporting } from "../features/export";
 import { gallery } from "../features/gallery";
 import { importFiles } from "../features/import-files";
@@ -41,6 +42,7 @@ export const FEATURES: readonly Feature[] = [
   world,
   gallery,
   tutorial,
+  exercise,
   importFiles,
   exporting,
   accessibility,
