@@ -35,7 +35,7 @@ def test_a_run_of_one_seed_and_what_is_checked_are_judged_apart(page) -> None:
     mission = mission_of(page, START)
     made = judge(page, SQUARE, mission, 1).json()
     assert [goal["reached"] for goal in made["goals"]] == [True, False, False, True]
-    assert made["goals"][1] == {"reached": False, "why": "the robot hardly moved", "seed": 1, "seconds": 0.02}
+    assert made["goals"][1] == {"reached": False, "why": "The robot hardly moved.", "seed": 1, "seconds": 0.02}
     square = mission_of(page, "example:square/square.krt")["programs"][0]
     mission["programs"] = [{**square, "name": "a-square"}]
     made = judge(page, SQUARE, mission, 1).json()
@@ -57,7 +57,7 @@ def test_the_world_and_the_robots_are_those_of_the_exercise_whatever_is_sent(pag
 def test_another_mission_and_an_exercise_with_a_mistake_are_said(page, folder) -> None:
     answer = judge(page, SQUARE, mission_of(page, "blink.krt"), 1)
     assert answer.status_code == 422
-    assert "this is another mission: it has no program `a-square`" in answer.text
+    assert "This is another mission: it has no program `a-square`" in answer.text
     (folder / "own.exercise.xml").write_text(EXERCISE.replace("</done>", "</don>"))
     found = {one["name"]: one for one in page.get("/api/exercises").json()}["own.exercise.xml"]
     assert (found["goals"], found["problems"][0]["line"]) == ([], 6)

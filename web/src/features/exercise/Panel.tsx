@@ -75,16 +75,18 @@ function basisWords(): string {
 
 export function ExercisePanel() {
   const { marks, busy } = useExercise();
-  useOpenExercise();
+  const open = useOpenExercise((state) => state.open);
   const path = useStudio((studio) => studio.file.path);
   const section = useRef<HTMLElement>(null);
   useEffect(keepExercise, []);
   const exercise = openExercise();
-  const name = exercise?.name;
+  // Its mission may still be on the way.
+  const shown = open?.path === path ? exercise : null;
+  const name = shown?.name;
   useEffect(() => {
     if (name !== undefined) section.current?.focus();
   }, [name]);
-  if (exercise === null || useOpenExercise.getState().open?.path !== path) return null;
+  if (shown === null) return null;
   const done = marks.filter(({ state }) => state === "reached").length;
   const said = basisWords();
   return (
@@ -93,13 +95,13 @@ export function ExercisePanel() {
       className="exercise"
       tabIndex={-1}
       data-testid="exercise"
-      aria-label={t("exercise.of", { name: text(exercise.label) })}
+      aria-label={t("exercise.of", { name: text(shown.label) })}
     >
       <header className="exercise-head">
-        <Icon name={exercise.icon} size={18} />
-        <h2>{text(exercise.label)}</h2>
+        <Icon name={shown.icon} size={18} />
+        <h2>{text(shown.label)}</h2>
         <span className="exercise-count" data-testid="exercise-count">
-          {t("exercise.reached", { done, total: exercise.goals.length })}
+          {t("exercise.reached", { done, total: shown.goals.length })}
         </span>
         {busy === null ? (
           <button type="button" className="button small" data-testid="exercise-judge" onClick={judgeAll}>
@@ -121,9 +123,9 @@ export function ExercisePanel() {
           onClick={leave}
         />
       </header>
-      <p className="exercise-help">{text(exercise.help)}</p>
+      <p className="exercise-help">{text(shown.help)}</p>
       <ol className="exercise-goals">
-        {exercise.goals.map((goal, at) => (
+        {shown.goals.map((goal, at) => (
           <Goal key={at} at={at} label={text(goal.label)} mark={marks[at] ?? OPEN} />
         ))}
       </ol>
