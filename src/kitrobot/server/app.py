@@ -17,6 +17,7 @@ from kitrobot.files import ConflictError, FileError, MissionNameError, ReadOnlyE
 from kitrobot.server import pages
 from kitrobot.server.board_routes import board_routes
 from kitrobot.server.deadlines import Deadlines
+from kitrobot.server.exercises import exercise_routes
 from kitrobot.server.fragments import routes as fragment_routes
 from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
 from kitrobot.server.image_routes import image_routes
@@ -63,6 +64,7 @@ ROUTERS = (
     parts_routes,
     image_routes,
     tutorial_routes,
+    exercise_routes,
     trace_routes,
 )
 """The requests, in the order that they are looked for."""

@@ -26,6 +26,7 @@ from kitrobot.server.robot_registry import RobotRegistry
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.workspace import (
+    Exercises,
     KeptPrograms,
     OpenMission,
     OpenTrace,
@@ -78,6 +79,7 @@ class Studio:
         """Held while a run is recorded once more: one at a time is quick enough."""
         self.gallery = Gallery()
         self.tutorials = Tutorials(self.folder)
+        self.exercises = Exercises(self.folder)
         self.programs = KeptPrograms()
         self._lock = threading.Lock()
         self._kept: dict[tuple[Path, ...], _Kept] = {}

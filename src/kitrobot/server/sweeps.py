@@ -21,7 +21,8 @@ from kitrobot.server.shapes.sweep import (
 )
 from kitrobot.text import Sentence
 from kitrobot.workspace import RunOptions
-from kitrobot.workspace.sweep import SweepError, SweepOptions, cores, run_sweep
+from kitrobot.workspace.child_processes import cores
+from kitrobot.workspace.sweep import SweepError, SweepOptions, run_sweep
 
 MOST_FIELDS = 5000
 """Fields of a sweep in a page, which draws each of them."""

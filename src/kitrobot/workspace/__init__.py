@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
     from kitrobot.workspace.executables import Executable, load_executable
     from kitrobot.workspace.execution import Executed, execute
+    from kitrobot.workspace.exercises import Exercises, FoundExercise, handed_in
     from kitrobot.workspace.fleets import FleetPlan, FleetTold, files_for_agents, free_endpoint, run_fleet
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
     from kitrobot.workspace.opening import (
@@ -73,6 +74,7 @@ else:
             "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
             "team_boards": ("agent_program", "boards_of", "check_boards", "send_team"),
             "traces": ("OpenTrace", "is_trace", "open_trace", "parts_of", "unpack"),
+            "exercises": ("Exercises", "FoundExercise", "handed_in"),
             "tutorials": ("FoundTutorial", "Tutorials", "watched"),
         },
     )
@@ -84,9 +86,11 @@ __all__ = [
     "Converted",
     "Executable",
     "Executed",
+    "Exercises",
     "FileReport",
     "FleetPlan",
     "FleetTold",
+    "FoundExercise",
     "FoundTutorial",
     "FoundWorld",
     "Inputs",
@@ -118,6 +122,7 @@ __all__ = [
     "files_for_agents",
     "find_robot",
     "free_endpoint",
+    "handed_in",
     "is_trace",
     "load_board_program",
     "load_executable",

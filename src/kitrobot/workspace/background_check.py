@@ -16,7 +16,7 @@ from typing import Any
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 from kitrobot.verifier import Answer, Confirmed, Timing
-from kitrobot.workspace.child_process import begin_child
+from kitrobot.workspace.child_processes import end_with_parent
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import (
     Column,
@@ -164,7 +164,7 @@ def _follow(mine: Connection, stop: Callable[[], bool], leave_off: Any, told: To
 
 def _check(parts: tuple[Any, ...], seed: int, chosen: VerificationOptions, leave_off: Any, out: Connection) -> None:
     """In the process of the check."""
-    begin_child()
+    end_with_parent()
     began = time.monotonic()
     assumption: list[tuple[Timing, int]] = []
     last = 0.0

@@ -392,6 +392,28 @@ export interface ErrorMessage {
   ended: boolean;
 }
 
+/**
+ * An exercise; `start` is the mission it begins with, `seconds` how long each run may take, `seeds` are those of its
+ * runs. One that cannot be used has no goals but `problems`.
+ */
+export interface Exercise {
+  name: string;
+  start: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  icon: string;
+  seconds: number;
+  seeds: number[];
+  goals: ExerciseGoal[];
+  problems: Problem[];
+}
+
+/** A goal; `kind` is what it is decided from. */
+export interface ExerciseGoal {
+  label: Record<string, string>;
+  kind: "program" | "run" | "check";
+}
+
 /** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */
 export interface Failure {
   message: string;
@@ -484,6 +506,17 @@ export interface Goal {
   stock: string;
 }
 
+/**
+ * What came of a goal; `reached` is null where this piece says nothing of it. `seed` and `seconds` are the run and the
+ * moment that show what went wrong.
+ */
+export interface GoalVerdict {
+  reached: boolean | null;
+  why: string;
+  seed: number | null;
+  seconds: number | null;
+}
+
 /** A heading of the palette. */
 export interface Group {
   name: string;
@@ -546,6 +579,19 @@ export interface JournalAppend {
 /** How large the journal is now. */
 export interface JournalSize {
   bytes: number;
+}
+
+/** A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked. */
+export interface Judge {
+  exercise: string;
+  mission: Mission;
+  seed?: number | null;
+}
+
+/** What came of each goal, in order; `mission` is what was judged: the programs in the exercise's mission. */
+export interface Judged {
+  goals: GoalVerdict[];
+  mission: Mission;
 }
 
 /** Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601). */

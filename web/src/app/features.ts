@@ -11,6 +11,7 @@ import { check } from "../features/check";
 import { code } from "../features/code";
 import { customBlocks } from "../features/custom-blocks";
 import { debug } from "../features/debug";
+import { exercise } from "../features/exercise";
 import { exporting } from "../features/export";
 import { gallery } from "../features/gallery";
 import { importFiles } from "../features/import-files";
@@ -43,6 +44,7 @@ export const FEATURES: readonly Feature[] = [
   world,
   gallery,
   tutorial,
+  exercise,
   importFiles,
   exporting,
   accessibility,

@@ -3,6 +3,27 @@ import { CHECK_EN } from "./en-later-check";
 
 export const LATER_EN = {
   ...CHECK_EN,
+  "exercise.title": "Exercises",
+  "exercise.count": { one: "{count} goal", other: "{count} goals" },
+  "exercise.broken": "This exercise cannot be used.",
+  "exercise.of": "Exercise: {name}",
+  "exercise.reached": "{done} of {total} goals",
+  "exercise.leave": "Leave the exercise",
+  "exercise.judge": "Judge",
+  "exercise.stop": "Stop judging",
+  "exercise.judging": "Judging: {done} of {total}",
+  "exercise.not-yet": "Press Run to try it, or Judge to have every goal judged.",
+  "exercise.after-run": "After the run with seed {seed}; Judge looks at every run.",
+  "exercise.changed": "The mission has changed since then.",
+  "exercise.judged": { one: "Judged in {count} run.", other: "Judged in {count} runs." },
+  "exercise.all-done": "Every goal is reached. Well done!",
+  "exercise.stopped": "Judging was stopped.",
+  "exercise.play": "Watch what went wrong",
+  "exercise.play-at": "Watch what went wrong: at {seconds} s",
+  "exercise.goal-open": "open",
+  "exercise.goal-reached": "reached",
+  "exercise.goal-missed": "not reached yet",
+
   "command.cast": "Put {name} elsewhere",
   "command.first-team": "Start a team's program",
 
