@@ -113,7 +113,14 @@ def test_what_cannot_be_checked_is_refused_with_a_way_out_and_the_socket_goes_on
         checker.start({**blink, "agents": [{"name": "robot-1", "program": "missing", "start": ""}]})
         said = checker.until("refused")
         assert any("missing" in one["message"] for one in said["problems"])
-        for odd in ({"failures": 4}, {"failures": -1}, {"seconds": 0}, {"seconds": 1e9}, {"mission": {}}):
+        mistakes: list[dict[str, Any]] = [
+            {"failures": 4},
+            {"failures": -1},
+            {"seconds": 0},
+            {"seconds": 1e9},
+            {"mission": {}},
+        ]
+        for odd in mistakes:
             checker.start(**{"mission": blink, **odd})
             assert "not understood" in checker.until("refused")["message"]
         checker.start(blink, failures=1)
