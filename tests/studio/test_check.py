@@ -27,6 +27,7 @@ def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
     return "greedy/greedy.krt"
 
 
+@pytest.mark.thorough
 def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check_can_be_stopped(
     open_studio, greedy: str
 ) -> None:
