@@ -11,9 +11,39 @@ from dataclasses import dataclass
 
 from kitrobot.sim import columns as c
 from kitrobot.text import Sentence
+from kitrobot.verifier.bodies import Inside
 from kitrobot.verifier.events import SWINGS, What
-from kitrobot.verifier.model import Model, State
+from kitrobot.verifier.model import Model, Shared
 from kitrobot.verifier.motion import Move
+
+
+@dataclass(frozen=True)
+class OfShared:
+    """What is true of boxes, shared variables and failures."""
+
+    test: Callable[[Shared], bool]
+
+
+@dataclass(frozen=True)
+class OfAgent:
+    """What is true of an agent, but for its motion."""
+
+    agent: int
+    test: Callable[[Inside], bool]
+
+
+@dataclass(frozen=True)
+class Stands:
+    """Whether an agent with a bed stands in one of these docks."""
+
+    agent: int
+    docks: tuple[int, ...]
+
+
+Fact = OfShared | OfAgent | Stands
+"""What one component of a state says."""
+Condition = tuple[tuple[Fact, ...], ...]
+"""What is true of a state: all facts of one of these clauses."""
 
 
 @dataclass(frozen=True)
@@ -36,11 +66,11 @@ class Property:
     name: str
     sentence: Sentence
     broken_by: frozenset[Move | What] = frozenset()
-    is_wrong: Callable[[State], bool] | None = None
-    waits: Callable[[State], bool] | None = None
+    is_wrong: Condition | None = None
+    waits: Condition | None = None
     from_start: bool = False
     about: frozenset[Move | What] = frozenset()
-    concerned: Callable[[State], bool] | None = None
+    concerned: Condition | None = None
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
 
@@ -48,7 +78,7 @@ class Property:
 def ready_properties(model: Model) -> list[Property]:
     """The properties that fit a mission."""
     found = []
-    if any(len(road.agents) > 1 for road in model.traffic):
+    if any(len(agents) > 1 for agents in model.roads.agents):
         found.append(
             Property(
                 "contact",
@@ -81,7 +111,7 @@ def ready_properties(model: Model) -> list[Property]:
         Property(
             "deadlock",
             Sentence("the mission never comes to a standstill before it is done"),
-            is_wrong=lambda state: not _is_done(model, state),
+            is_wrong=_not_done(model),
             ends_as=("stuck", "failed"),
         )
     )
@@ -90,7 +120,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "delivered",
                 Sentence("in the end every goal is reached"),
-                waits=lambda state: not model.goals_hold(state),
+                waits=_goals_missed(model),
                 from_start=True,
                 ends_as=("stuck", "failed", "time"),
             )
@@ -101,7 +131,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "end",
                 Sentence("in the end every program ends"),
-                waits=lambda state: not _all_ended(model, state),
+                waits=_somebody_goes_on(model),
                 from_start=True,
                 ends_as=("stuck", "time"),
             )
@@ -112,17 +142,14 @@ def ready_properties(model: Model) -> list[Property]:
 def _carriers(model: Model) -> list[int]:
     """The agents that can stand in a dock with an arm."""
     arms = {act.dock for part in model.parts for act in part.acts if act.is_arm}
-    return [i for road in model.traffic for i in road.beds] if arms else []
+    return [i for beds in model.roads.beds for i in beds] if arms else []
 
 
 def _served(model: Model, i: int) -> Property:
     """That agent i, where it stands in a dock, is loaded or unloaded, drives on, or ends."""
-    arms = sorted({act.dock for part in model.parts for act in part.acts if act.is_arm})
+    arms = tuple(sorted({act.dock for part in model.parts for act in part.acts if act.is_arm}))
     name = model.parts[i].agent.name
-
-    def stands(state: State) -> bool:
-        return not model.ended(state, i) and any(i in model.standing_in(state, dock) for dock in arms)
-
+    stands: Condition = ((OfAgent(i, lambda inside: not model.has_ended(i, inside)), Stands(i, arms)),)
     return Property(
         f"served-{name}",
         Sentence("{agent} does not wait in a dock for ever", name),
@@ -132,10 +159,19 @@ def _served(model: Model, i: int) -> Property:
     )
 
 
-def _all_ended(model: Model, state: State) -> bool:
-    return all(model.ended(state, i) for i in range(model.count))
+def _goals_missed(model: Model) -> Condition:
+    return ((OfShared(lambda shared: not model.goals_hold(shared)),),)
 
 
-def _is_done(model: Model, state: State) -> bool:
-    """Whether a state that nothing leaves is one that the mission was to come to."""
-    return model.goals_hold(state) if model.goals else _all_ended(model, state)
+def _somebody_goes_on(model: Model) -> Condition:
+    """That the program of an agent has not ended."""
+    return tuple((_goes_on(model, i),) for i in range(model.count))
+
+
+def _goes_on(model: Model, i: int) -> OfAgent:
+    return OfAgent(i, lambda inside: not model.has_ended(i, inside))
+
+
+def _not_done(model: Model) -> Condition:
+    """That a state which nothing leaves is not one that the mission was to come to."""
+    return _goals_missed(model) if model.goals else _somebody_goes_on(model)

@@ -50,6 +50,7 @@ class VerificationOptions:
         seconds: at most so long for all of them; None for no limit.
         confirms: whether broken properties are looked for in the simulator.
         stop: asked now and then whether to break off.
+        memory: at most about so many bytes under each assumption; None for no limit.
     """
 
     properties: tuple[str, ...] = ()
@@ -59,6 +60,7 @@ class VerificationOptions:
     seconds: float | None = 60.0
     confirms: bool = True
     stop: Callable[[], bool] = lambda: False
+    memory: int | None = 2_000_000_000
 
 
 @dataclass(frozen=True)
@@ -110,6 +112,7 @@ class Verification:
                     "complete": column.judged.complete,
                     "properties": [_finding_json(finding, self.tick_ms) for finding in column.findings],
                     "timing_seconds": round(column.judged.seconds, 3),
+                    "memory_bytes": column.judged.memory,
                 }
                 for column in self.columns
             ],
@@ -159,7 +162,7 @@ def verify(
     ends = None if options.seconds is None else time.monotonic() + options.seconds
     columns: list[Column] = []
     for failures, timing in _assumptions(options):
-        model = Model(run, parts, failures)
+        model = Model(run, parts, failures, timing)
         properties = _chosen(ready_properties(model), options.properties)
         if columns and (options.stop() or (ends is not None and time.monotonic() > ends)):
             break
@@ -169,7 +172,7 @@ def verify(
             if progress is not None:
                 progress(timing, failures, states, depth)
 
-        judged = judge(model, properties, timing, failures, Budget(options.states, left, options.stop, tell))
+        judged = judge(model, properties, Budget(options.states, left, options.memory, options.stop, tell))
         findings = tuple(_found(verdict, model, prepared, options, ends) for verdict in judged.verdicts)
         columns.append(Column(judged, findings))
         if column_done is not None:
