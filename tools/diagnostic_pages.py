@@ -23,6 +23,7 @@ ROOMS = {
     "primitives": "Constructors, robots and own parts",
     "world": "Worlds",
     "tutorial": "Tutorials",
+    "exercise": "Exercises",
     "compiler": "What a program means, and its graph",
     "mission": "Missions",
     "sim": "Starting a run",

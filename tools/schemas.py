@@ -16,6 +16,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from kitrobot.exercise.reading import EXERCISE
 from kitrobot.mission.reading import MISSION
 from kitrobot.primitives.constructors_xml import CONSTRUCTORS
 from kitrobot.primitives.robot_xml import ROBOT
@@ -26,6 +27,7 @@ from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes,
 FOLDER = Path(__file__).resolve().parents[1] / "src" / "kitrobot" / "primitives" / "schemas"
 TABLES = {
     "constructors": CONSTRUCTORS,
+    "exercise": EXERCISE,
     "mission": MISSION,
     "robot": ROBOT,
     "tutorial": TUTORIAL,

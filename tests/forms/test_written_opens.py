@@ -67,6 +67,8 @@ FULL = """<kitrobot version="1">
     <agent name="a"/>
   </breakpoint>
   <failure agent="a" at="1.5" kind="stall"/>
+  <property name="low" never="any a (Laps.EqualTo(9) &amp; Laps.EqualTo(8))"/>
+  <property name="up" after="any a (Laps.EqualTo(1))" eventually="all p (Laps.EqualTo(2))"/>
   <world version="1" name="own" width="1000" height="800.5">
     <wall x1="0" y1="0" x2="10" y2="10"/>
     <storehouse name="A" x="100" y="100" width="50" height="50" capacity="9" stock="3"/>

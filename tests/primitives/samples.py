@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from kitrobot.diagnostics import Diagnostic
+from kitrobot.exercise import read_exercise
 from kitrobot.graph import PROGRAM, Program
 from kitrobot.primitives import read_constructors, read_robot
 from kitrobot.tutorial import read_tutorial
@@ -51,6 +52,19 @@ TUTORIAL = """<tutorial version="1" start="x.krt">
 """
 
 
+EXERCISE = """<exercise version="1" start="x.krt" icon="square" seconds="60">
+  <label>A square ✓</label>
+  <help>Once around &lt; here.</help>
+  <seed value="1"/>
+  <seed value="7" hidden="yes"/>
+  <done points="2"><label>It ends</label><label xml:lang="fr">Il finit</label></done>
+  <draws corners="4" side="150"><label>A square</label></draws>
+  <parts most="12" hidden="yes"><label>At most 12 parts</label></parts>
+  <holds property="deadlock"><label>Never stuck</label></holds>
+</exercise>
+"""
+
+
 def read_programs(data: bytes, name: str) -> tuple[list[Program], list[Diagnostic]]:
     """The programs of a mission, as the mission's reader will find them."""
     reader = Reader(data, name)
@@ -65,6 +79,7 @@ KINDS: list[tuple[str, str, Read]] = [
     ("robot", ROBOT, read_robot),
     ("kitrobot", MISSION, read_programs),
     ("tutorial", TUTORIAL, read_tutorial),
+    ("exercise", EXERCISE, read_exercise),
 ]
 
 

@@ -7,7 +7,8 @@ import secrets
 import shutil
 import socket
 import threading
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ import pytest
 import uvicorn
 from fastapi import FastAPI
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+from playwright.sync_api import Error as PlaywrightError
 from starlette.types import Receive, Scope, Send
 
 from kitrobot.server import create_app
@@ -39,6 +41,29 @@ not there yet makes a description of the whole page."""
 
 LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if THOROUGH else [])]
 """Theme and language that axe looks at whole; it holds the contrast of every screen in every theme besides."""
+
+
+WHAT_A_PAGE_SHOWS = """() => {
+    const at = document.activeElement;
+    const places = ["banner", "said", "saved-state", "status"].map((id) => `[data-testid="${id}"]`);
+    const said = [...document.querySelectorAll([...places, '[role="dialog"]'].join())];
+    return [location.href, document.hasFocus() ? "has the focus" : "has no focus", at?.cloneNode(false).outerHTML ?? "",
+        ...said.map((one) => `${one.dataset.testid ?? "dialog"}: ${one.textContent}`)];
+}"""
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Of a test that failed, what its pages show goes into the report: it may not fail a second time."""
+    report = yield
+    browser = getattr(item, "funcargs", {}).get("browser")
+    if call.when == "call" and call.excinfo is not None and browser is not None:
+        for page in [page for context in browser.contexts for page in context.pages]:
+            with suppress(PlaywrightError):
+                report.sections.append(("a page shows", "\n".join(page.evaluate(WHAT_A_PAGE_SHOWS))))
+    return report
 
 
 @pytest.fixture(scope="session")

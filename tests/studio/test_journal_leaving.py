@@ -112,9 +112,10 @@ def test_what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(
     start: Start, mission: Path, context: BrowserContext
 ) -> None:
     page = start(mission).open(context)
-    wait_for(page, 5)
     held = []
+    # Before the edit: a request that is made while the browser begins to hold requests is told to nobody.
     page.route("**/api/mission", lambda route: held.append(route), times=1)
+    wait_for(page, 5)
     with page.expect_request("**/api/mission"):
         page.keyboard.press("Control+s")
     wait_for(page, 6)

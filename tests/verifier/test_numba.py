@@ -7,11 +7,23 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.verifier import Budget, Model, Timing, compiling, judge, ready_properties, take_apart
+from kitrobot.mission import AskedProperty, Form
+from kitrobot.verifier import (
+    Budget,
+    Model,
+    Timing,
+    asked_properties,
+    compiling,
+    judge,
+    ready_properties,
+    take_apart,
+    variables_asked,
+)
 from kitrobot.verifier.engines import PLAIN, Engine
 from kitrobot.verifier.exploring import Explored, explore
 from tests.effort import THOROUGH
 from tests.sim.building import transport
+from tests.verifier.test_asked import AT_A, LOADED
 
 pytestmark = pytest.mark.skipif(not THOROUGH, reason="compiles for a minute; KITROBOT_THOROUGH=1 does it")
 
@@ -31,7 +43,13 @@ def test_compiled_and_plain_give_the_same_numbers(
     compiled: Engine, carriers: int, timing: Timing, failures: int
 ) -> None:
     run = transport(stock=1, carriers=carriers)
-    parts = take_apart(run)
+    asked = [
+        AskedProperty("n", Form.NEVER, LOADED),
+        AskedProperty("a", Form.AFTER, LOADED, "any loader (StockA.GreaterThan(3))"),
+        AskedProperty("e", Form.EVENTUALLY, "any store-manager-B (Goal.EqualTo(1))"),
+        AskedProperty("s", Form.STAYS, LOADED, AT_A),
+    ]
+    parts = take_apart(run, variables_asked(run, asked))
 
     def made(engine: Engine) -> Explored:
         return explore(Model(run, parts, failures, timing), Budget(30_000), True, engine)
@@ -44,6 +62,8 @@ def test_compiled_and_plain_give_the_same_numbers(
     verdicts = []
     for engine in (PLAIN, compiled):
         model = Model(run, parts, failures, timing)
-        judged = judge(model, ready_properties(model), Budget(30_000), engine)
+        own, left_out = asked_properties(model, asked)
+        assert left_out == []
+        judged = judge(model, [*ready_properties(model), *own], Budget(30_000), engine)
         verdicts.append([(one.answer, one.way) for one in judged.verdicts])
     assert verdicts[0] == verdicts[1]

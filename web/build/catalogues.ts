@@ -11,7 +11,7 @@ type Forms = Partial<Record<Intl.LDMLPluralRule, string>>;
 /** So many counts are tried to find which form each plural rule of a language takes. */
 const COUNTS = 200;
 /** The English of an entry that is fetched later, as its reference says. */
-const LATER = /^#: en-later\.ts$/m;
+const LATER = /^#: en-later[a-z-]*\.ts$/m;
 
 export function catalogues(): Plugin {
   return {

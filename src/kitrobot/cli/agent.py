@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from contextlib import ExitStack
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -64,6 +65,7 @@ def run_agent(
     with_input: Annotated[
         bool, typer.Option("--with-input", hidden=True, help="Ends when its standard input does.")
     ] = False,
+    told: Annotated[bool, typer.Option("--told", hidden=True, help="Says it to who started it.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Give how it ended as one JSON object.")] = False,
 ) -> None:
     """Take part in a team as one of its agents, with a simulated body in the world of `kitrobot team`, or a real one.
@@ -84,33 +86,34 @@ def run_agent(
     from kitrobot.workspace import RunOptions, agent_program
 
     over = end_of_input() if with_input else None
-    prepared = prepare(file, RunOptions())
-    simulation = prepared.simulation
-    names = [agent.name for agent in simulation.members]
-    if name not in names:
-        raise KitRobotError(
-            Sentence("this mission has no agent `{agent}`", name),
-            did_you_mean(name, names) or Sentence("its agents: {names}", listed(names)),
-        )
-    secret = find_key(key)
-    if secret is None:
-        raise FleetError(
-            Sentence("an agent needs the key of its team"),
-            Sentence("give it with --key, the same file as that of `kitrobot team`"),
-        )
-    if not connect and not router:
-        raise FleetError(
-            Sentence("an agent needs to know where its team is"),
-            Sentence("give it with --connect, or with --router: what `kitrobot team` says it listens on"),
-        )
-    network = Network(
-        fleet or identity_of(simulation),
-        tuple(listen or own_endpoint(tls)),
-        tuple(router or connect or ()),
-        bool(router),
-        tls,
-    )
     with ExitStack() as stack:
+        say_so = stack.enter_context(_saying(name, told))
+        prepared = prepare(file, RunOptions())
+        simulation = prepared.simulation
+        names = [agent.name for agent in simulation.members]
+        if name not in names:
+            raise KitRobotError(
+                Sentence("this mission has no agent `{agent}`", name),
+                did_you_mean(name, names) or Sentence("its agents: {names}", listed(names)),
+            )
+        secret = find_key(key)
+        if secret is None:
+            raise FleetError(
+                Sentence("an agent needs the key of its team"),
+                Sentence("give it with --key, the same file as that of `kitrobot team`"),
+            )
+        if not connect and not router:
+            raise FleetError(
+                Sentence("an agent needs to know where its team is"),
+                Sentence("give it with --connect, or with --router: what `kitrobot team` says it listens on"),
+            )
+        network = Network(
+            fleet or identity_of(simulation),
+            tuple(listen or own_endpoint(tls)),
+            tuple(router or connect or ()),
+            bool(router),
+            tls,
+        )
         body = None
         if board is not None:
             program = agent_program(prepared.opened, name)
@@ -123,7 +126,7 @@ def run_agent(
             simulation,
             names.index(name),
             channel,
-            lambda sentence: say(name, sentence),
+            say_so,
             lambda: over is not None and over.is_set(),
             body,
         ).run()
@@ -138,6 +141,26 @@ def run_agent(
 def say(name: str, sentence: str) -> None:
     """A line of the log: the time of day, of whom it is ("": of the whole team), and what happened."""
     tell(f"{datetime.now():%H:%M:%S.%f}"[:-3] + f"  {f'{name}: ' if name else ''}{sentence}")
+
+
+@contextmanager
+def _saying(name: str, told: bool) -> Iterator[Callable[[str], None]]:
+    """How an agent says something: to people, or (`told`) to who started it, which hears why it failed too."""
+    if not told:
+        yield lambda sentence: say(name, sentence)
+        return
+    from kitrobot.fleet import Told, told_line
+
+    def write(one: Told) -> None:
+        with suppress(OSError):
+            sys.stdout.buffer.write(told_line(one))
+            sys.stdout.buffer.flush()
+
+    try:
+        yield lambda sentence: write(Told(sentence))
+    except KitRobotError as error:
+        write(Told(error.message, error.help, failed=True))
+        raise
 
 
 def own_endpoint(tls: Path | None) -> tuple[str, ...]:

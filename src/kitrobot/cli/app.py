@@ -30,6 +30,7 @@ from kitrobot.cli.deploy import deploy_program
 from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
+from kitrobot.cli.grade import grade_submissions
 from kitrobot.cli.log import show_log
 from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.output import NobodyReadsError, begin, complain, failure, give, remember, tell, use_utf8
@@ -67,6 +68,7 @@ app = typer.Typer(
 app.command("studio")(open_studio)
 app.command("run")(run_mission)
 app.command("verify")(verify_mission)
+app.command("grade")(grade_submissions)
 app.command("team")(run_team)
 app.command("agent")(run_agent)
 app.command("replay")(replay_trace)

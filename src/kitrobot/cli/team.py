@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 import signal
-import socket
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -19,11 +18,9 @@ from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence, did_you_mean, listed
 
 if TYPE_CHECKING:
-    from kitrobot.fleet import Agents, FleetRun, Network
+    from kitrobot.fleet import FleetRun
     from kitrobot.sim import Simulation
     from kitrobot.workspace import PreparedRun
-
-GATHER_S = 120.0
 
 
 def run_team(
@@ -56,7 +53,7 @@ def run_team(
     """
     from kitrobot.fleet import LEAST_LEASE_MS, MOST_LEASE_MS, Agents, FleetError, Network, identity_of
     from kitrobot.sim import MAX_SECONDS, MAX_SEED
-    from kitrobot.workspace import RunOptions, boards_of
+    from kitrobot.workspace import FleetPlan, FleetTold, RunOptions, boards_of, free_endpoint, run_fleet
 
     if not 0 < seconds <= MAX_SECONDS or seed > MAX_SEED:
         words = f"a run takes at most {MAX_SECONDS:.0f} seconds, and a seed is at most {MAX_SEED}"
@@ -86,62 +83,18 @@ def run_team(
             Sentence("agents that are started elsewhere need the key of this team"),
             Sentence("write a long random text into a file and give it to all with --key"),
         )
-    endpoints = tuple(router or listen or (f"{'tls' if tls else 'tcp'}/127.0.0.1:{_free_port()}",))
+    endpoints = tuple(router or listen or (free_endpoint(tls is not None),))
     network = Network(
         fleet or identity_of(simulation), () if router else endpoints, endpoints if router else (), bool(router), tls
     )
-    with Agents() as agents:
-        run = _Running(prepared, network, agents, lease, pace).run(
-            [name for name in names if name not in (elsewhere or ())], file, key, boards
-        )
+    here = [name for name in names if name not in (elsewhere or ())]
+    plan = FleetPlan(file, here, network, key, boards, lease, pace)
+    with Agents() as agents, emergency_stop() as pressed, recording(prepared) as on_step:
+        run = run_fleet(simulation, plan, agents, FleetTold(say, pressed.is_set, on_step))
     result = result_of(simulation, run)
     give(json_text(result) + "\n" if as_json else _summary(result))
     if run.outcome != "done":
         raise typer.Exit(130 if run.outcome == "stopped" else 1)
-
-
-class _Running:
-    """A fleet from its start to its end."""
-
-    def __init__(self, prepared: PreparedRun, network: Network, agents: Agents, lease: int, pace: float) -> None:
-        self.prepared = prepared
-        self.network = network
-        self.agents = agents
-        self.lease, self.pace = lease, pace
-
-    def run(self, names: Sequence[str], file: Path, key: Path | None, boards: Mapping[str, str]) -> FleetRun:
-        from kitrobot.fleet import TEAM_PROCESS, VARIABLE, Channel, TeamProcess, find_key, key_of, new_key
-
-        made = new_key()
-        secret = key_of(made, VARIABLE) if key is None else find_key(key)
-        assert secret is not None, "a file has a key, or none can be read from it"
-        channel = Channel(self.network, TEAM_PROCESS, secret)
-        try:
-            with emergency_stop() as pressed, recording(self.prepared) as on_step:
-                where = list(self.network.connect or self.network.listen)
-                say("", Sentence("the team is at {endpoints}", ", ".join(where)))
-                for name in names:
-                    words = ["agent", str(file), "--as", name, "--with-input", "--fleet", self.network.fleet]
-                    words += [w for at in where for w in ("--router" if self.network.router else "--connect", at)]
-                    words += ["--board", boards[name]] if name in boards else []
-                    words += ["--key", str(key)] if key is not None else []
-                    words += ["--tls", str(self.network.tls)] if self.network.tls is not None else []
-                    self.agents.start(name, words, {VARIABLE: made} if key is None else {})
-                team = TeamProcess(
-                    self.prepared.simulation,
-                    channel,
-                    self.lease,
-                    self.pace,
-                    say,
-                    self.agents.ended,
-                    pressed.is_set,
-                    on_step,
-                )
-                team.gather(GATHER_S)
-                say("", Sentence("all agents are there"))
-                return team.run()
-        finally:
-            channel.close()
 
 
 @contextmanager
@@ -211,10 +164,3 @@ def _summary(result: dict[str, Any]) -> str:
     if result["stopped_ms"]:
         lines.append(f"  stopped     all within {max(result['stopped_ms'].values())} ms")
     return "\n".join(lines) + "\n"
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
-        return port

@@ -19,22 +19,23 @@ _KINDS = (
     (stat.S_ISDIR, errno.EISDIR, Sentence("it is a folder, not a file")),
     (stat.S_ISFIFO, errno.EINVAL, Sentence("it is a pipe, not a file")),
     (stat.S_ISSOCK, errno.EINVAL, Sentence("it is a socket, not a file")),
+    (stat.S_ISLNK, errno.ELOOP, Sentence("it is a symbolic link, not a file")),
 )
 _TAKEN = {errno.EACCES, errno.EAGAIN, errno.EWOULDBLOCK, errno.EDEADLK}
 """What the system answers when somebody has the lock; anything else says that there are no locks to be had."""
 _DEVICE = Sentence("it is a device, not a file")
 
 
-def open_regular(path: Path) -> BinaryIO:
-    """A file for reading.
+def open_regular(path: Path, *, follow: bool = True) -> BinaryIO:
+    """A file for reading. Without `follow` a symbolic link is refused, where the system can tell.
 
     Raises:
         OSError: it cannot be opened, or is a folder, a pipe, a socket or a device; `strerror` says so.
         ValueError: no file can have that name.
     """
     # Looked at before too: opening some devices does something.
-    _look(os.stat(path), path)
-    handle = os.open(path, _FLAGS)
+    _look(os.stat(path, follow_symlinks=follow), path)
+    handle = os.open(path, _FLAGS if follow else _FLAGS | getattr(os, "O_NOFOLLOW", 0))
     try:
         _look(os.fstat(handle), path)
         return os.fdopen(handle, "rb")

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from kitrobot.files.examples import examples_folder, first_example
     from kitrobot.files.file_lock import FileLock
     from kitrobot.files.folder import (
+        EXERCISE_ENDING,
         NAME_NO_TEXT,
         RECORDING,
         RENAME,
@@ -77,6 +78,7 @@ else:
                 "NAME_NO_TEXT",
                 "RECORDING",
                 "RENAME",
+                "EXERCISE_ENDING",
                 "TUTORIAL_ENDING",
                 "ConflictError",
                 "MissionEntry",
@@ -95,6 +97,7 @@ else:
     )
 
 __all__ = [
+    "EXERCISE_ENDING",
     "LARGEST_FILE_BYTES",
     "LOCK_NAME",
     "NAME_NO_TEXT",

@@ -1,6 +1,6 @@
 """The missions of one folder, and the examples beside them: listed, read, saved; nothing outside can be reached.
 
-The tutorials of the folder and among the examples are named in the same way.
+The tutorials and exercises of the folder and among the examples are named in the same way.
 
 A mission is named by its path relative to the folder, with `/` between the parts; an example by `example:` and its
 path among the examples, and it is read-only. A name is followed through links before it is used, and refused when it
@@ -28,6 +28,7 @@ from kitrobot.text import Sentence, Word
 from kitrobot.trace import ENDING as TRACE_ENDING
 
 ENDING = ".krt"
+EXERCISE_ENDING = ".exercise.xml"
 TUTORIAL_ENDING = ".tutorial.xml"
 EXAMPLE = "example:"
 RECORDING = "recording:"
@@ -107,9 +108,19 @@ class MissionFolder:
 
     def tutorials(self) -> list[str]:
         """The names of the tutorials: those among the examples by path, then those of the folder."""
-        shipped = [EXAMPLE + path.relative_to(self.examples).as_posix() for path in _tutorials_below(self.examples)]
-        own = [path.relative_to(self.root).as_posix() for path in _tutorials_below(self.root, self.examples)]
-        return shipped + own
+        return self._shipped_and_own(TUTORIAL_ENDING)
+
+    def exercises(self) -> list[str]:
+        """The names of the exercises: those among the examples by path, then those of the folder."""
+        return self._shipped_and_own(EXERCISE_ENDING)
+
+    def _shipped_and_own(self, ending: str) -> list[str]:
+        shipped = _found_below(self.examples, None, ending)
+        own = _found_below(self.root, self.examples, ending)
+        return [
+            *(EXAMPLE + path.relative_to(self.examples).as_posix() for path in shipped),
+            *(path.relative_to(self.root).as_posix() for path in own),
+        ]
 
     def path_of(self, name: str, ending: str = ENDING) -> Path:
         """The file that a name leads to; it need not exist.
@@ -129,6 +140,7 @@ class MissionFolder:
             known = {
                 ENDING: Sentence("a mission"),
                 TUTORIAL_ENDING: Sentence("a tutorial"),
+                EXERCISE_ENDING: Sentence("an exercise"),
                 TRACE_ENDING: Sentence("a recording"),
             }
             what = known.get(ending, Sentence("a picture"))
@@ -278,10 +290,6 @@ def _conflict(what: str, name: str, before: str, now: str) -> ConflictError:
 
 def _missions_below(root: Path, without: Path | None = None) -> list[Path]:
     return _found_below(root, without, ENDING)
-
-
-def _tutorials_below(root: Path, without: Path | None = None) -> list[Path]:
-    return _found_below(root, without, TUTORIAL_ENDING)
 
 
 def _found_below(root: Path, without: Path | None, ending: str) -> list[Path]:

@@ -16,7 +16,7 @@ from kitrobot.graph import IN, NEXT
 
 _TAG = re.compile(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)"
-    r"""|<(?P<name>program|vertex|arc|agent|goal|role|group|work|world)(?P<attributes>(?:\s+[^\s=/>]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*/?>""",
+    r"""|<(?P<name>program|vertex|arc|agent|goal|role|group|work|world|property)(?P<attributes>(?:\s+[^\s=/>]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*/?>""",
     re.DOTALL,
 )
 _ATTRIBUTE = re.compile(r"""([^\s=]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
@@ -41,6 +41,7 @@ class Places:
         self._agents: dict[str, Place] = {}
         self._declarations: dict[str, Place] = {}
         self._goals: list[Place] = []
+        self._properties: dict[str, tuple[Place, dict[str, Place]]] = {}
         self.world: Place | None = None
         program = ""
         for match in _TAG.finditer(source.text):
@@ -64,6 +65,13 @@ class Places:
                     self._declarations.setdefault(words.get("name", ""), place)
                 case "goal":
                     self._goals.append(place)
+                case "property":
+                    begin = match.start("attributes")
+                    spots = {
+                        found[1]: source.place(begin + found.start(), begin + found.end())
+                        for found in _ATTRIBUTE.finditer(match["attributes"])
+                    }
+                    self._properties.setdefault(words.get("name", ""), (place, spots))
                 case "world":
                     self.world = self.world or place
 
@@ -82,6 +90,11 @@ class Places:
     def goal(self, index: int) -> Place | None:
         """Where the goal of that number, from 0, stands."""
         return self._goals[index] if index < len(self._goals) else None
+
+    def asked(self, name: str, attribute: str) -> Place | None:
+        """Where an attribute of a property stands; the property itself where it has none of that name."""
+        place, spots = self._properties.get(name, (None, {}))
+        return spots.get(attribute, place)
 
     def placed(self, diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
         """The diagnostics, those about vertices and arcs with their place in this file instead of one in the LLL."""

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from kitrobot.fleet.identity import identity_of
     from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
     from kitrobot.fleet.processes import Agents, end_of_input
+    from kitrobot.fleet.run_source import FleetSource
     from kitrobot.fleet.team_process import FleetRun, TeamProcess
+    from kitrobot.fleet.telling import Told, told_line
     from kitrobot.fleet.transport import Channel, Network
 else:
     # Hidden from mypy, which would take every name for one that there is.
@@ -31,7 +33,9 @@ else:
             "identity": ("identity_of",),
             "keys": ("VARIABLE", "find_key", "key_of", "new_key"),
             "processes": ("Agents", "end_of_input"),
+            "run_source": ("FleetSource",),
             "team_process": ("FleetRun", "TeamProcess"),
+            "telling": ("Told", "told_line"),
             "transport": ("Channel", "Network"),
         },
     )
@@ -49,8 +53,10 @@ __all__ = [
     "Ended",
     "FleetError",
     "FleetRun",
+    "FleetSource",
     "Network",
     "TeamProcess",
+    "Told",
     "charter_of",
     "end_of_input",
     "find_key",
@@ -58,4 +64,5 @@ __all__ = [
     "key_of",
     "new_key",
     "open_board",
+    "told_line",
 ]

@@ -10,28 +10,42 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
+
+from kitrobot.fleet.telling import MOST_LINE_BYTES, Told, read_told
 
 END_WITHIN_S = 3.0
 """How long processes have to end by themselves."""
 
 
 class Agents:
-    """Started agents by name; as a context, all of them have ended at its end."""
+    """Started agents by name; as a context, all of them have ended at its end.
 
-    def __init__(self) -> None:
+    Args:
+        heard: told, in a thread for each agent, its name and what it says. Without it their messages go where ours go.
+    """
+
+    def __init__(self, heard: Callable[[str, Told], None] | None = None) -> None:
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
+        self._heard = heard
+        self._listening: list[threading.Thread] = []
 
     def start(self, name: str, arguments: Sequence[str], environment: Mapping[str, str]) -> None:
-        """Starts the command line with these arguments for an agent; its messages go where ours go."""
-        self.processes[name] = subprocess.Popen(
-            [sys.executable, "-m", "kitrobot", *arguments],
+        """Starts the command line with these arguments for an agent."""
+        heard = self._heard
+        self.processes[name] = process = subprocess.Popen(
+            [sys.executable, "-m", "kitrobot", *arguments, *(["--told"] if heard is not None else [])],
             stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
+            stdout=subprocess.PIPE if heard is not None else subprocess.DEVNULL,
+            stderr=None if heard is None or os.environ.get("KITROBOT_DEBUG") else subprocess.DEVNULL,
             env={**os.environ, **environment},
             start_new_session=True,
         )
+        if heard is not None:
+            listening = threading.Thread(target=_listen, args=(name, process, heard), daemon=True, name=f"hears {name}")
+            self._listening.append(listening)
+            listening.start()
 
     def ended(self) -> dict[str, int]:
         """The status of each that has ended."""
@@ -54,6 +68,17 @@ class Agents:
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
+        for listening in self._listening:
+            listening.join(1.0)
+
+
+def _listen(name: str, process: subprocess.Popen[bytes], heard: Callable[[str, Told], None]) -> None:
+    assert process.stdout is not None
+    with process.stdout as lines:
+        while line := lines.readline(MOST_LINE_BYTES):
+            told = read_told(line)
+            if told is not None:
+                heard(name, told)
 
 
 def end_of_input() -> threading.Event:

@@ -63,6 +63,7 @@ class TeamProcess:
         has_ended: the names of agents whose processes this one started and that have ended.
         is_over: asked often whether the emergency stop was pressed.
         on_step: called after the first readings, and after each step.
+        on_there: told the name of an agent that says hello for the first time.
     """
 
     def __init__(
@@ -75,12 +76,14 @@ class TeamProcess:
         has_ended: Callable[[], dict[str, int]],
         is_over: Callable[[], bool],
         on_step: Callable[[Simulation], None],
+        on_there: Callable[[str], None] = lambda name: None,
     ) -> None:
         charter_of(simulation, lease_ms)
         self.simulation = simulation
         self.channel = channel
         self.lease, self.pace = lease_ms, pace
         self.say, self.has_ended, self.is_over, self.on_step = say, has_ended, is_over, on_step
+        self.on_there = on_there
         self.identity = identity_of(simulation)
         self.names = [agent.name for agent in simulation.members]
         self.lives: dict[int, int] = {}
@@ -127,6 +130,7 @@ class TeamProcess:
         known = self.lives.get(i)
         if known is None:
             self.lives[i] = 0
+            self.on_there(name)
         elif self.world is not None and self.world.links[i].heard_at + self.lease < now:
             self.lives[i] = known + 1
             self.world.restarted(now, i)

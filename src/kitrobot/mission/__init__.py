@@ -1,10 +1,11 @@
 """A `.krt` file as a whole: programs, team and world together."""
 
+from kitrobot.mission.asked import AskedProperty, Form
 from kitrobot.mission.breakdown import Breakdown, BreakdownRule
 from kitrobot.mission.model import ALL, VERSION, Agent, Goal, Mission, Team, image_name
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.reading import read_mission
-from kitrobot.mission.rules import AGENT_ROBOT, NO_PROGRAM
+from kitrobot.mission.rules import AGENT_ROBOT, NO_PROGRAM, PROPERTY
 from kitrobot.mission.trial import Breakpoint, Failure, FailureKind
 from kitrobot.mission.writing import SaveError, save, write_mission
 
@@ -12,13 +13,16 @@ __all__ = [
     "AGENT_ROBOT",
     "ALL",
     "NO_PROGRAM",
+    "PROPERTY",
     "VERSION",
     "Agent",
+    "AskedProperty",
     "Breakdown",
     "BreakdownRule",
     "Breakpoint",
     "Failure",
     "FailureKind",
+    "Form",
     "Goal",
     "Mission",
     "Radio",

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from kitrobot.graph import Program
 from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
+from kitrobot.mission.asked import AskedProperty
 from kitrobot.mission.breakdown import Breakdown
 from kitrobot.mission.radio import Radio
 from kitrobot.mission.trial import Breakpoint, Failure
@@ -85,7 +86,8 @@ class Mission:
 
     `label` is its title and `help` says in a sentence what happens, each by language, "" for English. `constructors`
     and `variables` are the parts that it brings along; `breakpoints` and `failures` say how it is tried out,
-    `breakdown` what becomes of robots that fail on a road. Without a `radio`, everybody hears everybody at once.
+    `breakdown` what becomes of robots that fail on a road, `properties` what is demanded of every run. Without a
+    `radio`, everybody hears everybody at once.
     """
 
     version: int = VERSION
@@ -102,6 +104,7 @@ class Mission:
     own_world: World | None = None
     radio: Radio | None = None
     breakdown: Breakdown = field(default_factory=Breakdown)
+    properties: list[AskedProperty] = field(default_factory=list)
 
     @property
     def crew(self) -> Crew | None:

@@ -9,6 +9,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.graph import PROGRAM, Program
 from kitrobot.lll import GroupDeclaration, RoleDeclaration, WorkDeclaration
 from kitrobot.mission import rules
+from kitrobot.mission.asked import PROPERTIES, AskedProperty
 from kitrobot.mission.breakdown import BREAKDOWN, the_breakdown
 from kitrobot.mission.declarations import DECLARATIONS
 from kitrobot.mission.migrations import migrate
@@ -119,6 +120,7 @@ MISSION = {
             **TEXTS,
             **OWN,
             **TRIAL,
+            **PROPERTIES,
             **RADIO,
             **BREAKDOWN,
             "program": PROGRAM,
@@ -168,6 +170,7 @@ def read_mission(data: bytes, name: str) -> tuple[Mission | None, list[Diagnosti
         message = Sentence("this mission has a radio already; this one is left out")
         element.report(rules.RADIO, message, help=Sentence("take one away"))
     mission.breakdown = the_breakdown(root)
+    mission.properties = root.distinct(AskedProperty, lambda asked: asked.name, "property")
     mission.unknown = [str(raw) for raw in root.found(_Unknown)]
     _check(mission, root)
     diagnostics = reader.diagnostics

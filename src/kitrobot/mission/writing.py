@@ -11,6 +11,7 @@ from pathlib import Path
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import replace_whole
 from kitrobot.graph import write_program
+from kitrobot.mission.asked import write_property
 from kitrobot.mission.breakdown import write_breakdown
 from kitrobot.mission.declarations import write_declarations
 from kitrobot.mission.model import Mission, Team
@@ -38,6 +39,7 @@ def write_mission(mission: Mission) -> bytes:
     if mission.radio is not None:
         lines.append(f"  {write_radio(mission.radio)}")
     lines += [f"  {line}" for line in write_breakdown(mission.breakdown)]
+    lines += [f"  {write_property(one)}" for one in mission.properties]
     if mission.own_world is not None:
         lines += [f"  {line}" for line in world_lines(mission.own_world)]
     elif mission.world_href:

@@ -17,6 +17,7 @@ from kitrobot.files import ConflictError, FileError, MissionNameError, ReadOnlyE
 from kitrobot.server import pages
 from kitrobot.server.board_routes import board_routes
 from kitrobot.server.deadlines import Deadlines
+from kitrobot.server.exercises import exercise_routes
 from kitrobot.server.fragments import routes as fragment_routes
 from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
 from kitrobot.server.image_routes import image_routes
@@ -40,11 +41,13 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.server.shapes.sent import ForgottenError
 from kitrobot.server.shapes.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
+from kitrobot.server.shapes.verification import VERIFY_MESSAGE_MODELS, VERIFY_REQUEST_MODELS
 from kitrobot.server.studio import Studio
 from kitrobot.server.sweeps import sweep_routes
 from kitrobot.server.texts import text_routes
 from kitrobot.server.trace_routes import trace_routes
 from kitrobot.server.tutorials import tutorial_routes
+from kitrobot.server.verifications import verify_routes
 from kitrobot.text import Sentence, Word
 
 ROUTERS = (
@@ -53,6 +56,7 @@ ROUTERS = (
     fragment_routes,
     run_routes,
     sweep_routes,
+    verify_routes,
     board_routes,
     journal_routes,
     text_routes,
@@ -60,6 +64,7 @@ ROUTERS = (
     parts_routes,
     image_routes,
     tutorial_routes,
+    exercise_routes,
     trace_routes,
 )
 """The requests, in the order that they are looked for."""
@@ -129,8 +134,10 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
     """The schema of all requests, with the shapes that travel over the WebSocket, which OpenAPI knows no place for."""
     if app.openapi_schema is None:
         schema = FastAPI.openapi(app)
-        models = [(model, "validation") for model in (*REQUEST_MODELS, *BOARD_REQUEST_MODELS, *SWEEP_REQUEST_MODELS)]
-        messages = (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS, *BOARD_MESSAGE_MODELS, *SWEEP_MESSAGE_MODELS)
+        of_work = (*SWEEP_REQUEST_MODELS, *VERIFY_REQUEST_MODELS)
+        models = [(model, "validation") for model in (*REQUEST_MODELS, *BOARD_REQUEST_MODELS, *of_work)]
+        messages = (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS, *BOARD_MESSAGE_MODELS)
+        messages += (*SWEEP_MESSAGE_MODELS, *VERIFY_MESSAGE_MODELS)
         models += [(model, "serialization") for model in messages]
         _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
         schema["components"]["schemas"] |= extra["$defs"]

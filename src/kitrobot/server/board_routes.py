@@ -34,15 +34,19 @@ from kitrobot.server.shapes import (
     BoardsLookRequest,
     BoardStartRequest,
     BoardStopRequest,
+    TeamCancelRequest,
+    TeamSendRequest,
     mission_from_shape,
     problem_shapes,
 )
 from kitrobot.server.studio import Studio
+from kitrobot.server.team_room import TEAM
 from kitrobot.text import Sentence
 from kitrobot.trace import ENDING
 
 if TYPE_CHECKING:
     from kitrobot.robots import BoardProgram
+    from kitrobot.workspace import OpenMission
 
 board_routes = APIRouter()
 _log = logging.getLogger("kitrobot.server")
@@ -113,7 +117,7 @@ class BoardSession:
         except ValidationError as error:
             self._refuse(subscriber, "", not_understood(error))
             return
-        address = "" if isinstance(request, BoardsLookRequest) else request.address
+        address = TEAM if isinstance(request, TeamSendRequest) else getattr(request, "address", "")
         try:
             await self._do(subscriber, request)
         except KitRobotError as error:
@@ -158,9 +162,18 @@ class BoardSession:
                 room.taken(subscriber.name, request.address).identify()
             case BoardForgetRequest():
                 await room.forget(room.taken(subscriber.name, request.address))
+            case TeamSendRequest():
+                opened = await asyncio.to_thread(self._opened, request)
+                folder = self._studio.folder.folders_of(request.path)[0]
+                await room.team.send(subscriber.name, opened, request.path, request.boards, folder)
+            case TeamCancelRequest():
+                room.team.cancel()
 
     def _program(self, request: BoardConnectRequest | BoardSendRequest) -> BoardProgram:
         from kitrobot.workspace import board_program
 
-        opened = self._studio.open(mission_from_shape(request.mission), request.path)
-        return board_program(opened, request.program, self._studio.folder.folders_of(request.path)[0])
+        folder = self._studio.folder.folders_of(request.path)[0]
+        return board_program(self._opened(request), request.program, folder)
+
+    def _opened(self, request: BoardConnectRequest | BoardSendRequest | TeamSendRequest) -> OpenMission:
+        return self._studio.open(mission_from_shape(request.mission), request.path)

@@ -32,9 +32,9 @@ class Gallery:
         self._kept: dict[str, _Kept] = {}
 
     def entries(self, studio: Studio) -> list[MissionEntryShape]:
-        """Every mission that can be opened; what a tutorial begins with is no example."""
+        """Every mission that can be opened; what a tutorial or an exercise begins with is no example."""
         found = studio.folder.missions()
-        starts = studio.tutorials.starts()
+        starts = studio.tutorials.starts() | studio.exercises.starts()
         own = [_plain(entry) for entry in found if not entry.example]
         examples = [self._example(studio, entry) for entry in found if entry.example and entry.path not in starts]
         return own + sorted(examples, key=_difficulty)

@@ -29,6 +29,7 @@ from kitrobot.server.shapes import (
     BoardPortsMessage,
     BoardsWelcomeMessage,
 )
+from kitrobot.server.team_room import TeamRoom
 from kitrobot.text import Sentence
 from kitrobot.translation import said_in
 
@@ -77,6 +78,7 @@ class Subscriber:
         self._line = line
         self._due = asyncio.Event()
         self._ports_due = False
+        self._team_due = False
         self._boards_due: dict[str, None] = {}
         self._own: deque[BaseModel] = deque([BoardsWelcomeMessage(you=name)], MOST_TOLD)
         self._due.set()
@@ -90,6 +92,11 @@ class Subscriber:
     def tell_ports(self) -> None:
         """The ports are others now."""
         self._ports_due = True
+        self._due.set()
+
+    def tell_team(self) -> None:
+        """Something about the team changed."""
+        self._team_due = True
         self._due.set()
 
     def tell_board(self, address: str) -> None:
@@ -106,12 +113,15 @@ class Subscriber:
                 self._own.clear()
                 ports, self._ports_due = self._ports_due, False
                 boards, self._boards_due = self._boards_due, {}
+                team, self._team_due = self._team_due, False
                 for message in own:
                     await self._line.send_text(message.model_dump_json())
                 if ports:
                     await self._line.send_text(self._room.ports_text())
                 for address in boards:
                     await self._line.send_text(self._room.board_text(address))
+                if team:
+                    await self._line.send_text(self._room.team.text())
                 await asyncio.sleep(FRAME_S)
 
     async def end(self) -> None:
@@ -124,7 +134,8 @@ class RobotRegistry:
     """The robots of one studio."""
 
     def __init__(self, links: RobotGateway) -> None:
-        self._links = links
+        self.links = links
+        self.team = TeamRoom(self)
         self._sessions: dict[str, RobotWorker] = {}
         self._subscribers: list[Subscriber] = []
         self._names = itertools.count(1)
@@ -141,6 +152,8 @@ class RobotRegistry:
         self._subscribers.append(subscriber)
         for address in self._sessions:
             subscriber.tell_board(address)
+        if self.team.standing.agents:
+            subscriber.tell_team()
         return subscriber
 
     async def leave(self, subscriber: Subscriber) -> None:
@@ -182,7 +195,7 @@ class RobotRegistry:
 
     async def _find_ports(self) -> None:
         try:
-            found = await asyncio.to_thread(self._links.list_ports)
+            found = await asyncio.to_thread(self.links.list_ports)
         except (KitRobotError, OSError) as error:
             _log.debug("the ports cannot be listed: %s", error)
             found = []
@@ -215,6 +228,8 @@ class RobotRegistry:
             self._let_go(found)
         if found is not None:
             return _mine(holder, found)
+        if address in self.team.addresses:
+            raise HeldError(Sentence("the team has `{robot}`", name), Sentence("stop the team first"))
         if len(self._sessions) >= MOST_BOARDS:
             raise BoardsError(
                 Sentence("this studio talks with {most} robots already", MOST_BOARDS),
@@ -228,7 +243,7 @@ class RobotRegistry:
             with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
                 loop.call_soon_threadsafe(self._changed, address)
 
-        session = self._sessions[address] = RobotWorker(address, name, holder, self._links, changed)
+        session = self._sessions[address] = RobotWorker(address, name, holder, self.links, changed)
         self._changed(address)
         return session
 
@@ -284,6 +299,8 @@ class RobotRegistry:
         for session in [*self._sessions.values()]:
             if address in ("", session.address):
                 session.stop()
+        if address in ("", *self.team.addresses):
+            self.team.stop()
 
     async def forget(self, session: RobotWorker) -> None:
         """Lets go of a robot."""
@@ -291,11 +308,27 @@ class RobotRegistry:
         await asyncio.to_thread(session.wait, CLOSE_WITHIN_S)
         self._let_go(session)
 
+    async def free(self, holder: str, address: str) -> None:
+        """Sees to it that nobody here talks with the robot at an address: the team is to have it.
+
+        Raises:
+            KitRobotError: there is no such port, or another page has it.
+        """
+        await self._name_of(address)
+        found = self._sessions.get(address)
+        if found is not None:
+            await self.forget(found if found.closing else _mine(holder, found))
+
     def _let_go(self, session: RobotWorker) -> None:
         if self._sessions.get(session.address) is session:
             del self._sessions[session.address]
             self._texts = {key: kept for key, kept in self._texts.items() if key[0] != session.address}
         self._changed(session.address)
+
+    def team_changed(self) -> None:
+        """All pages are told of the team."""
+        for subscriber in self._subscribers:
+            subscriber.tell_team()
 
     def _changed(self, address: str) -> None:
         for subscriber in self._subscribers:

@@ -197,7 +197,7 @@ class RobotWorker:
             if self.session.is_open and self._links.is_lost(error):
                 self._lose()
             else:
-                self._say(message=error.message, help=_way_out(error))
+                self._say(message=error.message, help=way_out(error))
         except Exception as error:
             # What a broken line or a strange robot brings about; the session goes on.
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
@@ -226,8 +226,8 @@ class RobotWorker:
             self._greet(program)
         except (KitRobotError, OSError) as error:
             self.session.close()
-            said = error if isinstance(error, KitRobotError) else _no_answer(self.name)
-            self._say(phase="closed", message=said.message, help=_way_out(said))
+            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
+            self._say(phase="closed", message=said.message, help=way_out(said))
 
     def _greet(self, program: BoardProgram | None) -> None:
         link = self._links.connect(self.address)
@@ -255,9 +255,9 @@ class RobotWorker:
             return
         except (KitRobotError, OSError) as error:
             self.session.close()
-            said = error if isinstance(error, KitRobotError) else _no_answer(self.name)
+            said = error if isinstance(error, KitRobotError) else no_answer(self.name)
             way = self._links.way(said)
-            self._say(phase="closed", progress=None, message=said.message, help=_way_out(said), way=way)
+            self._say(phase="closed", progress=None, message=said.message, help=way_out(said), way=way)
             return
         if then == "ready":
             self._stop()
@@ -347,7 +347,7 @@ def _fault_shape(fault: Fault, names: BoardNames | None) -> BoardFaultShape:
     )
 
 
-def _way_out(error: KitRobotError) -> str:
+def way_out(error: KitRobotError) -> str:
     """The help of an error, for somebody who has a panel with buttons and not a terminal."""
     if "`kitrobot " not in error.help and " --" not in error.help:
         return error.help
@@ -366,5 +366,6 @@ def _way_out(error: KitRobotError) -> str:
     )
 
 
-def _no_answer(name: str) -> KitRobotError:
+def no_answer(name: str) -> KitRobotError:
+    """The error of a robot that said nothing at all."""
     return KitRobotError(Sentence("`{robot}` does not answer", name), Sentence("look at its cable, then try again"))

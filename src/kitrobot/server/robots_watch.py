@@ -26,8 +26,6 @@ class RobotsWatch(RunOfRecords):
         KitRobotError: what a robot has is not of that mission, or its world cannot be read.
     """
 
-    real = True
-
     def __init__(self, robots: Mapping[str, RobotWorker], opened: OpenMission, changed: Callable[[], None]) -> None:
         boards, world = [], opened.world
         for name, worker in robots.items():
@@ -55,6 +53,11 @@ class RobotsWatch(RunOfRecords):
     def _heard(self, change: Change) -> None:
         if change.happening is not Happening.QUIET:
             self._changed()
+
+    @property
+    def real(self) -> bool:
+        """Real robots go on at their own pace."""
+        return True
 
     @property
     def mission(self) -> Mission:

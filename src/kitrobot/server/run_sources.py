@@ -1,20 +1,26 @@
-"""What a page's request begins: a simulated run, a recording that is played, real robots that are watched."""
+"""What a page's request begins: a simulated run, a recording that is played, real robots that are watched, a team of
+processes.
+"""
 
 from __future__ import annotations
 
 import asyncio
+import copy
 from collections.abc import Callable
 from contextlib import suppress
+from importlib.util import find_spec
 
 from starlette.requests import HTTPConnection
 
-from kitrobot.diagnostics import ProblemsError
+from kitrobot.diagnostics import KitRobotError, ProblemsError
+from kitrobot.mission import Mission
 from kitrobot.server.live_run import LiveRun
 from kitrobot.server.replay import Replay
 from kitrobot.server.routing import refuse_visitors, studio_of
 from kitrobot.server.shapes import (
     Beginning,
     BreakpointsRequest,
+    FleetRequest,
     ProblemsMessage,
     ReplayRequest,
     RobotsRequest,
@@ -25,7 +31,8 @@ from kitrobot.server.shapes import (
 )
 from kitrobot.server.studio import Studio
 from kitrobot.server.watched_run import WatchedRun
-from kitrobot.workspace import OpenMission, RunOptions
+from kitrobot.text import Sentence
+from kitrobot.workspace import OpenMission, PreparedRun, RunOptions
 
 
 async def run_of(
@@ -41,6 +48,9 @@ async def run_of(
         refuse_visitors(connection)
         opened = await asyncio.to_thread(_opened, studio, request)
         return _robots(studio, request, opened, wake)
+    if isinstance(request, FleetRequest):
+        refuse_visitors(connection)
+        return await _fleet(studio, request, wake)
     if isinstance(request, ReplayRequest):
         return await asyncio.to_thread(_replay, studio, request)
     return await asyncio.to_thread(_simulated, studio, request)
@@ -48,12 +58,12 @@ async def run_of(
 
 def come_with(request: Beginning) -> list[Steering]:
     """What a request asks of its run before its first step; what is at full speed may be over when the next comes."""
-    if isinstance(request, ReplayRequest | RobotsRequest) and request.breakpoints:
+    if isinstance(request, ReplayRequest | RobotsRequest | FleetRequest) and request.breakpoints:
         return [BreakpointsRequest(type="breakpoints", breakpoints=request.breakpoints)]
     return []
 
 
-def _opened(studio: Studio, request: StartRequest | RobotsRequest) -> OpenMission:
+def _opened(studio: Studio, request: StartRequest | RobotsRequest | FleetRequest) -> OpenMission:
     opened = studio.open(mission_from_shape(request.mission), request.path)
     opened.compiled  # noqa: B018 (here it holds nobody up)
     return opened
@@ -63,13 +73,55 @@ def _robots(studio: Studio, request: RobotsRequest, opened: OpenMission, wake: C
     """In the loop of the server, which knows the robots; whoever calls this off finds no run that hears them still."""
     from kitrobot.server.robots_watch import RobotsWatch
 
+    return RobotsWatch(studio.boards.together(request.holder, request.addresses), opened, _from_any_thread(wake))
+
+
+def _from_any_thread(wake: Callable[[], None]) -> Callable[[], None]:
     loop = asyncio.get_running_loop()
 
     def changed() -> None:
         with suppress(RuntimeError):  # the studio has ended meanwhile
             loop.call_soon_threadsafe(wake)
 
-    return RobotsWatch(studio.boards.together(request.holder, request.addresses), opened, changed)
+    return changed
+
+
+async def _fleet(studio: Studio, request: FleetRequest, wake: Callable[[], None]) -> WatchedRun | ProblemsMessage:
+    """Nothing is waited for once the fleet is made: whoever calls this off leaves none."""
+    if find_spec("zenoh") is None:
+        raise KitRobotError(
+            Sentence("a team as processes needs the package `{package}`", "eclipse-zenoh"),
+            Sentence("install it: {command}", "`pip install kitrobot[fleet]`"),
+        )
+    try:
+        prepared, mission = await asyncio.to_thread(_prepared, studio, request)
+    except ProblemsError as error:
+        return ProblemsMessage(problems=problem_shapes(error.diagnostics))
+    from kitrobot.server.fleet_run import FleetRunning, FleetWatch
+
+    team = studio.boards.team
+    boards = await team.claim(request.holder, prepared.opened, request.path, request.boards)
+    try:
+        drivers = studio.folder.folders_of(request.path)[0]
+        running = FleetRunning(team, prepared, boards, drivers, _from_any_thread(wake))
+        watch = FleetWatch(running, prepared, mission)
+    except BaseException:
+        team.release()
+        raise
+    running.start()
+    return watch
+
+
+def _prepared(studio: Studio, request: FleetRequest) -> tuple[PreparedRun, Mission]:
+    """The network is the radio of a fleet, whatever the mission says of one."""
+    from kitrobot.fleet import charter_of
+
+    opened = _opened(studio, request)
+    mission = copy.copy(opened.mission)
+    opened.mission.radio = None
+    prepared = opened.prepare(RunOptions(request.seed))
+    charter_of(prepared.simulation)
+    return prepared, mission
 
 
 def _replay(studio: Studio, request: ReplayRequest) -> WatchedRun:

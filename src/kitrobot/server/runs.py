@@ -5,8 +5,7 @@ a second: so many ticks as the pace asks for, computed in a thread so that nobod
 one binary frame with the poses and one JSON message with the rest. Requests are read meanwhile; they change the pace
 or set a flag and wake the task, so they take hold at its next round. A request that is not understood is answered
 with a sentence, one that comes too late (a pause after the end) is passed over.
-Real robots go on at their own pace: only what is shown of them is paused, and they are watched until the socket closes.
-
+Real robots and teams of processes go on at their own pace: only what is shown is paused.
 Other pages may watch a run (broadcast). A socket steers a run of its own or watches another's: who watches steers
 nothing, not even STOP, and when the page that steers is gone its run ends for all of them.
 """
@@ -237,6 +236,7 @@ class Session:
                 return
             self._watch = watch
             if self._stopping:
+                watch.stop()
                 await self._state(watch, "stopped")
             else:
                 path = "" if isinstance(request, ReplayRequest) else request.path

@@ -102,6 +102,7 @@ def _serve(place: Place, presence: Presence, bound: str, port: int | None, brows
     try:
         run_server(app, listening, ready)
     finally:
+        app.state.studio.boards.team.end()
         listening.close()
 
 

@@ -26,6 +26,7 @@ from kitrobot.server.robot_registry import RobotRegistry
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.workspace import (
+    Exercises,
     KeptPrograms,
     OpenMission,
     OpenTrace,
@@ -63,8 +64,8 @@ class Studio:
         self.journals = Journals(self.folder)
         self.first = self.folder.name_of(mission) if mission is not None else None
         self.runs = 0
-        self.sweeping = False
-        """Whether a fail sweep is on; as `runs`."""
+        self.at_work: set[str] = set()
+        """The kinds of work in the background that are on (`background_work`); as `runs`."""
         self.watches: dict[str, WatchedRun] = {}
         """The runs and recordings that are on, by their names."""
         self.broadcasts: dict[str, Broadcast] = {}
@@ -78,6 +79,7 @@ class Studio:
         """Held while a run is recorded once more: one at a time is quick enough."""
         self.gallery = Gallery()
         self.tutorials = Tutorials(self.folder)
+        self.exercises = Exercises(self.folder)
         self.programs = KeptPrograms()
         self._lock = threading.Lock()
         self._kept: dict[tuple[Path, ...], _Kept] = {}

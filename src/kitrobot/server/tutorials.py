@@ -26,11 +26,11 @@ def tutorials(studio: ThisStudio) -> list[TutorialShape]:
 def tutorial_watch(studio: ThisStudio, wanted: TutorialWatchShape) -> TutorialFitShape:
     """Holds a mission against the steps of a tutorial."""
     found = studio.tutorials.found(wanted.tutorial)
-    if found.tutorial is None:
+    if found.lesson is None:
         raise NoTutorialError(
             Sentence("this tutorial cannot be used any more"),
             Sentence("look at its file, or leave it"),
             tuple(found.problems),
         )
     mission = mission_from_shape(wanted.mission)
-    return TutorialFitShape(fits=watched(found.tutorial, mission, studio.parts_of(mission, wanted.path)))
+    return TutorialFitShape(fits=watched(found.lesson, mission, studio.parts_of(mission, wanted.path)))

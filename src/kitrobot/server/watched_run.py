@@ -33,8 +33,8 @@ class WatchedRun(ABC):
     """
 
     recording = False
-    real = False
-    """Whether real robots run: they go on whether this is gone on with or not, and their run never ends for good."""
+    fleet = False
+    """Whether its agents are processes."""
     follows = False
     """Whether it goes on to the latest tick each time, and not by the pace."""
 
@@ -50,6 +50,11 @@ class WatchedRun(ABC):
         self._portion = max(1, min(_TICKS_BETWEEN_LOOKS, _ROBOT_TICKS_BETWEEN_LOOKS // max(1, members)))
         self.hits: list[Hit] = []
         """Why `advance` came to an end before its time: who came to a breakpoint."""
+
+    @property
+    def real(self) -> bool:
+        """Whether it goes on by itself now, as real robots and fleets do; while it does, it does not end for good."""
+        return False
 
     @property
     def mission(self) -> Mission | None:
@@ -185,7 +190,9 @@ class WatchedRun(ABC):
 
     def started(self, run: str) -> StartedMessage:
         """The first message."""
-        return self._encoder.started(run, self._world, self._source.record(), self._source.abilities, self.recording)
+        first = self._source.record()
+        told = self._encoder.started(run, self._world, first, self._source.abilities, self.recording)
+        return told.model_copy(update={"fleet": self.fleet})
 
     def tell(self) -> tuple[bytes, dict[str, Any]]:
         """All poses, as `RunEncoder.frame` gives them, and what changed since the last time, in the shape of a

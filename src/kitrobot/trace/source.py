@@ -1,7 +1,9 @@
-"""Where a run comes from, as everybody sees it who shows, records or steers it: a simulation, a recording, real robots.
+"""Where a run comes from, as everybody sees it who shows, records or steers it: a simulation, a recording, real
+robots, a team of processes.
 
 A source stands at one tick of its run. `record` is the run there, `advance` and `seek` move it as far as its
-`abilities` allow. Sources: `sim.SimulationSource`, `RecordingSource`, `robots.RobotsRun`.
+`abilities` allow. Sources: `sim.SimulationSource`, `RecordingSource`, `robots.RobotsRun`,
+`fleet.FleetSource`.
 """
 
 from __future__ import annotations

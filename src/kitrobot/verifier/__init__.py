@@ -5,30 +5,40 @@ The model's programs are tables that the interpreter itself fills (`programs`). 
 was found (`timing`).
 """
 
+from kitrobot.verifier.asked import asked_properties, variables_asked
+from kitrobot.verifier.conditions import Asked, Member, PropertyError, ask
 from kitrobot.verifier.exploring import Budget
 from kitrobot.verifier.judging import Answer, Judged, Verdict, Way, judge
 from kitrobot.verifier.model import Model
 from kitrobot.verifier.parts import take_apart
 from kitrobot.verifier.programs import AbstractionError
 from kitrobot.verifier.properties import Property, ready_properties
-from kitrobot.verifier.replay import Confirmed, confirm
+from kitrobot.verifier.replay import Confirmed, Harm, befell, confirm
 from kitrobot.verifier.telling import told
 from kitrobot.verifier.timing import Timing
 
 __all__ = [
     "AbstractionError",
     "Answer",
+    "Asked",
     "Budget",
     "Confirmed",
+    "Harm",
     "Judged",
+    "Member",
     "Model",
     "Property",
+    "PropertyError",
     "Timing",
     "Verdict",
     "Way",
+    "ask",
+    "asked_properties",
+    "befell",
     "confirm",
     "judge",
     "ready_properties",
     "take_apart",
     "told",
+    "variables_asked",
 ]

@@ -12,7 +12,7 @@ from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.text import Sentence
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.bodies import MOST_GAPS
+from kitrobot.verifier.bodies import MOST_GAPS, TICKS, body
 from kitrobot.verifier.events import MOST_AT_ONCE
 from kitrobot.verifier.moments import P_USED, USED_PER_WORD
 from kitrobot.verifier.parts import Part
@@ -136,6 +136,19 @@ def build(
         events=[0] * 1024,
     )
     return tables, fields
+
+
+def first_body(part: Part, parts: Sequence[Part], at: Sequence[float]) -> int:
+    """How an agent on a road moves before the first step; `at`: where each is on its road, in mm."""
+    assert part.track is not None
+    zones, gaps, here = part.track.zones, part.track.gaps, at[part.agent.index]
+    zone, gap = zones.zone_at(here), gaps.beyond
+    if part.leader >= 0:
+        ahead = at[parts[part.leader].agent.index]
+        way = ahead - here + (zones.length_mm if ahead < here else 0)
+        is_around = ahead < here and zones.zone_at(ahead) == zone
+        gap = gaps.beyond + 1 if is_around else gaps.class_of(way - gaps.lengths_mm)
+    return body(0, 0, zone, gap, TICKS)
 
 
 def _static(

@@ -27,7 +27,8 @@ _OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False
 """Other threads go on beside, no division by zero can happen, and nothing is allocated (see `sim.compiling`)."""
 _CALLED: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 _INLINED = frozenset(
-    {"changed", "decode", "emit", "expand_interleaved", "find", "happen", "key_hash", "react", "tick_each"} | {"visit"}
+    {"changed", "decode", "emit", "expand_interleaved", "find", "happen", "key_hash", "react", "sensed"}
+    | {"tick_each", "visit"}
 )
 """What each state goes through. A call copies the places of all tables, so inlining these makes exploring twice as
 fast; inlining the others too makes compiling take longer and exploring no faster."""
@@ -131,8 +132,10 @@ def _samples() -> dict[str, tuple[Any, ...]]:
         "rehash": (g, 1, True),
         "repack": (g, 1, 1, words, words, True, True),
         "mark": (t, g, 1, 1, True, words, words, marks),
+        "observe": (t, g, 1, 1, True, 1, words),
+        "crossing": (g, 1, marks, marks),
         "search": (t, g, s, 1),
-        "reach": (g, marks, 1, numbers),
+        "reach": (g, marks, 1, numbers, 1, numbers),
         "sample": (g, numbers, marks, numbers),
         "way": (g, 1, 1, marks, numbers, numbers),
     }

@@ -18,10 +18,10 @@ class Engine(NamedTuple):
 
     Attributes:
         advance, expand, rehash, repack: of `visiting`.
-        mark: of `marking`.
+        mark, observe, crossing: of `marking`.
         search, reach, sample, way: of `fairness`.
         row: a list of numbers as the functions take it.
-        zeros, bytes: so many zeros, of 32 bits or of 8.
+        zeros, bytes, words: so many zeros, of 32 bits, of 8 or of 64.
         take: the same tables and graph as the functions take them, with room for so many states.
     """
 
@@ -30,6 +30,8 @@ class Engine(NamedTuple):
     rehash: Callable[..., None]
     repack: Callable[..., None]
     mark: Callable[..., int]
+    observe: Callable[..., int]
+    crossing: Callable[..., int]
     search: Callable[..., int]
     reach: Callable[..., int]
     sample: Callable[..., None]
@@ -37,6 +39,7 @@ class Engine(NamedTuple):
     row: Callable[[list[int]], Any]
     zeros: Callable[[int], Any]
     bytes: Callable[[int], Any]
+    words: Callable[[int], Any]
     take: Callable[[Tables, Graph, int], tuple[Tables, Graph]]
 
 
@@ -46,6 +49,8 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "rehash": visiting.rehash,
     "repack": visiting.repack,
     "mark": marking.mark,
+    "observe": marking.observe,
+    "crossing": marking.crossing,
     "search": fairness.search,
     "reach": fairness.reach,
     "sample": fairness.sample,
@@ -67,6 +72,7 @@ PLAIN = Engine(
     row=list,
     zeros=lambda size: array("i", bytes(4 * size)),
     bytes=bytearray,
+    words=lambda size: array("q", bytes(8 * size)),
     take=_as_lists,
 )
 
@@ -96,6 +102,7 @@ def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
         row=lambda numbers: np.array(numbers, np.int64),
         zeros=lambda size: np.zeros(size, np.int32),
         bytes=lambda size: np.zeros(size, np.uint8),
+        words=lambda size: np.zeros(size, np.int64),
         take=take,
     )
 

@@ -54,6 +54,8 @@ class Explored:
         expanded: how many of the states, from the first on, have all their steps.
         complete: whether there is no state beyond.
         seconds: how long it took.
+        breaks_off: asked whether time is up or it is stopped.
+        is_stopped: asked whether it is stopped.
     """
 
     model: Model
@@ -62,6 +64,7 @@ class Explored:
     complete: bool = False
     seconds: float = 0.0
     breaks_off: Callable[[], bool] = field(default=lambda: False)
+    is_stopped: Callable[[], bool] = field(default=lambda: False)
 
     def __len__(self) -> int:
         """How many states were reached."""
@@ -199,7 +202,7 @@ def explore(model: Model, budget: Budget, keeps_steps: bool, engine: Engine | No
     def breaks_off() -> bool:
         return budget.stop() or (ends is not None and time.monotonic() >= ends)
 
-    made = Explored(model, _fresh(), engines.PLAIN, breaks_off=breaks_off)
+    made = Explored(model, _fresh(), engines.PLAIN, breaks_off=breaks_off, is_stopped=budget.stop)
     with suppress(TooManyError):
         _begin(made, min(budget.states, MOST_STATES), keeps_steps)
         if engine is not None:

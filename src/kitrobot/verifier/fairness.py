@@ -251,12 +251,11 @@ def next_round(s: Search) -> Search:
     return s._replace(roots=s.rest, rest=s.roots)
 
 
-def reach(g: Graph, marks: Row, expanded: int, found: Row) -> int:
-    """Writes the states that can be reached from the first one through marked states; those are marked 2. How many."""
-    if not marks[0]:
-        return 0
-    found[0], marks[0] = 0, 2
-    count, at = 1, 0
+def reach(g: Graph, marks: Row, expanded: int, found: Row, count: int, before: Row) -> int:
+    """Writes behind the first `count` states, which are marked 2, those that can be reached from them through marked
+    states; those are marked 2 too. How many there are then; `before` says from where each was reached.
+    """
+    at = 0
     while at < count:
         state = found[at]
         at += 1
@@ -266,6 +265,7 @@ def reach(g: Graph, marks: Row, expanded: int, found: Row) -> int:
             target = g.targets[e]
             if marks[target] == 1:
                 marks[target] = 2
+                before[target] = state
                 found[count] = target
                 count += 1
     return count

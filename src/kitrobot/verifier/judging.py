@@ -12,7 +12,7 @@ from kitrobot.verifier.events import Event
 from kitrobot.verifier.exploring import Budget, Explored, explore
 from kitrobot.verifier.model import Model, State
 from kitrobot.verifier.properties import Property
-from kitrobot.verifier.rounds import fair_round, first_marked, holds_somewhere
+from kitrobot.verifier.rounds import fair_round, first_crossing, first_marked, first_where, holds_somewhere
 from kitrobot.verifier.timing import Timing
 
 
@@ -84,7 +84,8 @@ class Judged:
 
 def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: Engine | None = None) -> Judged:
     """Explores a model, of which nothing was explored yet, and judges properties by it."""
-    made = explore(model, budget, any(one.waits is not None for one in properties), engine)
+    keeps_steps = any(one.waits is not None or one.breaks is not None for one in properties)
+    made = explore(model, budget, keeps_steps, engine)
     first = made.came_first()
     verdicts = [_verdict(made, one, first) for one in properties]
     return Judged(
@@ -106,12 +107,15 @@ def _verdict(made: Explored, one: Property, first: dict[int, int]) -> Verdict:
         path = made.path(first[kind])
         last = next(n for n, (_, _, came) in enumerate(made.steps(path[-1])) if came >> kind & 1)
         return Verdict(one, Answer.BROKEN, _way_to(made, path, last))
-    way, is_sure = _endless(made, one)
+    way, is_sure = _sudden(made, one), True
+    if way is None:
+        way, is_sure = _endless(made, one)
     if way is not None:
         return Verdict(one, Answer.BROKEN, way)
-    if not made.complete or not is_sure:
+    in_question = _is_in_question(made, one, first)
+    if not made.complete or not is_sure or made.is_stopped():
         return Verdict(one, Answer.NOT_FINISHED)
-    return Verdict(one, Answer.HOLDS if _is_in_question(made, one, first) else Answer.VACUOUS)
+    return Verdict(one, Answer.HOLDS if in_question else Answer.VACUOUS)
 
 
 def _is_in_question(made: Explored, one: Property, first: dict[int, int]) -> bool:
@@ -123,6 +127,17 @@ def _is_in_question(made: Explored, one: Property, first: dict[int, int]) -> boo
     return one.concerned is not None and holds_somewhere(made, one.concerned)
 
 
+def _sudden(made: Explored, one: Property) -> Way | None:
+    """A run that breaks a property by a state, or by a step from one to another."""
+    if one.never is not None:
+        number = first_where(made, one.never)
+        return None if number < 0 else _way_to(made, made.path(number))
+    if one.breaks is not None:
+        number, step = first_crossing(made, *one.breaks)
+        return None if number < 0 else _way_to(made, made.path(number), step)
+    return None
+
+
 def _endless(made: Explored, one: Property) -> tuple[Way | None, bool]:
     """A run that breaks a property by standing still or by waiting for ever; whether all was looked through."""
     if one.is_wrong is not None:
@@ -130,11 +145,11 @@ def _endless(made: Explored, one: Property) -> tuple[Way | None, bool]:
         return (None if number < 0 else _way_to(made, made.path(number), repeats=True)), True
     if one.waits is None:
         return None, True
-    found, is_sure = fair_round(made, one.waits, one.from_start)
-    if not found:
+    lead, around, is_sure = fair_round(made, one)
+    if not around:
         return None, is_sure
-    path = made.path(found[0])
-    return _way_to(made, [*path, *found[1:]], repeats=True, first=len(path) - 1), True
+    path = [*made.path(lead[0]), *lead[1:]]
+    return _way_to(made, [*path, *around[1:]], repeats=True, first=len(path) - 1), True
 
 
 def _way_to(made: Explored, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1) -> Way:

@@ -57,8 +57,10 @@ def decode(t: Tables, x: int, y: int) -> None:
     now[t.fixed[FIELDS]] = loaded
 
 
-def react(t: Tables, i: int) -> int:
-    """What a tick of agent i can bring in the state of `now`: rows of `outcomes` (see `S_COUNT`)."""
+def sensed(t: Tables, i: int) -> int:
+    """All of the state of `now` that decides what a tick of agent i does, and what it reads and keeps: the key of its
+    reaction.
+    """
     fixed, now, agents = t.fixed, t.now, t.agents
     a = i * AGENT
     key = now[1 + i] | i << S_AGENT | t.shared[now[0] * fixed[SHARED_WIDTH] + G_STOCK + fixed[HOUSES] + i]
@@ -78,6 +80,12 @@ def react(t: Tables, i: int) -> int:
                 there &= ~now[fixed[FIELDS]]
             if there:
                 key |= 1 << S_VISITS + n
+    return key
+
+
+def react(t: Tables, i: int) -> int:
+    """What a tick of agent i can bring in the state of `now`: rows of `outcomes` (see `S_COUNT`)."""
+    key = sensed(t, i)
     keys = t.reaction_keys
     last = len(keys) - 1
     at = (key * MULTIPLIER & ALL_BITS) >> 31 & last

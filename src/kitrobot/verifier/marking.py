@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kitrobot.verifier.looking import decode, sensed
 from kitrobot.verifier.tables import Graph, Row, Tables
 
 FACT = 3
@@ -25,3 +26,21 @@ def mark(t: Tables, g: Graph, first: int, end: int, two: bool, facts: Row, truth
         marks[number] = 1 if holds else 0
         count += 1 if holds else 0
     return count
+
+
+def observe(t: Tables, g: Graph, first: int, end: int, two: bool, i: int, keys: Row) -> int:
+    """Writes for each of the states from `first` to before `end` what agent i senses and is (`sensed`); how many."""
+    for number in range(first, end):
+        decode(t, g.x[number], g.y[number] if two else 0)
+        keys[number - first] = sensed(t, i)
+    return end - first
+
+
+def crossing(g: Graph, expanded: int, before: Row, after: Row) -> int:
+    """The first state marked `before` out of which a step leads into one marked `after`; -1 for none."""
+    for state in range(expanded):
+        if before[state]:
+            for e in range(g.first_edge[state], g.first_edge[state + 1]):
+                if after[g.targets[e]]:
+                    return state
+    return -1

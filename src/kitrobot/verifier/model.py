@@ -17,8 +17,8 @@ from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.verifier import columns as v
-from kitrobot.verifier.bodies import FAILED, RUNS, TICKS, Inside, body, zone_of
-from kitrobot.verifier.building import Roads, build, check_size
+from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
+from kitrobot.verifier.building import Roads, build, check_size, first_body
 from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.growing import longer
 from kitrobot.verifier.packing import Layout, Widths
@@ -75,6 +75,13 @@ class Model:
         self._seen_tuples: list[list[tuple[int, ...]]] = [[] for _ in self.parts]
         self._changes = self._reactions = self._outcomes = 0
         self.failures = failures
+        loads, at = state.robots.ints[c.LOAD], [float(one) for one in state.robots.floats[c.AT]]
+        # The run may be gone on with before exploring begins.
+        self._first_shared = [*(int(one) for one in state.docks.stock), *(int(one) for one in state.shared.ints[0])]
+        self._first_insides = [
+            Inside(part.table.first, int(loads[part.agent.index]), idle_actuators(part), RUNS) for part in self.parts
+        ]
+        self._first_bodies = [first_body(part, self.parts, at) if part.track is not None else 0 for part in self.parts]
 
     # -- the first state
 
@@ -84,19 +91,13 @@ class Model:
         Raises:
             TooManyError: the mission is too large for a key.
         """
-        failures = self.failures
-        docks, shared = self.run.state.docks, self.run.state.shared.ints[0]
-        beds = self.run.state.robots.ints[c.LOAD]
         found = [
-            self.shared_number((failures, *(int(one) for one in docks.stock), *(int(one) for one in shared))),
-            *(
-                self.inside_number(i, Inside(part.table.first, int(beds[part.agent.index]), idle_actuators(part), RUNS))
-                for i, part in enumerate(self.parts)
-            ),
+            self.shared_number((self.failures, *self._first_shared)),
+            *(self.inside_number(i, inside) for i, inside in enumerate(self._first_insides)),
         ]
         for road, agents in enumerate(self.roads.agents):
             for k in range(self.roads.places):
-                self.t.made[k] = self._first_body(agents[k]) if k < len(agents) else 0
+                self.t.made[k] = self._first_bodies[agents[k]] if k < len(agents) else 0
             while (number := intern_conf(self.t, road)) < 0:
                 self.fill(int(self.t.regs[v.CODE]))
             found.append(number)
@@ -107,20 +108,6 @@ class Model:
                 x, y = self.layout.key((*found, 0))
             found.append(due)
         return tuple(found)
-
-    def _first_body(self, i: int) -> int:
-        part = self.parts[i]
-        at = self.run.state.robots.floats[c.AT]
-        assert part.track is not None
-        zones, gaps = part.track.zones, part.track.gaps
-        zone, gap = zones.zone_at(at[i]), gaps.beyond
-        if part.leader >= 0:
-            way = at[part.leader] - at[i]
-            if way < 0:
-                way += zones.length_mm
-            is_around = at[part.leader] < at[i] and zones.zone_at(at[part.leader]) == zone
-            gap = gaps.beyond + 1 if is_around else gaps.class_of(way - gaps.lengths_mm)
-        return body(0, 0, zone, gap, TICKS)
 
     # -- components
 
@@ -208,6 +195,25 @@ class Model:
             if number >= v.MOST_SEEN:
                 raise TooManyError
         return number
+
+    def cells(self, i: int, key: int) -> list[int]:
+        """The first cells of agent i as its program would find them where it senses this (`looking.sensed`): inputs,
+        then variables, each at its place. An input that may read anything is 0, and so is a variable that `take_apart`
+        was not told of.
+        """
+        part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
+        seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
+        layout = part.agent.machine.layout
+        found = [0] * layout.cells
+        for at, (sense, there) in enumerate(
+            zip(part.senses, self._around(i, key, seen[len(part.shared) :]), strict=True)
+        ):
+            found[1 + at] = read(inside, sense, there) or 0
+        for cell in layout.variables.values():
+            found[cell] = part.table.value(inside.local, cell)
+        for cell, value in zip(part.table.shared, seen, strict=False):
+            found[cell] = value
+        return found
 
     # -- filling
 

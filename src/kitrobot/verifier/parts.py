@@ -180,7 +180,7 @@ class _Builder:
         return Parts(parts, list(self.limits))
 
     def _limit(self, words: Sentence) -> None:
-        self.limits[str(words)] = None
+        self.limits[words] = None
 
     def _shared(self, agent: Agent) -> list[int]:
         return [self.numbers[one.name] for one in agent.robot.variables if one.shared]

@@ -8,13 +8,25 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
+from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.text import Sentence
 from kitrobot.verifier.bodies import Inside
 from kitrobot.verifier.events import SWINGS, What
 from kitrobot.verifier.model import Model, Shared
 from kitrobot.verifier.motion import Move
+
+
+class Watch(Protocol):
+    """Looks at a run of the simulator, whether it breaks a property."""
+
+    def after_step(self) -> bool:
+        """Whether the step that was just made broke it."""
+
+    def at_end(self) -> bool:
+        """Whether the run, which is over, broke it."""
 
 
 @dataclass(frozen=True)
@@ -40,10 +52,18 @@ class Stands:
     docks: tuple[int, ...]
 
 
+@dataclass(frozen=True)
+class Sensed:
+    """What is true of a state by what some agents would read and keep there, as their keys (`looking.sensed`)."""
+
+    agents: tuple[int, ...]
+    test: Callable[[tuple[int, ...]], bool]
+
+
 Fact = OfShared | OfAgent | Stands
 """What one component of a state says."""
-Condition = tuple[tuple[Fact, ...], ...]
-"""What is true of a state: all facts of one of these clauses."""
+Condition = tuple[tuple[Fact, ...], ...] | Sensed
+"""What is true of a state: all facts of one of these clauses, or what agents sense."""
 
 
 @dataclass(frozen=True)
@@ -59,6 +79,10 @@ class Property:
         from_start: whether only waiting since the first state counts.
         about, concerned: the events, or states, that the property is about; where none comes up, it is vacuous. Without
             both it always is in question.
+        never: what breaks it in any state.
+        breaks: what must hold before, and after, a step that breaks it.
+        since: from which states on waiting counts; of liveness only. None: from any, but see `from_start`.
+        watch: begins to look at a run of the simulator, where its events do not tell whether it breaks the property.
         seen_as: the events of the simulator (see `sim.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
     """
@@ -71,6 +95,10 @@ class Property:
     from_start: bool = False
     about: frozenset[Move | What] = frozenset()
     concerned: Condition | None = None
+    never: Condition | None = None
+    breaks: tuple[Condition, Condition] | None = None
+    since: Condition | None = None
+    watch: Callable[[Simulation], Watch] | None = None
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
 

@@ -56,16 +56,11 @@ def confirm(
         fresh: gives the run of a seed before its first step; it needs a time limit.
         stop: asked between two runs whether to give up.
     """
-    befell = [
-        (model.parts[event.agent].agent.name, _KINDS[event.what])
-        for step in way.steps
-        for event in step.events
-        if event.what in _KINDS
-    ]
-    if not befell:
+    wanted = befell(way, model)
+    if not wanted:
         tries: Iterator[tuple[int, tuple[Harm, ...]]] = ((seed, ()) for seed in range(1, SEEDS + 1))
     else:
-        tries = _moments(befell, fresh(1))
+        tries = _moments(wanted, fresh(1))
     for number, (seed, harms) in enumerate(tries):
         if number >= MOST_RUNS or stop():
             return None
@@ -73,6 +68,16 @@ def confirm(
         if tick >= 0:
             return Confirmed(seed, harms, tick)
     return None
+
+
+def befell(way: Way, model: Model) -> tuple[tuple[str, str], ...]:
+    """What befalls agents in a run of the model, in order: the agent's name, and what. `confirm` looks for no more."""
+    return tuple(
+        (model.parts[event.agent].agent.name, _KINDS[event.what])
+        for step in way.steps
+        for event in step.events
+        if event.what in _KINDS
+    )
 
 
 def _moments(befell: Sequence[tuple[str, str]], run: Simulation) -> Iterator[tuple[int, tuple[Harm, ...]]]:
@@ -87,6 +92,8 @@ def _moments(befell: Sequence[tuple[str, str]], run: Simulation) -> Iterator[tup
 def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm]) -> int:
     """The step in which a run broke the property; -1 if it did not."""
     left = list(harms)
+    watch = one.watch(run) if one.watch is not None else None
+    chunk = _CHUNK if watch is None else 1
     while run.outcome is None or left:
         if left and run.tick >= left[0].tick:
             harm = left.pop(0)
@@ -94,10 +101,12 @@ def _broken_at(one: Property, run: Simulation, harms: Sequence[Harm]) -> int:
             continue
         if run.outcome is not None:
             break
-        run.advance(min(_CHUNK, left[0].tick - run.tick) if left else _CHUNK)
-        found = _seen(one, run)
+        run.advance(min(chunk, left[0].tick - run.tick) if left else chunk)
+        found = _seen(one, run) if watch is None else run.tick if watch.after_step() else -1
         if found >= 0:
             return found
+    if watch is not None:
+        return run.tick if watch.at_end() else -1
     return run.tick if run.outcome in one.ends_as else -1
 
 

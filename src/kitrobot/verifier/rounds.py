@@ -8,16 +8,37 @@ from kitrobot.verifier import columns as v
 from kitrobot.verifier import fairness as f
 from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.exploring import Explored
-from kitrobot.verifier.properties import Condition, Fact, OfAgent, OfShared, Stands
+from kitrobot.verifier.properties import Condition, Fact, OfAgent, OfShared, Property, Sensed, Stands
 
 _STEPS = 500_000
 """Steps of a search until it is asked whether to break off; a quarter of a second, or some seconds of CPython."""
-_CHUNK = 100_000
+_CHUNK = 20_000
 
 
 def holds_somewhere(made: Explored, condition: Condition) -> bool:
     """Whether a condition holds in a state that was reached."""
     return sum(_mark(made, condition)[1]) > 0
+
+
+def first_where(made: Explored, condition: Condition) -> int:
+    """The first state in which a condition holds; -1 for none."""
+    marks, counts = _mark(made, condition)
+    return next((number for number in range(len(made)) if marks[number]), -1) if sum(counts) else -1
+
+
+def first_crossing(made: Explored, before: Condition, after: Condition) -> tuple[int, int]:
+    """The first state in which a condition holds and out of which a step leads into one in which another does, and
+    which of its steps that is; -1, -1 for none.
+    """
+    was, _ = _mark(made, before)
+    now, _ = _mark(made, after)
+    state = int(made.engine.crossing(made.graph, made.expanded, was, now))
+    if state < 0:
+        return -1, -1
+    first, end = int(made.graph.first_edge[state]), int(made.graph.first_edge[state + 1])
+    target = next(int(one) for one in made.graph.targets[first:end] if now[one])
+    wanted = made.state(target)
+    return state, next(n for n, (one, _, _) in enumerate(made.steps(state)) if one == wanted)
 
 
 def first_marked(made: Explored, condition: Condition) -> int:
@@ -29,6 +50,8 @@ def first_marked(made: Explored, condition: Condition) -> int:
 
 def _mark(made: Explored, condition: Condition) -> tuple[Any, list[int]]:
     """A mark for each state for which a condition holds, and how many there are in each part of the states."""
+    if isinstance(condition, Sensed):
+        return _mark_sensed(made, condition)
     facts: list[int] = []
     truths: list[int] = []
     for clause, all_of in enumerate(condition):
@@ -43,6 +66,31 @@ def _mark(made: Explored, condition: Condition) -> tuple[Any, list[int]]:
     for first in range(0, len(made), _CHUNK):
         end = min(first + _CHUNK, len(made))
         counts.append(int(engine.mark(made.model.t, made.graph, first, end, two, rows, table, marks)))
+    return marks, counts
+
+
+def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
+    """The same of what agents sense; where it is stopped, the states that were not looked at are left unmarked."""
+    engine, two, model = made.engine, made.model.layout.words == 2, made.model
+    marks, counts = engine.bytes(max(1, len(made))), []
+    columns = [engine.words(_CHUNK) for _ in condition.agents]
+    known: dict[tuple[int, ...], bool] = {}
+    for first in range(0, len(made), _CHUNK):
+        if made.is_stopped():
+            break
+        end = min(first + _CHUNK, len(made))
+        for i, keys in zip(condition.agents, columns, strict=True):
+            engine.observe(model.t, made.graph, first, end, two, i, keys)
+        count = 0
+        rows = zip(*(keys.tolist() for keys in columns), strict=True)
+        for number, row in zip(range(first, end), rows, strict=False):
+            holds = known.get(row)
+            if holds is None:
+                holds = known[row] = condition.test(row)
+            if holds:
+                marks[number] = 1
+                count += 1
+        counts.append(count)
     return marks, counts
 
 
@@ -64,28 +112,28 @@ def _truth(made: Explored, fact: Fact) -> tuple[int, list[int]]:
     return int(fixed[v.ROAD_FIELD]) + road, truth
 
 
-def fair_round(made: Explored, waits: Condition, from_start: bool) -> tuple[list[int], bool]:
-    """The states of a round in which a fair run waits for ever: where it begins, and those that follow, up to there
-    again; whether all was looked through.
+def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], bool]:
+    """The states of a run that waits for ever, of a property of liveness: from where waiting counts up to where the
+    round begins, through states that wait; that one and those that follow, up to there again; whether all was looked
+    through.
     """
+    assert one.waits is not None
     if not len(made):
-        return [], False
-    marks, counts = _mark(made, waits)
+        return [], [], False
+    marks, counts = _mark(made, one.waits)
     engine, graph = made.engine, made.graph
-    found = engine.zeros(len(made) + 1)
-    if from_start:
-        count = int(engine.reach(graph, marks, made.expanded, found))
-        wanted = 2
-    else:
-        count, wanted = 0, 1
-        if sum(counts):
-            for number in range(len(made)):
-                if marks[number]:
-                    found[count] = number
-                    count += 1
+    found, before = engine.zeros(len(made) + 1), engine.zeros(len(made) + 1)
+    count = 0
+    since = marks if one.since is None else _mark(made, one.since)[0]
+    if sum(counts):
+        for number in range(1 if one.from_start else len(made)):
+            if marks[number] and since[number]:
+                found[count], marks[number], before[number] = number, 2, -1
+                count += 1
+    count = int(engine.reach(graph, marks, made.expanded, found, count, before))
     if count == 0:
-        return [], True
-    search = _search(made, marks, wanted, found, count)
+        return [], [], True
+    search = _search(made, found, count)
     code = f.BUSY
     while True:
         code = engine.search(made.model.t, made.graph, search, _STEPS)
@@ -95,19 +143,23 @@ def fair_round(made: Explored, waits: Condition, from_start: bool) -> tuple[list
             try:
                 made.fill(int(made.model.t.regs[v.CODE]))
             except TooManyError:
-                return [], False
+                return [], [], False
             continue
         if code == f.DONE:
             search = f.next_round(search)
             if search.numbers[f.ROOTS] == 0:
-                return [], True
+                return [], [], True
         if made.breaks_off():
-            return [], False
+            return [], [], False
     first, top = int(search.numbers[f.FIRST]), int(search.numbers[f.TOP])
-    return _round(made, search.stack[first:top], search), True
+    around = _round(made, search.stack[first:top], search)
+    lead = [around[0]]
+    while int(before[lead[-1]]) >= 0:
+        lead.append(int(before[lead[-1]]))
+    return lead[::-1], around, True
 
 
-def _search(made: Explored, marks: Any, wanted: int, found: Any, count: int) -> f.Search:
+def _search(made: Explored, found: Any, count: int) -> f.Search:
     engine, size = made.engine, len(made) + 1
     colour = engine.zeros(size)
     for n in range(count):

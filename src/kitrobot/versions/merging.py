@@ -83,6 +83,7 @@ def merge_missions(base: Mission, ours: Mission, theirs: Mission) -> Merged:
             base.breakpoints, ours.breakpoints, theirs.breakpoints, _breakpoint_name, "the breakpoint at", choose
         ),
         "failures": _by_name(base.failures, ours.failures, theirs.failures, _failure_name, "the failure of", choose),
+        "properties": _by_name(base.properties, ours.properties, theirs.properties, _declared, "the property", choose),
         "variables": _by_name(base.variables, ours.variables, theirs.variables, _own_name, "the variable", choose),
     }
     rest = {

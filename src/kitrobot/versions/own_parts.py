@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import fields
 from typing import Any
 
-from kitrobot.mission import Breakpoint, Failure, Mission
+from kitrobot.mission import AskedProperty, Breakpoint, Failure, Mission
 from kitrobot.primitives import Constructor, OwnVariable, RobotObject
 from kitrobot.text import COMMA, Sentence, Series, Word
 
-TOLD_HERE = ("constructors", "variables", "breakpoints", "failures", "breakdown")
+TOLD_HERE = ("constructors", "variables", "breakpoints", "failures", "breakdown", "properties")
 """The fields of a mission whose differences are told here."""
 
 _TOLD_BY_OTHERS = ("name", "group", "role", "template", "methods")
@@ -23,10 +23,11 @@ def own_part_differences(before: Mission, after: Mission) -> Iterator[tuple[str,
     yield from _between("variable", _variables(before.variables), _variables(after.variables))
     yield from _between("breakpoint", _breakpoints(before), _breakpoints(after))
     yield from _between("failure", _failures(before), _failures(after))
+    yield from _between("property", _properties(before), _properties(after))
     if before.breakdown != after.breakdown:
         words = (before.breakdown.words, after.breakdown.words)
         yield "mission", Sentence("robots that fail on a road: {before} → {after}", *words)
-    for list_ in ("constructors", "variables", "breakpoints", "failures"):
+    for list_ in ("constructors", "variables", "breakpoints", "failures", "properties"):
         old, new = getattr(before, list_), getattr(after, list_)
         if old != new and sorted(map(repr, old)) == sorted(map(repr, new)):
             yield "order", Sentence("the mission's {what} stand in another order", Word(list_))
@@ -60,6 +61,10 @@ def _failures(mission: Mission) -> dict[str, Failure]:
     return {
         Sentence("the failure of {agent} at {seconds} s", one.agent, f"{one.at_s:g}"): one for one in mission.failures
     }
+
+
+def _properties(mission: Mission) -> dict[str, AskedProperty]:
+    return {Sentence("the property {name}", one.name): one for one in mission.properties}
 
 
 def _between(kind: str, old: dict[str, Any], new: dict[str, Any]) -> Iterator[tuple[str, str]]:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
     from kitrobot.workspace.executables import Executable, load_executable
     from kitrobot.workspace.execution import Executed, execute
+    from kitrobot.workspace.exercises import Exercises, FoundExercise, handed_in
+    from kitrobot.workspace.fleets import FleetPlan, FleetTold, files_for_agents, free_endpoint, run_fleet
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
     from kitrobot.workspace.opening import (
         NoProgramError,
@@ -34,7 +36,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.run_hints import advice
     from kitrobot.workspace.running import PreparedRun, Run, RunOptions, Timing
     from kitrobot.workspace.search_path import SearchPath
-    from kitrobot.workspace.team_boards import agent_program, boards_of, send_team
+    from kitrobot.workspace.team_boards import agent_program, boards_of, check_boards, send_team
     from kitrobot.workspace.traces import OpenTrace, is_trace, open_trace, parts_of, unpack
     from kitrobot.workspace.tutorials import FoundTutorial, Tutorials, watched
     from kitrobot.workspace.variables import VariableError, WantedVariable, make_variable
@@ -49,6 +51,7 @@ else:
             "conversion": ("ConversionError", "Converted", "convert"),
             "executables": ("Executable", "load_executable"),
             "execution": ("Executed", "execute"),
+            "fleets": ("FleetPlan", "FleetTold", "files_for_agents", "free_endpoint", "run_fleet"),
             "inputs": ("Change", "Inputs", "read_inputs"),
             "compile_cache": ("KeptPrograms",),
             "opening": (
@@ -69,8 +72,9 @@ else:
             "running": ("PreparedRun", "Run", "RunOptions", "Timing"),
             "variables": ("VariableError", "WantedVariable", "make_variable"),
             "worlds": ("FoundWorld", "read_world_file", "worlds_at_hand"),
-            "team_boards": ("agent_program", "boards_of", "send_team"),
+            "team_boards": ("agent_program", "boards_of", "check_boards", "send_team"),
             "traces": ("OpenTrace", "is_trace", "open_trace", "parts_of", "unpack"),
+            "exercises": ("Exercises", "FoundExercise", "handed_in"),
             "tutorials": ("FoundTutorial", "Tutorials", "watched"),
         },
     )
@@ -82,7 +86,11 @@ __all__ = [
     "Converted",
     "Executable",
     "Executed",
+    "Exercises",
     "FileReport",
+    "FleetPlan",
+    "FleetTold",
+    "FoundExercise",
     "FoundTutorial",
     "FoundWorld",
     "Inputs",
@@ -107,10 +115,14 @@ __all__ = [
     "agent_program",
     "board_program",
     "boards_of",
+    "check_boards",
     "check_file",
     "convert",
     "execute",
+    "files_for_agents",
     "find_robot",
+    "free_endpoint",
+    "handed_in",
     "is_trace",
     "load_board_program",
     "load_executable",
@@ -123,6 +135,7 @@ __all__ = [
     "read_inputs",
     "read_mission_data",
     "read_world_file",
+    "run_fleet",
     "send_program",
     "send_team",
     "state_at",

@@ -1,5 +1,5 @@
 """Every problem of a file, whatever its kind: missions, LLL texts, images, listings, and XML of robots, constructors,
-worlds, tutorials.
+worlds, tutorials, exercises.
 
 The kind is told by the ending or, for XML, by the first element. A file that cannot be read is a problem like the
 others, so looking at many files goes on after it.
@@ -13,6 +13,7 @@ from pathlib import Path
 
 from kitrobot.compiler import compile_text
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Severity, Source, rule
+from kitrobot.exercise import read_exercise
 from kitrobot.files import FileError, decode, read_bytes
 from kitrobot.lll import parse_any
 from kitrobot.primitives import Robot, load_catalogue, read_constructors, read_robot
@@ -28,7 +29,7 @@ UNKNOWN_KIND = rule(
     Severity.ERROR,
     "A file is of no kind that is known here",
     "Known are `.krt`, `.lll`, `.kri`, `.kra`, pictures that carry a mission (`.svg`, `.png`, `.pdf`), and XML whose"
-    " first element is <robot>, <constructors>, <world>, <tutorial> or <kitrobot>.",
+    " first element is <robot>, <constructors>, <world>, <tutorial>, <exercise> or <kitrobot>.",
 )
 UNUSABLE = rule(
     "image-unusable",
@@ -44,7 +45,7 @@ _FIRST_ELEMENT = re.compile(
 _BEGINNING = 100_000
 """Characters among which the first element is looked for."""
 
-_READERS = ("robot", "world", "constructors", "tutorial")
+_READERS = ("robot", "world", "constructors", "tutorial", "exercise")
 _LINE = re.compile(r"^.*?:([0-9]+): (.*)$", re.DOTALL)
 
 
@@ -164,12 +165,14 @@ def _xml(path: Path) -> FileReport:
         _, found = read_world(data, name)
     elif kind == "tutorial" or (kind not in _READERS and lower.endswith(".tutorial.xml")):
         _, found = read_tutorial(data, name)
+    elif kind == "exercise" or (kind not in _READERS and lower.endswith(".exercise.xml")):
+        _, found = read_exercise(data, name)
     elif kind == "constructors" or first is None or lower.endswith("constructors.xml"):
         _, found = read_constructors(data, name)
         found += _among_others(path, found)
     else:
         message = Sentence(
-            "expected <robot>, <constructors>, <world>, <tutorial> or <kitrobot>, found <{kind}>", kind[:40]
+            "expected <robot>, <constructors>, <world>, <tutorial>, <exercise> or <kitrobot>, found <{kind}>", kind[:40]
         )
         found = [UNKNOWN_KIND(message, source.place(first.start(1), first.end(1)))]
     return FileReport(path, tuple(found), (source,))

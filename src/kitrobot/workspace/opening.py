@@ -23,6 +23,7 @@ from kitrobot.mission import Agent, Mission, Team, image_name, read_mission
 from kitrobot.primitives import Catalogue, Robot
 from kitrobot.text import COMMA, Sentence, Series
 from kitrobot.workspace.program_report import ProgramReport, ProjectionReport, program_report, projection_report
+from kitrobot.workspace.property_check import property_problems
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
 from kitrobot.workspace.team import team_problems
@@ -176,6 +177,7 @@ class OpenMission:
         # Whoever names a part of the mission's own world that does not fit is not to blame for it.
         place = self.mission.own_world or self.world
         found += team_problems(self.mission, self.catalogue, place, self.places)
+        found += property_problems(self.mission, self.catalogue, self.places)
         for compiled in self.compiled.values():
             found += self.placed(compiled.diagnostics)
         teams = {one.name: self.compiled[one.name].program for one in self.mission.programs if one.level.is_team}

@@ -8,10 +8,7 @@ number: fields are sorted, and nothing that the clock on the wall decides is in 
 from __future__ import annotations
 
 import multiprocessing
-import os
 import queue
-import signal
-import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -35,11 +32,11 @@ from kitrobot.sim.sweep import (
     snapshots_at,
 )
 from kitrobot.text import Sentence
+from kitrobot.workspace.child_processes import MOST_JOBS, cores, end_with_parent
 from kitrobot.workspace.running import PreparedRun, Run
 
 OUTCOMES: Final[tuple[Outcome, ...]] = ("done", "failed", "stuck", "time")
 MOST_FIELDS: Final = 1_000_000
-MOST_JOBS: Final = 256
 
 _LOOK_S: Final = 0.2
 """How long nobody looks whether a sweep is to be broken off while no field ends, in seconds."""
@@ -210,12 +207,6 @@ def _task(
     return Task(Fault(agent, tick), snapshots[tick], tuple(range(agents)), tuple(moments[number:]))
 
 
-def cores() -> int:
-    """The cores that this process may use, at most `MOST_JOBS`."""
-    usable = getattr(os, "sched_getaffinity", None)
-    return max(1, min(MOST_JOBS, len(usable(0)) if usable is not None else os.cpu_count() or 1))
-
-
 def _run(
     prepared: PreparedRun,
     simulation: Simulation,
@@ -263,17 +254,9 @@ _here: list[Any] = []
 
 def _begin(parts: tuple[Any, ...], is_plain: bool, stop: Any) -> None:
     """In a process of the pool, once. Ctrl-C is the parent's, which says so to all; it ends when the parent is gone."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    end_with_parent()
     _here[:] = [Simulation(*parts), stop]
     _here[0].stays_plain = is_plain
-
-
-def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
 
 
 def _work(task: Task) -> list[Field]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from pathlib import Path
 
 from kitrobot import robots
 from kitrobot.compiler import Compiled, robot_of
@@ -21,8 +22,13 @@ class BoardsError(KitRobotError):
     """It cannot be so said which agent has which board."""
 
 
-def agent_program(opened: OpenMission, name: str) -> BoardProgram:
+def agent_program(opened: OpenMission, name: str, folder: Path | None = None) -> BoardProgram:
     """What an agent of a mission runs, made ready for a board that is a member of its team.
+
+    Args:
+        opened: the mission.
+        name: of the agent.
+        folder: where drivers of the user's own may lie; None: beside the mission.
 
     Raises:
         BoardsError: the mission has no such agent.
@@ -46,8 +52,8 @@ def agent_program(opened: OpenMission, name: str) -> BoardProgram:
     else:
         robot = robot_of(program, opened.catalogue)
         compiled = opened.compiled.get(program.name)
-    folder = opened.path.parent if opened.path is not None else None
-    ready = ready_program(program.name, robot, compiled, found, opened.all_sources, folder, member=True)
+    beside = folder or (opened.path.parent if opened.path is not None else None)
+    ready = ready_program(program.name, robot, compiled, found, opened.all_sources, beside, member=True)
     if opened.world is None or compiled is None:
         return ready
     return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
@@ -95,7 +101,7 @@ def boards_of(given: list[str], names: list[str]) -> Mapping[str, str]:
     Raises:
         BoardsError: something else is given, there is no such agent, or an agent or a port is given twice.
     """
-    found: dict[str, str] = {}
+    pairs = []
     for text in given:
         name, equal, port = (part.strip() for part in text.partition("="))
         if not (name and equal and port):
@@ -103,6 +109,18 @@ def boards_of(given: list[str], names: list[str]) -> Mapping[str, str]:
                 Sentence("`{text}` does not say which agent has which board", text),
                 Sentence("write it as AGENT=PORT, such as {example}", f"{names[0]}=/dev/ttyACM0"),
             )
+        pairs.append((name, port))
+    return check_boards(pairs, names)
+
+
+def check_boards(pairs: Iterable[tuple[str, str]], names: list[str]) -> Mapping[str, str]:
+    """The ports of agents, by name, of pairs of both.
+
+    Raises:
+        BoardsError: there is no such agent, or an agent or a port is given twice.
+    """
+    found: dict[str, str] = {}
+    for name, port in pairs:
         if name not in names:
             raise no_agent(name, names)
         if name in found:

@@ -16,7 +16,7 @@ from kitrobot.files import FileError, read_bytes, write_atomic
 from kitrobot.mission import Mission, read_mission
 from kitrobot.primitives import SHIPPED
 from kitrobot.text import Sentence
-from kitrobot.trace import ENDING, TraceError, TracePart, TraceReader
+from kitrobot.trace import ENDING, TraceError, TraceHeader, TracePart, TraceReader
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.world import EMPTY, World, read_world
 
@@ -78,7 +78,8 @@ def parts_of(opened: OpenMission) -> tuple[TracePart, ...]:
     """The XML files of robots and constructors that a mission uses and that do not come with KitRobot."""
     catalogue, programs = opened.catalogue, opened.mission.programs
     elements = {vertex.element for program in programs for vertex in program.vertices}
-    wanted = [catalogue.robot_files.get(program.target) for program in programs]
+    robots = {*(program.target for program in programs), *(agent.robot for agent in opened.mission.team.agents)}
+    wanted = [catalogue.robot_files.get(name) for name in sorted(robots)]
     wanted += [path for name, path in catalogue.constructor_files.items() if name in elements]
     paths = {path.resolve() for path in wanted if path is not None}
     parts = {}
@@ -106,9 +107,17 @@ def unpack(trace: OpenTrace, folder: Path) -> Path:
     Raises:
         FileError: it cannot be written.
     """
-    header = trace.reader.header
-    stem = re.sub(r"[\\/:*?\"<>|\x00-\x1f\x7f]", "-", trace.stem).strip(". ")[:100] or "recording"
-    href = trace.mission.world_href or EMPTY
+    return lay_out(trace.reader.header, trace.mission.world_href, trace.stem, folder)
+
+
+def lay_out(header: TraceHeader, world_href: str, stem: str, folder: Path) -> Path:
+    """Lays the mission of a run, its world and its XML files into a folder of its own, and gives the mission's file.
+
+    Raises:
+        FileError: it cannot be written.
+    """
+    stem = re.sub(r"[\\/:*?\"<>|\x00-\x1f\x7f]", "-", stem).strip(". ")[:100] or "recording"
+    href = world_href or EMPTY
     pieces = href.split("/")
     if all(_NAME.fullmatch(f"{one}.xml") for one in pieces) and not {".", ".."} & set(pieces):
         _write(folder / PurePosixPath(href), header.world)

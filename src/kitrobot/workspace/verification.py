@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from kitrobot.diagnostics import KitRobotError
@@ -19,19 +19,29 @@ from kitrobot.verifier import (
     Property,
     Timing,
     Verdict,
+    asked_properties,
+    befell,
     confirm,
     judge,
     ready_properties,
     take_apart,
     told,
+    variables_asked,
 )
-from kitrobot.workspace.running import PreparedRun, prepare
+from kitrobot.workspace.running import PreparedRun
 
 MOST_FAILURES = 3
 """Failures in one run at most."""
 
 Progress = Callable[[Timing, int, int, int], None]
 """Told now and then the assumption (timing, failures) and how many states there are, and how deep."""
+
+Runs = Callable[[int], Simulation]
+"""Gives the run of a seed before its first step; it has a time limit."""
+
+
+def _never() -> bool:
+    return False
 
 
 class VerificationError(KitRobotError):
@@ -59,17 +69,21 @@ class VerificationOptions:
     states: int = 1_000_000
     seconds: float | None = 60.0
     confirms: bool = True
-    stop: Callable[[], bool] = lambda: False
+    stop: Callable[[], bool] = _never
     memory: int | None = 2_000_000_000
 
 
 @dataclass(frozen=True)
 class Finding:
-    """A verdict, with the run of the simulator that confirms it where one was found, and the model's run in words."""
+    """A verdict, with the run of the simulator that confirms it where one was found, and the model's run in words.
+
+    `searched`: whether the simulator was looked through for such a run, or need not be.
+    """
 
     verdict: Verdict
     confirmed: Confirmed | None = None
     story: tuple[tuple[int, Sentence], ...] = ()
+    searched: bool = True
 
 
 @dataclass(frozen=True)
@@ -143,6 +157,16 @@ def _finding_json(finding: Finding, tick_ms: int) -> dict[str, Any]:
     return made
 
 
+def runs_of(parts: tuple[Any, ...]) -> Runs:
+    """The runs of a mission with any seed, from `PreparedRun.parts`."""
+
+    def run(seed: int) -> Simulation:
+        mission, world, images, catalogue, _, *more = parts
+        return Simulation(mission, world, images, catalogue, seed, *more)
+
+    return run
+
+
 def verify(
     prepared: PreparedRun,
     options: VerificationOptions,
@@ -155,15 +179,35 @@ def verify(
         VerificationError: there is no such property, or a number makes no sense.
         AbstractionError: the mission cannot be checked.
     """
+    return verify_runs(runs_of(prepared.parts()), prepared.options.seed, options, progress, column_done)
+
+
+def verify_runs(
+    runs: Runs,
+    seed: int,
+    options: VerificationOptions,
+    progress: Progress | None = None,
+    column_done: Callable[[Column], None] | None = None,
+) -> Verification:
+    """As `verify`, of a mission given by its runs; the model is made of the one with that seed.
+
+    `column_done` is told every column when it has been explored, and where something is broken once more when the
+    simulator was looked through.
+    """
     if not 0 <= options.failures <= MOST_FAILURES:
         raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
-    run = prepared.again()
-    parts = take_apart(run)
+    run = runs(seed)
+    asked = run.mission.properties
+    parts = take_apart(run, variables_asked(run, asked))
+    limits = list(parts.limits)
     ends = None if options.seconds is None else time.monotonic() + options.seconds
     columns: list[Column] = []
+    search = _Search(runs, options, ends)
     for failures, timing in _assumptions(options):
         model = Model(run, parts, failures, timing)
-        properties = _chosen(ready_properties(model), options.properties)
+        own, left_out = asked_properties(model, asked)
+        limits += [words for words in left_out if words not in limits]
+        properties = _chosen([*ready_properties(model), *own], options.properties)
         if columns and (options.stop() or (ends is not None and time.monotonic() > ends)):
             break
         left = None if ends is None else max(0.0, ends - time.monotonic())
@@ -173,11 +217,15 @@ def verify(
                 progress(timing, failures, states, depth)
 
         judged = judge(model, properties, Budget(options.states, left, options.memory, options.stop, tell))
-        findings = tuple(_found(verdict, model, prepared, options, ends) for verdict in judged.verdicts)
-        columns.append(Column(judged, findings))
+        column = Column(judged, tuple(_told(verdict, model, options) for verdict in judged.verdicts))
         if column_done is not None:
-            column_done(columns[-1])
-    return Verification(run.tick_ms, tuple(parts.limits), tuple(columns))
+            column_done(column)
+        if not all(finding.searched for finding in column.findings):
+            column = Column(judged, tuple(search.of(column.findings, model)))
+            if column_done is not None:
+                column_done(column)
+        columns.append(column)
+    return Verification(run.tick_ms, tuple(limits), tuple(columns))
 
 
 def _assumptions(options: VerificationOptions) -> Iterator[tuple[int, Timing]]:
@@ -200,19 +248,43 @@ def _chosen(properties: list[Property], names: Sequence[str]) -> list[Property]:
     return [one for one in properties if any(one.name == name or one.name.startswith(f"{name}-") for name in names)]
 
 
-def _found(
-    verdict: Verdict, model: Model, prepared: PreparedRun, options: VerificationOptions, ends: float | None
-) -> Finding:
+def _told(verdict: Verdict, model: Model, options: VerificationOptions) -> Finding:
+    """A verdict with its run in words."""
     if verdict.way is None:
         return Finding(verdict)
-    story = tuple(told(model, verdict.way))
-    if not options.confirms:
-        return Finding(verdict, None, story)
+    return Finding(verdict, None, tuple(told(model, verdict.way)), searched=not options.confirms)
 
-    def fresh(seed: int) -> Simulation:
-        return prepare(prepared.opened, replace(prepared.options, seed=seed)).simulation
 
-    def stop() -> bool:
-        return options.stop() or (ends is not None and time.monotonic() > ends)
+class _Search:
+    """Looks in the simulator for what is broken, once for what is broken alike; of the time that is left it takes a
+    quarter for each column.
+    """
 
-    return Finding(verdict, confirm(verdict.property, verdict.way, model, fresh, stop), story)
+    def __init__(self, runs: Runs, options: VerificationOptions, ends: float | None) -> None:
+        self._runs = runs
+        self._options = options
+        self._ends = ends
+        self._known: dict[object, Confirmed | None] = {}
+
+    def of(self, findings: Sequence[Finding], model: Model) -> Iterator[Finding]:
+        """The findings of a column, looked for."""
+        now = time.monotonic()
+        until = None if self._ends is None else now + max(0.0, self._ends - now) / 4
+        for finding in findings:
+            yield self._looked_for(finding, model, until)
+
+    def _looked_for(self, finding: Finding, model: Model, until: float | None) -> Finding:
+        verdict = finding.verdict
+        if finding.searched or verdict.way is None:
+            return finding
+        key = verdict.property.name, befell(verdict.way, model)
+        if key not in self._known:
+
+            def stop() -> bool:
+                return self._options.stop() or (until is not None and time.monotonic() > until)
+
+            confirmed = confirm(verdict.property, verdict.way, model, self._runs, stop)
+            if confirmed is None and stop():
+                return finding
+            self._known[key] = confirmed
+        return Finding(verdict, self._known[key], finding.story)

@@ -67,6 +67,14 @@ export interface Arc {
   at: string;
 }
 
+/** What is demanded of every run: see `kitrobot.mission.AskedProperty`. */
+export interface AskedProperty {
+  name: string;
+  form: "never" | "after" | "eventually" | "stays";
+  first: string;
+  second?: string;
+}
+
 /** Break off the sending; the robot keeps the program that it had. */
 export interface BoardCancelRequest {
   type: "cancel";
@@ -159,7 +167,10 @@ export interface BoardProgress {
   total: number;
 }
 
-/** A request that was not followed; `problems` are those of the program that was to be sent. */
+/**
+ * A request that was not followed; `problems` are those of the program that was to be sent. Of a team's requests
+ * `address` is `team`.
+ */
 export interface BoardRefusedMessage {
   type: "refused";
   address: string;
@@ -242,6 +253,25 @@ export interface Check {
   path: string;
 }
 
+/** One event of a run that breaks a property, and the step it is in. */
+export interface CheckedEvent {
+  step: number;
+  text: string;
+}
+
+/** One answer: see `kitrobot.workspace.background_check.Answered`. */
+export interface CheckedProperty {
+  name: string;
+  sentence: string;
+  answer: "holds" | "broken" | "not finished" | "vacuous";
+  steps: number;
+  repeats_from: number;
+  events: CheckedEvent[];
+  left_out: number;
+  confirmed: ConfirmingRun | null;
+  searched: boolean;
+}
+
 /** An offer that becomes a slot under that name; numbers with one name become one slot. */
 export interface Chosen {
   vertex: string;
@@ -267,6 +297,24 @@ export interface Claimed {
   name: string;
   records: string[];
   damaged: boolean;
+}
+
+/** What befell an agent in a run of the simulator. */
+export interface ConfirmingFailure {
+  agent: string;
+  at_s: number;
+  kind: "fail" | "stall" | "revive";
+}
+
+/**
+ * A run of the simulator that breaks a property: the run of the same mission with that seed and these failures on its
+ * schedule, which breaks it in step `tick`, at `seconds`.
+ */
+export interface ConfirmingRun {
+  seed: number;
+  tick: number;
+  seconds: number;
+  failures: ConfirmingFailure[];
 }
 
 /** The file is not what the page last saw; `revision` is what it is now. */
@@ -344,6 +392,28 @@ export interface ErrorMessage {
   ended: boolean;
 }
 
+/**
+ * An exercise; `start` is the mission it begins with, `seconds` how long each run may take, `seeds` are those of its
+ * runs. One that cannot be used has no goals but `problems`.
+ */
+export interface Exercise {
+  name: string;
+  start: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  icon: string;
+  seconds: number;
+  seeds: number[];
+  goals: ExerciseGoal[];
+  problems: Problem[];
+}
+
+/** A goal; `kind` is what it is decided from. */
+export interface ExerciseGoal {
+  label: Record<string, string>;
+  kind: "program" | "run" | "check";
+}
+
 /** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */
 export interface Failure {
   message: string;
@@ -363,6 +433,21 @@ export interface Fix {
   text: string;
   kind: "text" | "element" | "setting" | "unset" | "unwrap" | "before";
   name: string;
+}
+
+/**
+ * Run this mission as a team of processes, some of whose agents have a board: `holder` is the page's name among those
+ * with robots. It goes on in real time whatever is shown of it, and ends with this socket.
+ */
+export interface FleetRequest {
+  type: "fleet";
+  mission: Mission;
+  path: string;
+  holder: string;
+  boards: TeamBoard[];
+  seed: number;
+  speed: number;
+  breakpoints?: Breakpoint[];
 }
 
 /** A coloured part of the floor, by the points of its border, sampled like a road. */
@@ -419,6 +504,17 @@ export interface FragmentRequest {
 export interface Goal {
   storehouse: string;
   stock: string;
+}
+
+/**
+ * What came of a goal; `reached` is null where this piece says nothing of it. `seed` and `seconds` are the run and the
+ * moment that show what went wrong.
+ */
+export interface GoalVerdict {
+  reached: boolean | null;
+  why: string;
+  seed: number | null;
+  seconds: number | null;
 }
 
 /** A heading of the palette. */
@@ -483,6 +579,19 @@ export interface JournalAppend {
 /** How large the journal is now. */
 export interface JournalSize {
   bytes: number;
+}
+
+/** A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked. */
+export interface Judge {
+  exercise: string;
+  mission: Mission;
+  seed?: number | null;
+}
+
+/** What came of each goal, in order; `mission` is what was judged: the programs in the exercise's mission. */
+export interface Judged {
+  goals: GoalVerdict[];
+  mission: Mission;
 }
 
 /** Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601). */
@@ -562,6 +671,7 @@ export interface Mission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   breakdown?: Breakdown | null;
+  properties?: AskedProperty[];
   own_world?: OwnWorld | null;
   radio?: Radio | null;
   roles?: Role[];
@@ -1114,6 +1224,7 @@ export interface SentMission {
   breakpoints?: Breakpoint[];
   failures?: ScheduledFailure[];
   breakdown?: Breakdown | null;
+  properties?: AskedProperty[];
   own_world?: OwnWorld | null;
   radio?: Radio | null;
   roles?: Role[];
@@ -1215,8 +1326,9 @@ export interface StartedAgent {
 }
 
 /**
- * The run is on, or a recording of one. `abilities`: what can be done to it here. `watching`: another page steers it;
- * `another`: what runs there is not the mission that this page has open.
+ * The run is on, or a recording of one. `abilities`: what can be done to it here. `fleet`: its agents are processes,
+ * which go on whatever is shown of them. `watching`: another page steers it; `another`: what runs there is not the
+ * mission that this page has open.
  */
 export interface StartedMessage {
   type: "started";
@@ -1230,6 +1342,7 @@ export interface StartedMessage {
   abilities: ("force" | "set" | "seek" | "fail" | "step")[];
   recording: boolean;
   fail_rate: number;
+  fleet: boolean;
   watching: boolean;
   another: boolean;
 }
@@ -1302,14 +1415,6 @@ export interface SweepProgressMessage {
   total: number;
 }
 
-/** Why there is no map; `problems` are the errors of the mission, where it has some. */
-export interface SweepRefusedMessage {
-  type: "refused";
-  message: string;
-  help: string;
-  problems: Problem[];
-}
-
 /**
  * Run this mission once for each agent and moment at which that one fails. Everything else is as in a run's start: the
  * chosen field is the run of the same mission, seed and limit with that failure on its schedule.
@@ -1329,6 +1434,33 @@ export interface SweepStopRequest {
   type: "stop";
 }
 
+/**
+ * An agent of the team that programs were sent to, or that was started, last; `address` of its board, "" for none.
+ * `message` is what it said last, or (`failed`) what went wrong.
+ */
+export interface TeamAgent {
+  name: string;
+  address: string;
+  state: "idle" | "sending" | "sent" | "starting" | "there" | "ended";
+  progress: BoardProgress | null;
+  message: string;
+  help: string;
+  way: "" | "replace" | "fresh";
+  failed: boolean;
+}
+
+/** The board of an agent; `way`: what else may be done when its program is sent. */
+export interface TeamBoard {
+  agent: string;
+  address: string;
+  way?: "" | "replace" | "fresh";
+}
+
+/** Break off the sending to a team. */
+export interface TeamCancelRequest {
+  type: "team-cancel";
+}
+
 /** Roles, groups and agents under one name, and what happens when one of them fails. */
 export interface TeamGroup {
   name: string;
@@ -1338,10 +1470,36 @@ export interface TeamGroup {
   failure: "drop" | "substitute" | "abort";
 }
 
+/**
+ * The team of this studio as it stands; there is one at a time. `path` is the file of its mission. `stopped_ms`: within
+ * how many ms all agents said that they stand still, after the emergency stop; null before.
+ */
+export interface TeamMessage {
+  type: "team";
+  phase: "idle" | "sending" | "starting" | "running" | "stopping";
+  path: string;
+  agents: TeamAgent[];
+  message: string;
+  help: string;
+  failed: boolean;
+  stopped_ms: number | null;
+}
+
 /** A team as it stands: its members, and where some of them wait. */
 export interface TeamNow {
   members: Member[];
   meetings: Meeting[];
+}
+
+/**
+ * Put the programs of a team's agents onto their boards, which then wait for the team to be started. When one of them
+ * cannot be made, nothing is sent.
+ */
+export interface TeamSendRequest {
+  type: "team-send";
+  mission: Mission;
+  path: string;
+  boards: TeamBoard[];
 }
 
 /** The canonical text of a `.krt`. */
@@ -1427,6 +1585,50 @@ export interface VariableAsk {
   shared: boolean;
 }
 
+/** The answers under one assumption. They come once more when the simulator was searched for what is broken. */
+export interface VerifyColumnMessage {
+  type: "column";
+  timing: "lockstep" | "prompt" | "free";
+  failures: number;
+  states: number;
+  depth: number;
+  complete: boolean;
+  seconds: number;
+  properties: CheckedProperty[];
+}
+
+/** The check is over; what is taken for granted in its answers. */
+export interface VerifyEndMessage {
+  type: "end";
+  limits: string[];
+}
+
+/** How far the check is under one assumption: see `kitrobot.workspace.background_check.Explored`. */
+export interface VerifyProgressMessage {
+  type: "progress";
+  timing: "lockstep" | "prompt" | "free";
+  failures: number;
+  states: number;
+  depth: number;
+  seconds: number;
+  memory: number;
+}
+
+/** Check this mission, with up to so many failures, for so many seconds of the clock on the wall. */
+export interface VerifyStartRequest {
+  type: "start";
+  mission: Mission;
+  path: string;
+  seed: number;
+  failures?: number;
+  seconds: number;
+}
+
+/** Break the check off; what was found until then is told. */
+export interface VerifyStopRequest {
+  type: "stop";
+}
+
 /**
  * A program element: `element` is Start, Stop, a constructor's name, or `Object.Method`. `settings` holds what was
  * typed into number and text slots, or parameters, by name. `unknown` keeps, word for word, XML inside the vertex that
@@ -1464,6 +1666,14 @@ export interface Work {
   lease?: number | null;
 }
 
+/** Why nothing came of it; `problems` are the errors of the mission, where it has some. */
+export interface WorkRefusedMessage {
+  type: "refused";
+  message: string;
+  help: string;
+  problems: Problem[];
+}
+
 /** The place of a mission. */
 export interface World {
   name: string;
@@ -1499,6 +1709,7 @@ export type RunRequest =
   | StartRequest
   | ReplayRequest
   | RobotsRequest
+  | FleetRequest
   | WatchRequest
   | PauseRequest
   | ResumeRequest

@@ -7,9 +7,11 @@
 import { accessibility } from "../features/accessibility";
 import { arena } from "../features/arena";
 import { canvas } from "../features/canvas";
+import { check } from "../features/check";
 import { code } from "../features/code";
 import { customBlocks } from "../features/custom-blocks";
 import { debug } from "../features/debug";
+import { exercise } from "../features/exercise";
 import { exporting } from "../features/export";
 import { gallery } from "../features/gallery";
 import { importFiles } from "../features/import-files";
@@ -37,10 +39,12 @@ export const FEATURES: readonly Feature[] = [
   team,
   run,
   sweep,
+  check,
   robots,
   world,
   gallery,
   tutorial,
+  exercise,
   importFiles,
   exporting,
   accessibility,

@@ -32,6 +32,7 @@ export type {
   Report,
   Robot,
   RobotObject,
+  AskedProperty,
   Breakdown,
   Radio,
   Role,

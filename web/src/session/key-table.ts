@@ -49,6 +49,7 @@ export const PAGE_KEYS = {
   world: { chords: ["Alt+W"], says: "world.open", typing: true },
   robots: { chords: ["Alt+R"], says: "boards.panel", typing: true },
   variable: { chords: ["Alt+V"], says: "variable.new", typing: true },
+  check: { chords: ["Alt+C"], says: "run.check", typing: true },
   outline: { chords: ["F4"], says: "help.keys-outline", typing: true },
   part: { chords: ["F1"], says: "help.keys-part", typing: true },
   shortcuts: { chords: ["?"], says: "help.keys-this" },

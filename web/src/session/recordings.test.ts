@@ -29,6 +29,7 @@ const STARTED: StartedMessage = {
   abilities: ["seek", "step"],
   recording: true,
   fail_rate: 0.25,
+  fleet: false,
   watching: false,
   another: false,
 };

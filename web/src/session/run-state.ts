@@ -1,5 +1,5 @@
 /** What the page knows of a run, and what can be asked of it. */
-import type { RobotsRequest, StartRequest, TeamNow } from "../api/generated";
+import type { FleetRequest, RobotsRequest, StartRequest, TeamNow } from "../api/generated";
 import type { Failure } from "../api/socket";
 import type { Ability, AgentReport, Harm, Hit, RunEvent, StartedAgent } from "../api/wire";
 import type { Breakpoint, Mission, Problem, World } from "../model/types";
@@ -8,6 +8,9 @@ export type RunStatus =
   "idle" | "connecting" | "running" | "paused" | "done" | "failed" | "stuck" | "time" | "stopped" | "end";
 
 export interface RunAgent extends StartedAgent, AgentReport {}
+
+/** What the page has chosen for any run that goes on by itself. */
+type Chosen = "speed" | "breakpoints";
 
 export interface RunState {
   status: RunStatus;
@@ -48,6 +51,8 @@ export interface RunState {
   recording: boolean;
   /** Whether real robots run: they go on at their own pace, whatever is shown of them. */
   real: boolean;
+  /** Whether a team of processes runs: it goes on at its own pace, too. */
+  isFleet: boolean;
   /** Whether another page steers it. */
   watching: boolean;
   /** While watching: whether what runs there is not the mission that is open here. */
@@ -56,8 +61,11 @@ export interface RunState {
   start: (what: { mission: Mission; path: string }, like?: Partial<StartRequest>) => void;
   /** Plays a recording that was opened, of this mission. */
   replay: (what: { mission: Mission; recording: string; breakpoints: Breakpoint[] }) => void;
-  /** Watches and steers real robots that this page, by its name among those with robots, holds. */
-  robots: (what: Pick<RobotsRequest, "path" | "holder" | "addresses"> & { mission: Mission }) => void;
+  /**
+   * Watches and steers real robots that this page, by its name among those with robots, holds; or runs the mission as a team
+   * of processes.
+   */
+  robots: (what: Omit<RobotsRequest, Chosen | "type"> | Omit<FleetRequest, Chosen>) => void;
   /** Watches a run of this mission that another page steers. */
   watch: (what: { mission: Mission; run: string }) => void;
   pause: () => void;

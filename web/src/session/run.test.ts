@@ -48,6 +48,7 @@ const STARTED: StartedMessage = {
   abilities: ["fail", "force", "seek", "set", "step"],
   recording: false,
   fail_rate: 0,
+  fleet: false,
   watching: false,
   another: false,
 };

@@ -48,6 +48,7 @@ const NOTHING = {
   watching: false,
   another: false,
   real: false,
+  isFleet: false,
 };
 
 let socket: RunSocket | null = null;
@@ -92,6 +93,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
         abilities: message.abilities,
         recording: message.recording,
         real: !message.recording && areReal(message.agents),
+        isFleet: message.fleet,
         watching: message.watching,
         another: message.another,
         failRate: message.fail_rate,
@@ -115,6 +117,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
     case "state":
       return {
         status: message.status,
+        isFleet: state.isFleet && isLive(message.status),
         tick: message.tick,
         seconds: message.seconds,
         sentence: message.sentence,
@@ -247,9 +250,9 @@ export const useRun = create<RunState>((set, get) => ({
     const { seed, speed, failRate } = get();
     connect(mission, { type: "start", mission, path, seed, speed, fail_rate: failRate, ...like });
   },
-  robots: ({ mission, ...robots }) => {
+  robots: (what) => {
     const { breakpoints = [] } = useStudio.getState().mission;
-    connect(mission, { type: "robots", mission, speed: get().speed, breakpoints, ...robots });
+    connect(what.mission, { type: "robots", speed: get().speed, breakpoints, ...what });
   },
   watch: ({ mission, run }) => connect(mission, { type: "watch", run, mission }),
   replay: ({ mission, recording, breakpoints }) =>

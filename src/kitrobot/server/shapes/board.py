@@ -19,6 +19,22 @@ Address = Annotated[str, Field(min_length=1, max_length=200)]
 Name = Annotated[str, Field(max_length=200)]
 
 
+MOST_TEAM_BOARDS = 64
+BoardWay = Literal["", "replace", "fresh"]
+"""With what a sending that was refused can be asked for again."""
+
+
+class TeamBoardShape(BaseModel):
+    """The board of an agent; `way`: what else may be done when its program is sent."""
+
+    agent: Name
+    address: Address
+    way: BoardWay = ""
+
+
+TeamBoards = Annotated[list[TeamBoardShape], Field(max_length=MOST_TEAM_BOARDS)]
+
+
 class BoardsLookRequest(BaseModel):
     """Tell which ports there are, and what is plugged in or out, from now on; or no more."""
 
@@ -90,6 +106,23 @@ class BoardForgetRequest(BaseModel):
     address: Address
 
 
+class TeamSendRequest(BaseModel):
+    """Put the programs of a team's agents onto their boards, which then wait for the team to be started. When one of
+    them cannot be made, nothing is sent.
+    """
+
+    type: Literal["team-send"]
+    mission: MissionShape
+    path: str
+    boards: TeamBoards
+
+
+class TeamCancelRequest(BaseModel):
+    """Break off the sending to a team."""
+
+    type: Literal["team-cancel"]
+
+
 BOARD_REQUEST_MODELS: tuple[type[BaseModel], ...] = (
     BoardsLookRequest,
     BoardConnectRequest,
@@ -99,6 +132,8 @@ BOARD_REQUEST_MODELS: tuple[type[BaseModel], ...] = (
     BoardStopRequest,
     BoardIdentifyRequest,
     BoardForgetRequest,
+    TeamSendRequest,
+    TeamCancelRequest,
 )
 BoardRequest = Annotated[
     BoardsLookRequest
@@ -108,7 +143,9 @@ BoardRequest = Annotated[
     | BoardStartRequest
     | BoardStopRequest
     | BoardIdentifyRequest
-    | BoardForgetRequest,
+    | BoardForgetRequest
+    | TeamSendRequest
+    | TeamCancelRequest,
     Field(discriminator="type"),
 ]
 BOARD_REQUEST: TypeAdapter[BoardRequest] = TypeAdapter(BoardRequest)
@@ -152,8 +189,6 @@ class BoardFaultShape(BaseModel):
     tick: int
 
 
-BoardWay = Literal["", "replace", "fresh"]
-"""With what a sending that was refused can be asked for again."""
 BoardStep = Literal["connect", "compare", "send", "start"]
 
 
@@ -205,8 +240,45 @@ class BoardGoneMessage(_Message):
     address: str
 
 
+TeamAgentState = Literal["idle", "sending", "sent", "starting", "there", "ended"]
+"""sent: its board has its program; starting: its process is; there: it takes part; ended: it does no more."""
+
+
+class TeamAgentShape(BaseModel):
+    """An agent of the team that programs were sent to, or that was started, last; `address` of its board, "" for none.
+    `message` is what it said last, or (`failed`) what went wrong.
+    """
+
+    name: str
+    address: str
+    state: TeamAgentState
+    progress: BoardProgressShape | None
+    message: Spoken
+    help: Spoken
+    way: BoardWay
+    failed: bool
+
+
+class TeamMessage(_Message):
+    """The team of this studio as it stands; there is one at a time. `path` is the file of its mission.
+
+    `stopped_ms`: within how many ms all agents said that they stand still, after the emergency stop; null before.
+    """
+
+    type: Literal["team"] = "team"
+    phase: Literal["idle", "sending", "starting", "running", "stopping"]
+    path: str
+    agents: list[TeamAgentShape]
+    message: Spoken
+    help: Spoken
+    failed: bool
+    stopped_ms: int | None
+
+
 class BoardRefusedMessage(_Message):
-    """A request that was not followed; `problems` are those of the program that was to be sent."""
+    """A request that was not followed; `problems` are those of the program that was to be sent. Of a team's requests
+    `address` is `team`.
+    """
 
     type: Literal["refused"] = "refused"
     address: str
@@ -221,8 +293,9 @@ BOARD_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (
     BoardMessage,
     BoardGoneMessage,
     BoardRefusedMessage,
+    TeamMessage,
 )
 BoardsMessage = Annotated[
-    BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage,
+    BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage | TeamMessage,
     Field(discriminator="type"),
 ]

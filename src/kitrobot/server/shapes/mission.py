@@ -8,7 +8,19 @@ from pydantic import BaseModel, Field, field_validator
 
 from kitrobot.graph import Program
 from kitrobot.lll import MAX_NUMBER, GroupDeclaration, Members, RoleDeclaration, WorkDeclaration
-from kitrobot.mission import Breakdown, BreakdownRule, Breakpoint, Failure, FailureKind, Mission, Radio, Team
+from kitrobot.mission import (
+    AskedProperty,
+    Breakdown,
+    BreakdownRule,
+    Breakpoint,
+    Failure,
+    FailureKind,
+    Form,
+    Mission,
+    Radio,
+    Team,
+)
+from kitrobot.mission.asked import LONGEST_NAME
 from kitrobot.mission.radio import LARGEST_RANGE_MM, LONGEST_DELAY_MS
 from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S, MOST_HITS
 from kitrobot.primitives import MOST_OWN, Level
@@ -60,6 +72,15 @@ class RadioShape(View):
     range_mm: Annotated[float | None, Field(ge=1, le=LARGEST_RANGE_MM, allow_inf_nan=False)] = None
     delay_ms: Annotated[int, Field(ge=0, le=LONGEST_DELAY_MS)] = 0
     loss: Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)] = 0.0
+
+
+class AskedPropertyShape(View):
+    """What is demanded of every run: see `kitrobot.mission.AskedProperty`."""
+
+    name: Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]
+    form: Literal["never", "after", "eventually", "stays"]
+    first: Annotated[str, Field(max_length=LONGEST_CONDITION)]
+    second: Annotated[str, Field(max_length=LONGEST_CONDITION)] = ""
 
 
 class BreakdownShape(View):
@@ -132,6 +153,7 @@ class MissionShape(BaseModel):
     breakpoints: Annotated[list[BreakpointShape], Field(max_length=MOST_AGENTS)] = []
     failures: Annotated[list[ScheduledFailureShape], Field(max_length=MOST_AGENTS)] = []
     breakdown: BreakdownShape | None = None
+    properties: Annotated[list[AskedPropertyShape], Field(max_length=MOST_AGENTS)] = []
     own_world: OwnWorldShape | None = None
     radio: RadioShape | None = None
     roles: Annotated[list[RoleShape], Field(max_length=MOST_AGENTS)] = []
@@ -155,6 +177,7 @@ def mission_shape(mission: Mission) -> MissionShape:
         breakpoints=[BreakpointShape.model_validate(one) for one in mission.breakpoints],
         failures=[ScheduledFailureShape.model_validate(one) for one in mission.failures],
         breakdown=None if mission.breakdown == Breakdown() else BreakdownShape.model_validate(mission.breakdown),
+        properties=[AskedPropertyShape.model_validate(one) for one in mission.properties],
         own_world=None if mission.own_world is None else own_world_shape(mission.own_world),
         radio=None if mission.radio is None else RadioShape.model_validate(mission.radio),
         roles=[RoleShape.model_validate(one) for one in mission.team.roles],
@@ -192,6 +215,7 @@ def mission_from_shape(shape: MissionShape, programs: list[Program] | None = Non
         Breakdown()
         if shape.breakdown is None
         else Breakdown(BreakdownRule(shape.breakdown.rule), round(shape.breakdown.after_s, 3)),
+        [AskedProperty(one.name, Form(one.form), one.first, one.second) for one in shape.properties],
     )
 
 

@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from kitrobot.server.realtime_clock import FASTEST
 from kitrobot.server.sentences import Spoken
-from kitrobot.server.shapes.board import Address, Name
+from kitrobot.server.shapes.board import Address, Name, TeamBoards
 from kitrobot.server.shapes.mission import MOST_AGENTS, BreakpointShape, MissionShape
 from kitrobot.server.shapes.problem import ProblemShape
 from kitrobot.server.shapes.values import HitValue
@@ -65,6 +65,21 @@ class RobotsRequest(BaseModel):
     path: str
     holder: Name
     addresses: Annotated[list[Address], Field(min_length=1, max_length=MOST_ADDRESSES)]
+    speed: Speed
+    breakpoints: Breakpoints = []
+
+
+class FleetRequest(BaseModel):
+    """Run this mission as a team of processes, some of whose agents have a board: `holder` is the page's name among
+    those with robots. It goes on in real time whatever is shown of it, and ends with this socket.
+    """
+
+    type: Literal["fleet"]
+    mission: MissionShape
+    path: str
+    holder: Name
+    boards: TeamBoards
+    seed: Annotated[int, Field(ge=0, le=2**53)]
     speed: Speed
     breakpoints: Breakpoints = []
 
@@ -174,7 +189,7 @@ Steering = (
 )
 """What can be asked of a run that is on."""
 
-Beginning = StartRequest | ReplayRequest | RobotsRequest
+Beginning = StartRequest | ReplayRequest | RobotsRequest | FleetRequest
 """What begins a run of this page."""
 
 RunRequest = Annotated[Beginning | WatchRequest | Steering, Field(discriminator="type")]
@@ -199,8 +214,9 @@ class _Message(BaseModel):
 
 
 class StartedMessage(_Message):
-    """The run is on, or a recording of one. `abilities`: what can be done to it here. `watching`: another page steers
-    it; `another`: what runs there is not the mission that this page has open.
+    """The run is on, or a recording of one. `abilities`: what can be done to it here. `fleet`: its agents are
+    processes, which go on whatever is shown of them. `watching`: another page steers it; `another`: what runs there is
+    not the mission that this page has open.
     """
 
     type: Literal["started"] = "started"
@@ -214,6 +230,7 @@ class StartedMessage(_Message):
     abilities: list[Ability]
     recording: bool = False
     fail_rate: float = 0.0
+    fleet: bool = False
     watching: bool = False
     another: bool = False
 
@@ -342,6 +359,7 @@ REQUEST_MODELS: tuple[type[BaseModel], ...] = (
     StartRequest,
     ReplayRequest,
     RobotsRequest,
+    FleetRequest,
     WatchRequest,
     PauseRequest,
     ResumeRequest,

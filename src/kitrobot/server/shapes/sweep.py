@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
+from pydantic import BaseModel, Field, TypeAdapter
 
 from kitrobot.server.sentences import Spoken
 from kitrobot.server.shapes.mission import MissionShape
-from kitrobot.server.shapes.problem import ProblemShape
+from kitrobot.server.shapes.work import WorkMessage, WorkRefusedMessage
 from kitrobot.workspace.sweep import Sweep
 
 MOST_MOMENTS = 200
@@ -39,11 +39,7 @@ class SweepStopRequest(BaseModel):
     type: Literal["stop"]
 
 
-class _Message(BaseModel):
-    model_config = ConfigDict(json_schema_serialization_defaults_required=True)
-
-
-class SweepProgressMessage(_Message):
+class SweepProgressMessage(WorkMessage):
     """How many fields are over, of how many."""
 
     type: Literal["progress"] = "progress"
@@ -61,7 +57,7 @@ class SweepFieldShape(BaseModel):
     sentence: Spoken
 
 
-class SweepMapMessage(_Message):
+class SweepMapMessage(WorkMessage):
     """What came of a sweep: `moments` in simulated seconds, `fields` as far as they are over, `outcome` and `sentence`
     of the run without these failures.
     """
@@ -75,20 +71,11 @@ class SweepMapMessage(_Message):
     fields: list[SweepFieldShape]
 
 
-class SweepRefusedMessage(_Message):
-    """Why there is no map; `problems` are the errors of the mission, where it has some."""
-
-    type: Literal["refused"] = "refused"
-    message: Spoken
-    help: Spoken
-    problems: list[ProblemShape]
-
-
 SweepRequest = Annotated[SweepStartRequest | SweepStopRequest, Field(discriminator="type")]
 SWEEP_REQUEST: TypeAdapter[SweepStartRequest | SweepStopRequest] = TypeAdapter(SweepRequest)
-SweepMessage = Annotated[SweepProgressMessage | SweepMapMessage | SweepRefusedMessage, Field(discriminator="type")]
+SweepMessage = Annotated[SweepProgressMessage | SweepMapMessage | WorkRefusedMessage, Field(discriminator="type")]
 SWEEP_REQUEST_MODELS: tuple[type[BaseModel], ...] = (SweepStartRequest, SweepStopRequest)
-SWEEP_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (SweepProgressMessage, SweepMapMessage, SweepRefusedMessage)
+SWEEP_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (SweepProgressMessage, SweepMapMessage, WorkRefusedMessage)
 
 
 def sweep_map(sweep: Sweep) -> SweepMapMessage:

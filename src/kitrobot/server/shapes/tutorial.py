@@ -49,7 +49,7 @@ class TutorialFitShape(BaseModel):
 
 def tutorial_shape(found: FoundTutorial) -> TutorialShape:
     """A tutorial as it travels."""
-    tutorial = found.tutorial
+    tutorial = found.lesson
     return TutorialShape(
         name=found.name,
         start=found.start,

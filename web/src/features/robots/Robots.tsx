@@ -16,6 +16,7 @@ import { BoardCard } from "./BoardCard";
 import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
 import { EmptyRobots } from "./EmptyRobots";
 import { connect, send } from "./socket";
+import { TeamPart } from "./Team";
 import { stopEverything } from "../../session/features";
 import { showRobots } from "./state";
 import { Tool } from "../../ui/Tool";
@@ -138,6 +139,7 @@ export function Robots() {
       </header>
       <div className="robots-body">
         <Barred />
+        <TeamPart />
         {looking ? <p className="robots-note">{t("boards.looking")}</p> : null}
         {places.length > 0 ? (
           <ul className="robots-list">

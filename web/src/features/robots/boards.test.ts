@@ -5,6 +5,7 @@ import { systemOf } from "./EmptyRobots";
 import { recordingName } from "./recording";
 import { runOf, shownBoards } from "./shown";
 import type { Mission } from "../../model/types";
+import { bodyOf, placesFor, withBody } from "./team";
 import type { Board } from "./wire";
 
 const BOARD: Board = {
@@ -37,6 +38,8 @@ const STATE: BoardsState = {
   given: {},
   chosen: {},
   typed: [],
+  bodies: {},
+  team: null,
 };
 
 function board(more: Partial<Board> = {}): Board {
@@ -69,12 +72,29 @@ describe("addresses on the network", () => {
   });
 
   it("remembers only what makes sense", () => {
-    expect(readKept(null)).toEqual({ chosen: {}, typed: [] });
-    expect(readKept("{")).toEqual({ chosen: {}, typed: [] });
+    expect(readKept(null)).toEqual({ chosen: {}, typed: [], bodies: {} });
+    expect(readKept("{")).toEqual({ chosen: {}, typed: [], bodies: {} });
     expect(readKept('{"chosen": {"a": "b", "c": 1}, "typed": ["socket://a:1", "spy://x", 3]}')).toEqual({
       chosen: { a: "b" },
       typed: ["socket://a:1"],
+      bodies: {},
     });
+  });
+});
+
+describe("the boards of a team", () => {
+  it("gives a board to one agent of a mission, and leaves other missions alone", () => {
+    const before = withBody({ "b.krt\nants": "COM3" }, "a.krt", "one", "COM3");
+    expect(bodyOf({ bodies: before }, "a.krt", "one")).toBe("COM3");
+    const after = withBody(before, "a.krt", "two", "COM3");
+    expect(["one", "two"].map((agent) => bodyOf({ bodies: after }, "a.krt", agent))).toEqual(["", "COM3"]);
+    expect(withBody(after, "a.krt", "two", "")).toEqual({ "b.krt\nants": "COM3" });
+  });
+
+  it("can be chosen though they are not there", () => {
+    const chosen = placesFor(STATE, "socket://h:1").map(({ address }) => address);
+    expect(chosen).toEqual(["/dev/ttyACM0", "socket://h:1"]);
+    expect(placesFor(STATE, "")).toHaveLength(1);
   });
 });
 

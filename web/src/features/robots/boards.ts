@@ -8,7 +8,7 @@
 import { create } from "zustand";
 
 import type { Mission, Problem } from "../../model/types";
-import type { Board, BoardsMessage, Port } from "./wire";
+import type { Board, BoardsMessage, Port, Team } from "./wire";
 
 /** What this page sent or greeted a robot with: later edits do not reach it. */
 export interface Given {
@@ -38,6 +38,10 @@ export interface BoardsState {
   chosen: Record<string, string>;
   /** Addresses on the network. */
   typed: string[];
+  /** Agent of a mission, as `bodyKey` names it → address of the board that is its body. */
+  bodies: Record<string, string>;
+  /** The team of this studio as it stands; null before there was one. */
+  team: Team | null;
 }
 
 const KEY = "kitrobot.robots";
@@ -53,11 +57,18 @@ export function networkAddress(text: string): string | null {
   return port >= 1 && port <= 65535 && whole.length <= MOST_ADDRESS ? whole : null;
 }
 
-type Kept = Pick<BoardsState, "chosen" | "typed">;
+type Kept = Pick<BoardsState, "chosen" | "typed" | "bodies">;
+
+/** The last entries of what was remembered that are texts. */
+function texts(found: unknown): Record<string, string> {
+  if (typeof found !== "object" || found === null) return {};
+  const entries = Object.entries(found).filter((one): one is [string, string] => typeof one[1] === "string");
+  return Object.fromEntries(entries.slice(-MOST_KEPT));
+}
 
 /** What was remembered, as far as it makes sense. */
 export function readKept(text: string | null): Kept {
-  const kept: Kept = { chosen: {}, typed: [] };
+  const kept: Kept = { chosen: {}, typed: [], bodies: {} };
   let found: unknown;
   try {
     found = JSON.parse(text ?? "null");
@@ -65,11 +76,9 @@ export function readKept(text: string | null): Kept {
     return kept;
   }
   if (typeof found !== "object" || found === null) return kept;
-  const { chosen, typed } = found as { chosen?: unknown; typed?: unknown };
-  if (typeof chosen === "object" && chosen !== null) {
-    const entries = Object.entries(chosen).filter((one): one is [string, string] => typeof one[1] === "string");
-    kept.chosen = Object.fromEntries(entries.slice(-MOST_KEPT));
-  }
+  const { chosen, typed, bodies } = found as { chosen?: unknown; typed?: unknown; bodies?: unknown };
+  kept.chosen = texts(chosen);
+  kept.bodies = texts(bodies);
   if (Array.isArray(typed)) {
     kept.typed = typed
       .filter((one): one is string => typeof one === "string" && networkAddress(one) !== null)
@@ -86,7 +95,12 @@ function stored(): string | null {
   }
 }
 
-export const NOBODY: Pick<BoardsState, "you" | "ports" | "boards"> = { you: "", ports: null, boards: {} };
+export const NOBODY: Pick<BoardsState, "you" | "ports" | "boards" | "team"> = {
+  you: "",
+  ports: null,
+  boards: {},
+  team: null,
+};
 
 export const useBoards = create<BoardsState>(() => ({
   ...NOBODY,
@@ -96,10 +110,10 @@ export const useBoards = create<BoardsState>(() => ({
   ...readKept(stored()),
 }));
 
-useBoards.subscribe(({ chosen, typed }, before) => {
-  if (chosen === before.chosen && typed === before.typed) return;
+useBoards.subscribe(({ chosen, typed, bodies }, before) => {
+  if (chosen === before.chosen && typed === before.typed && bodies === before.bodies) return;
   try {
-    localStorage.setItem(KEY, JSON.stringify({ chosen, typed }));
+    localStorage.setItem(KEY, JSON.stringify({ chosen, typed, bodies }));
   } catch {
     // It then holds until the page is closed.
   }
@@ -120,6 +134,8 @@ export function applyMessage(state: BoardsState, message: BoardsMessage): Partia
       return { ports: message.ports };
     case "board":
       return { boards: { ...state.boards, [message.address]: message } };
+    case "team":
+      return { team: message };
     case "gone":
       return { boards: without(state.boards, message.address), given: without(state.given, message.address) };
     case "refused": {

@@ -75,9 +75,10 @@ let kept = false;
 export function keepShown(): void {
   if (kept) return;
   kept = true;
-  useBoards.subscribe(({ boards }, before) => {
-    if (boards === before.boards) return;
-    useRobotsPanel.setState({ running: Object.values(boards).filter(isRunning).length });
+  useBoards.subscribe(({ boards, team }, before) => {
+    if (boards === before.boards && team === before.team) return;
+    const running = Object.values(boards).filter(isRunning).length + Number(team?.phase === "running");
+    useRobotsPanel.setState({ running });
     show();
   });
   useRun.subscribe(({ name }, before) => {

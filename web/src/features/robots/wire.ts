@@ -14,12 +14,18 @@ import type {
   BoardStartRequest,
   BoardStopRequest,
   BoardsWelcomeMessage,
+  TeamAgent,
+  TeamCancelRequest,
+  TeamMessage,
+  TeamSendRequest,
 } from "../../api/generated";
 
 export type Board = BoardMessage;
 export type Port = BoardPort;
+export type { TeamAgent };
+export type Team = TeamMessage;
 export type BoardsMessage =
-  BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage;
+  BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage | TeamMessage;
 export type BoardsRequest =
   | BoardsLookRequest
   | BoardConnectRequest
@@ -28,4 +34,6 @@ export type BoardsRequest =
   | BoardStartRequest
   | BoardStopRequest
   | BoardIdentifyRequest
-  | BoardForgetRequest;
+  | BoardForgetRequest
+  | TeamSendRequest
+  | TeamCancelRequest;

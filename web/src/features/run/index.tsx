@@ -23,9 +23,9 @@ const NOW_MS = 1000;
 const RecordingBar = later(() => import("./RecordingBar").then((chunk) => chunk.RecordingBar), complain);
 const BehindBar = later(() => import("./BehindBar").then((chunk) => chunk.BehindBar), complain);
 
-/** Whether real robots are further than what is shown of them. */
-function isBehind({ real, status, tick, latest, tickMs }: RunState): boolean {
-  return real && (status === "paused" || (status === "running" && (latest - tick) * tickMs > NOW_MS));
+/** Whether real robots, or a team of processes, are further than what is shown of them. */
+function isBehind({ real, isFleet, status, tick, latest, tickMs }: RunState): boolean {
+  return (real || isFleet) && (status === "paused" || (status === "running" && (latest - tick) * tickMs > NOW_MS));
 }
 
 function Bars() {

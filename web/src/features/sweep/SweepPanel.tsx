@@ -1,17 +1,15 @@
 /** The panel of the sweep: what is asked, how far it is, and the map. */
-import { useEffect, useState } from "react";
+import { useState } from "react";
 
+import { Refused } from "../../components/Refused";
 import { grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { useMembers } from "../../session/members";
-import { useProblemList } from "../../session/problem-walk";
-import { useWatch } from "../../session/watching";
+import { closeBelow, useAlone } from "../../session/below-alone";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { Select } from "../../ui/Select";
-import { useSweepPanel } from "./panel";
 import { SweepMap } from "./SweepMap";
 import { begin, breakOff, useSweep } from "./sweeping";
 import "./sweep.css";
@@ -19,39 +17,20 @@ import "./sweep.css";
 const MOMENTS = ["10", "25", "50", "100", "200"];
 const LONGEST_S = 36_000;
 const PAIRS = "kitrobot run … --fail-sweep --pairs";
-const SHOWN_PROBLEMS = 3;
-
-function close(): void {
-  useSweepPanel.setState({ open: false });
-}
-
-/** One panel at a time stands above the bar. */
-function useAlone(): void {
-  useEffect(() => {
-    useMembers.setState({ open: false });
-    useWatch.getState().show(false);
-    useProblemList.setState({ open: false });
-    const ends = [useMembers, useWatch, useProblemList].map((store) =>
-      store.subscribe(({ open }: { open: boolean }) => {
-        if (open) close();
-      }),
-    );
-    return () => ends.forEach((end) => end());
-  }, []);
-}
 
 export function SweepPanel() {
   useAlone();
   const swept = useSweep((sweep) => sweep.swept);
+  const refused = useSweep((sweep) => sweep.refused);
   return (
     <section className="dock-panel sweep-panel" id="sweep-panel" data-testid="sweep" aria-label={t("sweep.title")}>
       <header className="dock-head">
         <h2>{t("sweep.title")}</h2>
-        <Tool small icon="x" label={t("sweep.close")} titled={false} onClick={close} />
+        <Tool small icon="x" label={t("sweep.close")} titled={false} onClick={closeBelow} />
       </header>
       <div className="sweep-body">
         <Asking />
-        <Refusal />
+        <Refused refused={refused} />
         {swept === null ? null : <SweepMap swept={swept} />}
       </div>
     </section>
@@ -131,33 +110,6 @@ function Progress({ done, total }: { done: number; total: number }) {
         <Icon name="square" size={16} />
         {t("sweep.break-off")}
       </button>
-    </div>
-  );
-}
-
-function Refusal() {
-  const refused = useSweep((sweep) => sweep.refused);
-  if (refused === null) return null;
-  const errors = refused.problems.filter(({ severity }) => severity === "error");
-  return (
-    <div className="sweep-refused" role="alert" data-testid="sweep-refused">
-      <p>
-        <Said text={refused.message} /> <Said text={refused.help} />
-      </p>
-      {errors.length === 0 ? null : (
-        <>
-          <ul>
-            {errors.slice(0, SHOWN_PROBLEMS).map((problem, index) => (
-              <li key={index}>
-                <Said text={problem.message} />
-              </li>
-            ))}
-          </ul>
-          <button type="button" className="button" onClick={() => useProblemList.setState({ open: true })}>
-            {t("sweep.problems")}
-          </button>
-        </>
-      )}
     </div>
   );
 }

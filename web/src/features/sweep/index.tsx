@@ -1,10 +1,10 @@
 /** The map of failures: each robot fails at many moments, and any of these runs can be played. */
 import { moreWords, t } from "../../i18n/words";
+import { useBelow } from "../../session/below";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
-import { useSweepPanel } from "./panel";
 
 const SweepPanel = later(
   () => Promise.all([import("./SweepPanel"), moreWords()]).then(([chunk]) => chunk.SweepPanel),
@@ -12,13 +12,13 @@ const SweepPanel = later(
 );
 
 function SweepDock() {
-  return useSweepPanel((panel) => panel.open) ? <SweepPanel /> : null;
+  return useBelow((below) => below.open === "sweep") ? <SweepPanel /> : null;
 }
 
 export const sweep: Feature = {
   name: "sweep",
   slots: { below: SweepDock },
   useMenu: () => ({
-    sweep: [menuItem("run-sweep", t("run.sweep"), null, () => useSweepPanel.setState({ open: true }))],
+    sweep: [menuItem("run-sweep", t("run.sweep"), null, () => useBelow.setState({ open: "sweep" }))],
   }),
 };

@@ -1,5 +1,6 @@
 /** The map of a sweep as rows of fields, and how one walks in it. */
 import type { SweepField, SweepMapMessage } from "../../api/generated";
+import { walkGrid } from "../../ui/grid";
 
 /** A field, by the places of its robot and of its moment. */
 export interface Place {
@@ -30,26 +31,9 @@ export function countsOf({ fields, total }: SweepMapMessage): Record<Ending, num
   return counts;
 }
 
-/** Where a key leads from a field, or null; `forward` is the arrow that points along a line of writing. */
-export function walk(
-  key: string,
-  { agent, moment }: Place,
-  size: Place,
-  forward: "ArrowRight" | "ArrowLeft",
-): Place | null {
-  const back = forward === "ArrowRight" ? "ArrowLeft" : "ArrowRight";
-  const steps: Record<string, Place> = {
-    [forward]: { agent, moment: moment + 1 },
-    [back]: { agent, moment: moment - 1 },
-    ArrowDown: { agent: agent + 1, moment },
-    ArrowUp: { agent: agent - 1, moment },
-    Home: { agent, moment: 0 },
-    End: { agent, moment: size.moment - 1 },
-    PageUp: { agent: 0, moment },
-    PageDown: { agent: size.agent - 1, moment },
-  };
-  const to = steps[key];
-  if (to === undefined) return null;
-  const within = (value: number, count: number) => Math.min(Math.max(value, 0), count - 1);
-  return { agent: within(to.agent, size.agent), moment: within(to.moment, size.moment) };
+/** Where a key leads from a field, or null; see `walkGrid`. */
+export function walk(key: string, at: Place, size: Place, forward: "ArrowRight" | "ArrowLeft"): Place | null {
+  const cell = ({ agent, moment }: Place) => ({ row: agent, column: moment });
+  const to = walkGrid(key, cell(at), cell(size), forward);
+  return to === null ? null : { agent: to.row, moment: to.column };
 }

@@ -6,23 +6,18 @@
  */
 import { create } from "zustand";
 
-import { socketAddress } from "../../api/address";
-import type {
-  SweepMapMessage,
-  SweepProgressMessage,
-  SweepRefusedMessage,
-  SweepStartRequest,
-} from "../../api/generated";
+import type { SweepMapMessage, SweepProgressMessage, SweepStartRequest, WorkRefusedMessage } from "../../api/generated";
+import { beginWork, type Work } from "../../api/work";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { isLive, useRun } from "../../session/run";
 import type { Place } from "./map";
 
-type Message = SweepProgressMessage | SweepMapMessage | SweepRefusedMessage;
+type Message = SweepProgressMessage | SweepMapMessage | WorkRefusedMessage;
 /** What runs of a sweep are of. */
 type Asked = Omit<SweepStartRequest, "type" | "moments">;
-type Refused = Pick<SweepRefusedMessage, "message" | "help" | "problems">;
+type Refused = Pick<WorkRefusedMessage, "message" | "help" | "problems">;
 
 export interface Swept {
   asked: Asked;
@@ -43,12 +38,11 @@ const NOTHING: SweepState = { busy: null, swept: null, refused: null, played: nu
 
 export const useSweep = create<SweepState>(() => NOTHING);
 
-let socket: WebSocket | null = null;
+let work: Work | null = null;
 
 function hangUp(): void {
-  const before = socket;
-  socket = null;
-  before?.close();
+  work?.hangUp();
+  work = null;
 }
 
 /** Runs the open mission with each robot failing at so many moments; each run takes so many simulated seconds at most. */
@@ -58,38 +52,30 @@ export function begin(moments: number, seconds: number): void {
   const { seed, failRate } = useRun.getState();
   const asked: Asked = { mission, path: file.path, seed, fail_rate: failRate, seconds };
   useSweep.setState({ ...NOTHING, busy: { done: 0, total: 0 } });
-  const opened = new WebSocket(socketAddress("api/sweep"));
-  socket = opened;
-  opened.addEventListener("open", () => {
-    const request: SweepStartRequest = { type: "start", moments, ...asked };
-    opened.send(JSON.stringify(request));
-  });
-  opened.addEventListener("message", (event: MessageEvent<string>) => {
-    if (socket !== opened) return;
-    const message = JSON.parse(event.data) as Message;
-    if (message.type === "progress") {
-      useSweep.setState({ busy: { done: message.done, total: message.total } });
-      return;
-    }
-    hangUp();
-    useSweep.setState(
-      message.type === "map" ? { ...NOTHING, swept: { asked, map: message } } : { ...NOTHING, refused: message },
-    );
-  });
-  opened.addEventListener("close", () => {
-    if (socket !== opened) return;
-    socket = null;
-    useSweep.setState({ ...NOTHING, refused: { message: t("sweep.lost"), help: "", problems: [] } });
-  });
+  work = beginWork<Message>(
+    "api/sweep",
+    { moments, ...asked },
+    {
+      onMessage: (message) => {
+        if (message.type === "progress") {
+          useSweep.setState({ busy: { done: message.done, total: message.total } });
+          return false;
+        }
+        useSweep.setState(
+          message.type === "map" ? { ...NOTHING, swept: { asked, map: message } } : { ...NOTHING, refused: message },
+        );
+        return true;
+      },
+      onLost: () => useSweep.setState({ ...NOTHING, refused: { message: t("sweep.lost"), help: "", problems: [] } }),
+    },
+  );
 }
 
 /** Ends the sweep; the server tells what was found until then. */
 export function breakOff(): void {
-  if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify({ type: "stop" }));
-  else {
-    hangUp();
-    useSweep.setState(NOTHING);
-  }
+  if (work?.breakOff() === true) return;
+  hangUp();
+  useSweep.setState(NOTHING);
 }
 
 /** The mission with one more failure on its schedule. */
@@ -100,8 +86,8 @@ export function withFailure(mission: Mission, agent: string, at_s: number): Miss
 
 /** Whether a field cannot be played now: real robots go on at their own pace, and are not left to themselves. */
 export function isHeldByRobots(): boolean {
-  const { real, status } = useRun.getState();
-  return real && isLive(status);
+  const { real, isFleet, status } = useRun.getState();
+  return (real || isFleet) && isLive(status);
 }
 
 /** Plays a field: the run that it stands for, in the place of what was on. */

@@ -1,0 +1,68 @@
+"""What goals are decided from: plain values, whoever found them.
+
+A run of the simulator is a `RunSeen`, the programs that were handed in are a `ProgramsSeen`, and what came of checking
+one property is a `CheckSeen`. Lengths are in mm, times in simulated seconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+
+class PathPoint(NamedTuple):
+    """Where an agent was, and when."""
+
+    x: float
+    y: float
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Contact:
+    """An agent began to touch something; `text` says what."""
+
+    agent: str
+    seconds: float
+    text: str
+
+
+@dataclass(frozen=True)
+class RunSeen:
+    """A run that is over. `paths` has each agent's way, points at least 1 mm apart and the last one; it is empty where
+    no goal asks for it.
+    """
+
+    seed: int
+    outcome: Literal["done", "failed", "stuck", "time"]
+    sentence: str
+    seconds: float
+    contacts: tuple[Contact, ...] = ()
+    paths: Mapping[str, tuple[PathPoint, ...]] | None = None
+
+
+@dataclass(frozen=True)
+class ProgramsSeen:
+    """For each program, how many vertices of each element hang on its Start (Start and Stop are not counted); `own` is
+    how many parts the own blocks stand for that it uses, each block once.
+    """
+
+    elements: Mapping[str, Mapping[str, int]]
+    own: Mapping[str, int]
+
+
+@dataclass(frozen=True)
+class CheckSeen:
+    """What came of checking one property under one assumption; `sentence` is the property in words.
+
+    `answer` is `holds`, `broken`, `not finished`, `vacuous`, or `none` where it could not be checked, and `sentence`
+    says why. Of a broken one `seed` and `seconds` are the run of the simulator that shows it, where there is one that
+    needs no failures, and `steps` what happens in the shortest run of the model.
+    """
+
+    answer: Literal["holds", "broken", "not finished", "vacuous", "none"]
+    sentence: str
+    seed: int | None = None
+    seconds: float | None = None
+    steps: tuple[str, ...] = ()

@@ -1,0 +1,238 @@
+"""The kinds of goals, and how each is decided: a closed set, one class for each.
+
+A goal says in `fault` what is wrong with what it is shown (`evidence`), or None when it is reached. Goals of runs are
+shown each run, goals of programs all programs, goals of checking one verdict. `reading` gives each its element and
+attributes, whose names are those of the fields.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from kitrobot.exercise.evidence import CheckSeen, PathPoint, ProgramsSeen, RunSeen
+from kitrobot.exercise.figures import figure_fault
+from kitrobot.primitives import Texts
+from kitrobot.text import SEMICOLON, Sentence, Series
+
+
+@dataclass(frozen=True)
+class Fault:
+    """Why a goal is not reached; `seconds` is when in the run, where that can be said.
+
+    `seed` is of the run that shows it where that is another one than the run that was looked at.
+    """
+
+    sentence: str
+    seconds: float | None = None
+    seed: int | None = None
+
+
+@dataclass(frozen=True)
+class Goal:
+    """What is asked for. `label` says it to a child; a hidden one is judged for the teacher only."""
+
+    label: Texts
+    points: int
+    hidden: bool
+
+
+@dataclass(frozen=True)
+class RunGoal(Goal):
+    """A goal that every run has to reach."""
+
+    def fault(self, run: RunSeen) -> Fault | None:
+        """What is wrong with a run."""
+        raise NotImplementedError
+
+    @property
+    def needs_path(self) -> bool:
+        """Whether it asks where agents were."""
+        return False
+
+
+@dataclass(frozen=True)
+class ProgramGoal(Goal):
+    """A goal that is decided from the programs as they are drawn; `program` is the one that is meant, "" all."""
+
+    program: str
+
+    def fault(self, seen: ProgramsSeen) -> Fault | None:
+        """What is wrong with the programs."""
+        raise NotImplementedError
+
+    def count(self, seen: ProgramsSeen, part: str) -> int:
+        """How often a part is used."""
+        return sum(
+            found.get(part, 0) for name, found in seen.elements.items() if not self.program or name == self.program
+        )
+
+
+@dataclass(frozen=True)
+class CheckGoal(Goal):
+    """`<holds>`: a property of `kitrobot verify` holds. `states` bounds the search; a cut search does not count."""
+
+    property: str
+    timing: str
+    failures: int
+    states: int
+
+    def fault(self, seen: CheckSeen) -> Fault | None:
+        """What is wrong with what came of the check."""
+        match seen.answer:
+            case "holds":
+                return None
+            case "vacuous":
+                return Fault(Sentence("{property}: it never comes to that", seen.sentence))
+            case "not finished":
+                return Fault(
+                    Sentence("{property}: not known, there are more than {states} states", seen.sentence, self.states)
+                )
+            case "none":
+                return Fault(Sentence("this could not be checked: {reason}", seen.sentence))
+        if not seen.steps:
+            return Fault(Sentence("{property}: it can go wrong", seen.sentence), seen.seconds, seen.seed)
+        steps = Series(SEMICOLON, seen.steps)
+        words = Sentence("{property}: it can go wrong when {steps}", seen.sentence, steps)
+        return Fault(words, seen.seconds, seen.seed)
+
+
+@dataclass(frozen=True)
+class Done(RunGoal):
+    """`<done>`: the run ends as done. The mission's own goals are reached, or without any every program has ended."""
+
+    def fault(self, run: RunSeen) -> Fault | None:
+        return None if run.outcome == "done" else Fault(run.sentence, run.seconds)
+
+
+@dataclass(frozen=True)
+class NoContact(RunGoal):
+    """`<no-contact>`: the agent, "" none, never touches a wall, a thing or another robot."""
+
+    agent: str
+
+    def fault(self, run: RunSeen) -> Fault | None:
+        for contact in run.contacts:
+            if self.agent in ("", contact.agent):
+                return Fault(Sentence("`{agent}`: {what}", contact.agent, contact.text), contact.seconds)
+        return None
+
+
+@dataclass(frozen=True)
+class Within(RunGoal):
+    """`<within>`: the run is done after at most so many seconds."""
+
+    seconds: float
+
+    def fault(self, run: RunSeen) -> Fault | None:
+        if run.outcome != "done":
+            return Fault(run.sentence, run.seconds)
+        if run.seconds <= self.seconds:
+            return None
+        found = f"{run.seconds:.1f}"
+        words = Sentence("it took {found} s; at most {most} s are allowed", found, f"{self.seconds:g}")
+        return Fault(words, self.seconds)
+
+
+@dataclass(frozen=True)
+class Visits(RunGoal):
+    """`<visits>`: the agent, "" any, comes at most `radius` mm near the place x, y of the world, in mm.
+
+    `when` is `ever`, or `end`: it is there when the run ends.
+    """
+
+    x: float
+    y: float
+    radius: float
+    agent: str
+    when: str
+
+    @property
+    def needs_path(self) -> bool:
+        return True
+
+    def fault(self, run: RunSeen) -> Fault | None:
+        nearest, point = math.inf, PathPoint(0, 0, 0)
+        for name, path in (run.paths or {}).items():
+            if self.agent not in ("", name):
+                continue
+            for one in path if self.when == "ever" else path[-1:]:
+                away = math.dist((one.x, one.y), (self.x, self.y))
+                if away < nearest:
+                    nearest, point = away, one
+        if nearest <= self.radius:
+            return None
+        if nearest == math.inf:
+            return Fault(Sentence("there is no robot `{name}`", self.agent))
+        if self.when == "end":
+            return Fault(Sentence("in the end it is {away} mm away from the place", round(nearest)), run.seconds)
+        words = Sentence("the place was missed: {away} mm from it is as near as it got", round(nearest))
+        return Fault(words, point.seconds)
+
+
+@dataclass(frozen=True)
+class Draws(RunGoal):
+    """`<draws>`: the way of the agent, "" the first, is a regular figure (see `figures`)."""
+
+    corners: int
+    side: float
+    tolerance: float
+    agent: str
+
+    @property
+    def needs_path(self) -> bool:
+        return True
+
+    def fault(self, run: RunSeen) -> Fault | None:
+        paths = run.paths or {}
+        path = paths.get(self.agent) if self.agent else next(iter(paths.values()), None)
+        if not path:
+            return Fault(Sentence("there is no robot `{name}`", self.agent))
+        wrong = figure_fault(path, self.corners, self.side, self.tolerance)
+        return None if wrong is None else Fault(wrong, run.seconds)
+
+
+@dataclass(frozen=True)
+class Uses(ProgramGoal):
+    """`<uses>`: a constructor or an object's method is used at least so many times."""
+
+    part: str
+    times: int
+
+    def fault(self, seen: ProgramsSeen) -> Fault | None:
+        found = self.count(seen, self.part)
+        if found >= self.times:
+            return None
+        if self.times == 1:
+            return Fault(Sentence("`{part}` is not in the program", self.part))
+        words = Sentence("`{part}` is there {found} times; it is asked for {times} times", self.part, found, self.times)
+        return Fault(words)
+
+
+@dataclass(frozen=True)
+class Avoids(ProgramGoal):
+    """`<avoids>`: a constructor or an object's method is not used."""
+
+    part: str
+
+    def fault(self, seen: ProgramsSeen) -> Fault | None:
+        if not self.count(seen, self.part):
+            return None
+        return Fault(Sentence("`{part}` is in the program, and is not allowed", self.part))
+
+
+@dataclass(frozen=True)
+class Parts(ProgramGoal):
+    """`<parts>`: there are at most so many parts, Start and Stop and what is parked not counted."""
+
+    most: int
+
+    def fault(self, seen: ProgramsSeen) -> Fault | None:
+        found = sum(
+            sum(elements.values()) + seen.own.get(name, 0)
+            for name, elements in seen.elements.items()
+            if not self.program or name == self.program
+        )
+        if found <= self.most:
+            return None
+        return Fault(Sentence("there are {found} parts; at most {most} are allowed", found, self.most))

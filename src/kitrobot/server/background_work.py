@@ -1,0 +1,147 @@
+"""Work that takes long, asked for over a WebSocket: one at a time on a socket, and one of each kind in a studio.
+
+The page is told how far it is, as fast as it listens, and what came of it at its end. It can break the work off; when
+the socket closes the work ends too. Left to others: the work (`sweeps`, `verifications`), which runs in a thread and
+looks at `stop` now and then.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import threading
+from abc import ABC, abstractmethod
+from contextlib import suppress
+from typing import Any, ClassVar
+
+from fastapi import WebSocket, WebSocketDisconnect
+from pydantic import BaseModel, TypeAdapter, ValidationError
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.routing import studio_of
+from kitrobot.server.sentences import not_understood
+from kitrobot.server.shapes import problem_shapes
+from kitrobot.server.shapes.work import WorkRefusedMessage
+from kitrobot.server.studio import Studio
+from kitrobot.text import Sentence
+
+_log = logging.getLogger("kitrobot.server")
+
+
+class BackgroundWork(ABC):
+    """One socket and its work.
+
+    Attributes:
+        kind: the kind of work, for the log; a studio is at one of each.
+        request: reads what the page asks.
+        start: the request that begins it; any other breaks it off.
+        progress: the message of which only the newest is worth telling.
+        busy: said where this studio is at such work already.
+    """
+
+    kind: ClassVar[str]
+    request: ClassVar[TypeAdapter[Any]]
+    start: ClassVar[type[BaseModel]]
+    progress: ClassVar[type[BaseModel]]
+    busy: ClassVar[Sentence]
+
+    def __init__(self, socket: WebSocket, studio: Studio) -> None:
+        self._socket = socket
+        self.studio = studio
+        self.stop = threading.Event()
+        self._loop = asyncio.get_running_loop()
+        self._task: asyncio.Task[None] | None = None
+        self._waiting: list[BaseModel] = []
+        self._news = asyncio.Event()
+        self._over = False
+
+    @abstractmethod
+    def work(self, request: Any) -> BaseModel:
+        """Does the work, in a thread, until it is over or `stop` is set; the last message of it.
+
+        Raises:
+            KitRobotError: it cannot be done.
+        """
+
+    def tell(self, message: BaseModel) -> None:
+        """In the thread of the work: tells the page."""
+        with suppress(RuntimeError):  # the studio has ended meanwhile
+            self._loop.call_soon_threadsafe(self._say, message)
+
+    @classmethod
+    async def serve(cls, socket: WebSocket) -> None:
+        """Serves one socket until it closes."""
+        await socket.accept()
+        with suppress(WebSocketDisconnect, RuntimeError, OSError):
+            await cls(socket, studio_of(socket))._serve()
+
+    async def _serve(self) -> None:
+        try:
+            while True:
+                message = await self._socket.receive()
+                if message["type"] == "websocket.disconnect":
+                    return
+                await self._obey(message.get("text") or message.get("bytes") or "")
+        finally:
+            self.stop.set()
+            if self._task is not None:
+                # Not called off: its thread goes on until it looks at `stop`, and keeps the studio's place.
+                await asyncio.shield(self._task)
+
+    async def _obey(self, text: str | bytes) -> None:
+        try:
+            request = self.request.validate_json(text)
+        except ValidationError as error:
+            await self._send(_refusal(not_understood(error)))
+            return
+        if not isinstance(request, self.start):
+            self.stop.set()
+        elif self.kind in self.studio.at_work:
+            help = Sentence("wait for it, or break it off where it was begun")
+            await self._send(_refusal(KitRobotError(self.busy, help)))
+        else:
+            self.studio.at_work.add(self.kind)
+            self.stop.clear()
+            self._task = asyncio.create_task(self._whole(request))
+
+    async def _whole(self, request: BaseModel) -> None:
+        self._over = False
+        telling = asyncio.create_task(self._tell_all())
+        try:
+            answer: BaseModel = await asyncio.to_thread(self.work, request)
+        except KitRobotError as error:
+            answer = _refusal(error)
+        except Exception as error:
+            debugging = bool(os.environ.get("KITROBOT_DEBUG"))
+            _log.error("a %s broke: %s: %s", self.kind, type(error).__name__, error, exc_info=debugging)
+            help = Sentence("it has ended; please report it")
+            answer = _refusal(KitRobotError(Sentence("something went wrong inside KitRobot"), help))
+        finally:
+            self.studio.at_work.discard(self.kind)
+            self._over = True
+            self._news.set()
+        self._say(answer)
+        with suppress(WebSocketDisconnect, RuntimeError, OSError):
+            await telling
+
+    def _say(self, message: BaseModel) -> None:
+        if self._waiting and isinstance(message, self.progress) and isinstance(self._waiting[-1], self.progress):
+            self._waiting.pop()
+        self._waiting.append(message)
+        self._news.set()
+
+    async def _tell_all(self) -> None:
+        """Tells what there is to tell until the work is over, and its answer."""
+        while self._waiting or not self._over:
+            await self._news.wait()
+            self._news.clear()
+            while self._waiting:
+                await self._send(self._waiting.pop(0))
+
+    async def _send(self, message: BaseModel) -> None:
+        await self._socket.send_text(message.model_dump_json())
+
+
+def _refusal(error: KitRobotError) -> WorkRefusedMessage:
+    return WorkRefusedMessage(message=error.message, help=error.help, problems=problem_shapes(error.diagnostics))

@@ -1,0 +1,165 @@
+"""A check of a mission on the wire: what the page asks over its WebSocket, and what it is told."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, Field, TypeAdapter
+
+from kitrobot.server.sentences import Clause, Spoken
+from kitrobot.server.shapes.mission import MissionShape
+from kitrobot.server.shapes.work import WorkMessage, WorkRefusedMessage
+from kitrobot.workspace.background_check import Answered, Checked, Explored
+from kitrobot.workspace.verification import MOST_FAILURES
+
+LONGEST_S = 3_600.0
+"""Seconds that a check in a page may take."""
+
+TimingName = Literal["lockstep", "prompt", "free"]
+
+
+class VerifyStartRequest(BaseModel):
+    """Check this mission, with up to so many failures, for so many seconds of the clock on the wall."""
+
+    type: Literal["start"]
+    mission: MissionShape
+    path: str
+    seed: Annotated[int, Field(ge=0, le=2**53)]
+    failures: Annotated[int, Field(ge=0, le=MOST_FAILURES)] = 0
+    seconds: Annotated[float, Field(gt=0, le=LONGEST_S, allow_inf_nan=False)]
+
+
+class VerifyStopRequest(BaseModel):
+    """Break the check off; what was found until then is told."""
+
+    type: Literal["stop"]
+
+
+class VerifyProgressMessage(WorkMessage):
+    """How far the check is under one assumption: see `kitrobot.workspace.background_check.Explored`."""
+
+    type: Literal["progress"] = "progress"
+    timing: TimingName
+    failures: int
+    states: int
+    depth: int
+    seconds: float
+    memory: int
+
+
+class CheckedEventShape(BaseModel):
+    """One event of a run that breaks a property, and the step it is in."""
+
+    step: int
+    text: Spoken
+
+
+class ConfirmingFailureShape(BaseModel):
+    """What befell an agent in a run of the simulator."""
+
+    agent: str
+    at_s: float
+    kind: Literal["fail", "stall", "revive"]
+
+
+class ConfirmingRunShape(BaseModel):
+    """A run of the simulator that breaks a property: the run of the same mission with that seed and these failures on
+    its schedule, which breaks it in step `tick`, at `seconds`.
+    """
+
+    seed: int
+    tick: int
+    seconds: float
+    failures: list[ConfirmingFailureShape]
+
+
+class CheckedPropertyShape(BaseModel):
+    """One answer: see `kitrobot.workspace.background_check.Answered`."""
+
+    name: str
+    sentence: Clause
+    answer: Literal["holds", "broken", "not finished", "vacuous"]
+    steps: int
+    repeats_from: int
+    events: list[CheckedEventShape]
+    left_out: int
+    confirmed: ConfirmingRunShape | None
+    searched: bool
+
+
+class VerifyColumnMessage(WorkMessage):
+    """The answers under one assumption. They come once more when the simulator was searched for what is broken."""
+
+    type: Literal["column"] = "column"
+    timing: TimingName
+    failures: int
+    states: int
+    depth: int
+    complete: bool
+    seconds: float
+    properties: list[CheckedPropertyShape]
+
+
+class VerifyEndMessage(WorkMessage):
+    """The check is over; what is taken for granted in its answers."""
+
+    type: Literal["end"] = "end"
+    limits: list[Spoken]
+
+
+VerifyRequest = Annotated[VerifyStartRequest | VerifyStopRequest, Field(discriminator="type")]
+VERIFY_REQUEST: TypeAdapter[VerifyStartRequest | VerifyStopRequest] = TypeAdapter(VerifyRequest)
+VerifyMessage = Annotated[
+    VerifyProgressMessage | VerifyColumnMessage | VerifyEndMessage | WorkRefusedMessage, Field(discriminator="type")
+]
+VERIFY_REQUEST_MODELS: tuple[type[BaseModel], ...] = (VerifyStartRequest, VerifyStopRequest)
+VERIFY_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (VerifyProgressMessage, VerifyColumnMessage, VerifyEndMessage)
+
+
+def verify_message(told: Explored | Checked, tick_ms: int) -> VerifyProgressMessage | VerifyColumnMessage:
+    """What a check tells, as the page gets it."""
+    if isinstance(told, Explored):
+        return VerifyProgressMessage(
+            timing=told.timing.value,
+            failures=told.failures,
+            states=told.states,
+            depth=told.depth,
+            seconds=told.seconds,
+            memory=told.memory,
+        )
+    return VerifyColumnMessage(
+        timing=told.timing.value,
+        failures=told.failures,
+        states=told.states,
+        depth=told.depth,
+        complete=told.complete,
+        seconds=told.seconds,
+        properties=[_answer(one, tick_ms) for one in told.properties],
+    )
+
+
+def _answer(one: Answered, tick_ms: int) -> CheckedPropertyShape:
+    run = one.confirmed
+    return CheckedPropertyShape(
+        name=one.name,
+        sentence=one.sentence,
+        answer=one.answer.value,
+        steps=one.steps,
+        repeats_from=one.repeats_from,
+        events=[CheckedEventShape(step=step, text=text) for step, text in one.story],
+        left_out=one.left_out,
+        searched=one.searched,
+        confirmed=None
+        if run is None
+        else ConfirmingRunShape(
+            seed=run.seed,
+            tick=run.tick,
+            seconds=run.tick * tick_ms / 1000,
+            failures=[
+                ConfirmingFailureShape.model_validate(
+                    {"agent": harm.agent, "at_s": harm.tick * tick_ms / 1000, "kind": harm.kind}
+                )
+                for harm in run.harms
+            ],
+        ),
+    )

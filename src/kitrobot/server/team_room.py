@@ -1,0 +1,295 @@
+"""The team of one studio: which agents have boards, sending to all of them, and the fleet that runs.
+
+There is one at a time: while programs are sent, or a fleet runs or ends, nobody begins another, and the boards in it
+are nobody else's. What pages are told is one value that is replaced as a whole (`standing`); threads change it, and the
+server's event loop tells it. Left to others: the fleet itself (fleet_run), single robots (robot_registry).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, get_args
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.server.shapes import (
+    BoardProgressShape,
+    BoardStep,
+    BoardWay,
+    TeamAgentShape,
+    TeamAgentState,
+    TeamBoardShape,
+    TeamMessage,
+)
+from kitrobot.text import Sentence, listed
+
+if TYPE_CHECKING:
+    from kitrobot.robots import BoardProgram
+    from kitrobot.server.fleet_run import FleetRunning
+    from kitrobot.server.robot_registry import RobotRegistry
+    from kitrobot.workspace import OpenMission
+
+STEPS: tuple[BoardStep, ...] = get_args(BoardStep)
+END_WITHIN_S = 8.0
+"""How long a fleet that was stopped may take until all its processes have ended."""
+TEAM = "team"
+"""The address of what is refused to a team."""
+
+
+class TeamBusyError(KitRobotError):
+    """The studio has a team already."""
+
+
+class _Cancelled(Exception):
+    """The sending was broken off by the person."""
+
+
+@dataclass(frozen=True)
+class AgentStanding:
+    """An agent as pages are told of it; as `TeamAgentShape`."""
+
+    name: str
+    address: str = ""
+    state: TeamAgentState = "idle"
+    progress: BoardProgressShape | None = None
+    message: str = ""
+    help: str = ""
+    way: BoardWay = ""
+    failed: bool = False
+
+
+@dataclass(frozen=True)
+class TeamStanding:
+    """The team as pages are told of it; as `TeamMessage`."""
+
+    phase: Literal["idle", "sending", "starting", "running", "stopping"] = "idle"
+    path: str = ""
+    agents: tuple[AgentStanding, ...] = ()
+    message: str = ""
+    help: str = ""
+    failed: bool = False
+    stopped_ms: int | None = None
+
+
+class TeamRoom:
+    """The team of a studio. `pace`: of its world against real time."""
+
+    def __init__(self, registry: RobotRegistry) -> None:
+        self.pace = 1.0
+        self.standing = TeamStanding()
+        self.addresses: frozenset[str] = frozenset()
+        """Boards that belong to the team now."""
+        self._registry = registry
+        self._lock = threading.Lock()
+        self._claimed = False
+        self._cancelled = False
+        self._fleet: FleetRunning | None = None
+        self._loop: asyncio.AbstractEventLoop | None = None
+
+    # -- what pages are told
+
+    def text(self) -> str:
+        """The team as it stands, encoded in the language of who asks."""
+        now = self.standing
+        return TeamMessage(
+            phase=now.phase,
+            path=now.path,
+            agents=[TeamAgentShape(**vars(one)) for one in now.agents],
+            message=now.message,
+            help=now.help,
+            failed=now.failed,
+            stopped_ms=now.stopped_ms,
+        ).model_dump_json()
+
+    def say(self, **changes: Any) -> None:
+        """Changes what is told of the team; from any thread."""
+        self._change(lambda now: replace(now, **changes))
+
+    def say_of(self, name: str, **changes: Any) -> None:
+        """Changes what is told of an agent; from any thread."""
+        self._change(
+            lambda now: replace(
+                now, agents=tuple(replace(one, **changes) if one.name == name else one for one in now.agents)
+            )
+        )
+
+    def _change(self, change: Callable[[TeamStanding], TeamStanding]) -> None:
+        with self._lock:
+            before, self.standing = self.standing, change(self.standing)
+        if self._loop is not None and self.standing != before:
+            with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
+                self._loop.call_soon_threadsafe(self._registry.team_changed)
+
+    # -- who has it
+
+    async def claim(
+        self, holder: str, opened: OpenMission, path: str, wanted: Sequence[TeamBoardShape]
+    ) -> Mapping[str, str]:
+        """Takes the studio's team for a page, and the boards of its agents from whoever let them go or holds them here.
+
+        Returns:
+            The addresses of agents with boards.
+
+        Raises:
+            KitRobotError: the studio has a team already, there is no such agent or board, or another page has a board.
+        """
+        from kitrobot.workspace import check_boards
+
+        if self._claimed and self._fleet is not None and self.standing.phase == "stopping":
+            # Its page is gone; a page that was loaded again asks before all is done.
+            await asyncio.to_thread(self._fleet.wait, END_WITHIN_S)
+        if self._claimed:
+            doing = self.standing.phase
+            raise TeamBusyError(
+                Sentence("this studio is sending to a team already")
+                if doing == "sending"
+                else Sentence("this studio runs a team already"),
+                Sentence("wait for it, or break it off")
+                if doing == "sending"
+                else Sentence("stop it first: STOP reaches it from every window of this studio"),
+            )
+        self._claimed, self._cancelled = True, False
+        self._loop = asyncio.get_running_loop()
+        try:
+            names = [agent.name for agent in opened.mission.team.agents]
+            boards = check_boards(((one.agent, one.address) for one in wanted), names)
+            for address in boards.values():
+                await self._registry.free(holder, address)
+            self.addresses = frozenset(boards.values())
+        except BaseException:
+            self._claimed = False
+            raise
+        agents = tuple(AgentStanding(name, boards.get(name, "")) for name in names)
+        self.say(**vars(TeamStanding(path=path, agents=agents)))
+        return boards
+
+    def release(self) -> None:
+        """The team is nobody's again; from any thread."""
+        self.addresses = frozenset()
+        self._fleet = None
+        self._claimed = False
+
+    # -- sending
+
+    async def send(
+        self, holder: str, opened: OpenMission, path: str, wanted: Sequence[TeamBoardShape], folder: Path
+    ) -> None:
+        """Begins to send the programs of agents to their boards, all at once; `folder`: where drivers may lie.
+
+        Raises:
+            KitRobotError: as `claim`, or no agent has a board.
+        """
+        if not wanted:
+            raise TeamBusyError(
+                Sentence("no agent of this team has a board"), Sentence("choose one for an agent, then send")
+            )
+        boards = await self.claim(holder, opened, path, wanted)
+        ways = {one.agent: one.way for one in wanted}
+        self.say(phase="sending")
+        for name in boards:
+            self.say_of(name, state="sending")
+        threading.Thread(
+            target=self._send, args=(opened, boards, ways, folder), name="sends to a team", daemon=True
+        ).start()
+
+    def cancel(self) -> None:
+        """Breaks off the sending."""
+        self._cancelled = True
+
+    def _send(self, opened: OpenMission, boards: Mapping[str, str], ways: Mapping[str, BoardWay], folder: Path) -> None:
+        try:
+            programs = self._programs(opened, boards, folder)
+            if len(programs) == len(boards):
+                with ThreadPoolExecutor(len(boards)) as threads:
+                    list(
+                        threads.map(lambda name: self._send_to(name, boards[name], programs[name], ways[name]), boards)
+                    )
+            self._tell_of_sending(sent=len(programs) == len(boards))
+        finally:
+            self.release()
+
+    def _programs(self, opened: OpenMission, boards: Mapping[str, str], folder: Path) -> dict[str, BoardProgram]:
+        from kitrobot.workspace import agent_program
+
+        found = {}
+        for name in boards:
+            try:
+                found[name] = agent_program(opened, name, folder)
+            except KitRobotError as error:
+                self._fail(name, error)
+        return found
+
+    def _send_to(self, name: str, address: str, program: BoardProgram, way: BoardWay) -> None:
+        def progress(step: str, done: int, total: int) -> None:
+            if self._cancelled:
+                raise _Cancelled
+            if step in STEPS:
+                self.say_of(name, progress=BoardProgressShape(step=step, done=done, total=total))
+
+        try:
+            self._registry.links.deploy(address, program, progress, way == "replace", way == "fresh")
+        except _Cancelled:
+            kept = Sentence("the robot still has the program that it had")
+            self.say_of(name, state="idle", progress=None, message=Sentence("the sending was broken off"), help=kept)
+        except (KitRobotError, OSError) as error:
+            self._fail(name, error)
+        else:
+            self.say_of(name, state="sent", progress=None, message="", help="", failed=False)
+
+    def _fail(self, name: str, error: KitRobotError | OSError) -> None:
+        from kitrobot.server.robot_worker import no_answer, way_out
+
+        said = error if isinstance(error, KitRobotError) else no_answer(name)
+        self.say_of(
+            name,
+            state="idle",
+            progress=None,
+            message=said.message,
+            help=way_out(said),
+            way=self._registry.links.way(said),
+            failed=True,
+        )
+
+    def _tell_of_sending(self, sent: bool) -> None:
+        agents = [one for one in self.standing.agents if one.address]
+        failed = [one.name for one in agents if one.failed]
+        if failed:
+            self.say(
+                phase="idle",
+                failed=True,
+                message=Sentence("no robot of the team is started, since this failed: {names}", listed(failed))
+                if sent
+                else Sentence("nothing was sent, since this failed: {names}", listed(failed)),
+                help=Sentence("what each says stands beside it; mend that, then send again"),
+            )
+        elif any(one.state != "sent" for one in agents):
+            self.say(phase="idle", message=Sentence("the sending was broken off"), help="")
+        else:
+            self.say(phase="idle", message=Sentence("all boards have their programs"), help="")
+
+    # -- the fleet
+
+    def runs(self, fleet: FleetRunning) -> None:
+        """This fleet is the team, from now on until it has ended."""
+        self._fleet = fleet
+        self.say(phase="starting")
+        for one in self.standing.agents:
+            self.say_of(one.name, state="starting")
+
+    def stop(self) -> None:
+        """The emergency stop, from whichever page; what is sent is broken off too."""
+        self._cancelled = True
+        if self._fleet is not None:
+            self._fleet.stop()
+
+    def end(self) -> None:
+        """The studio ends: so does the team."""
+        fleet = self._fleet
+        if fleet is not None:
+            fleet.stop()
+            fleet.wait(END_WITHIN_S)

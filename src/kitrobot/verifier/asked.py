@@ -1,0 +1,208 @@
+"""The properties that a mission asks for itself, in the four forms of `mission.asked`.
+
+A condition holds in a state if it does for what agents would read and keep there. Of what an agent reads and keeps the
+same comes again and again, so each answer of the interpreter is kept. In a run of the simulator it is what they read in
+their last tick.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from kitrobot.mission import AskedProperty, Form
+from kitrobot.sim import Simulation
+from kitrobot.sim.breakpoints import Condition as Test
+from kitrobot.sim.devices.base import Discrete
+from kitrobot.text import Sentence
+from kitrobot.verifier.conditions import Asked, Member, PropertyError, Truth, ask
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import Property, Sensed, Watch
+
+LONG_ENOUGH = 2
+"""A run whose time is up shows that something is waited for in vain if it was for one part of so many of its time."""
+
+
+def team_of(run: Simulation) -> list[Member]:
+    """The agents of a run, as conditions speak of them."""
+    return [Member(agent.name, agent.program, agent.robot) for agent in run.members]
+
+
+def variables_asked(run: Simulation, properties: Iterable[AskedProperty]) -> set[str]:
+    """The names of variables that properties speak of; see `take_apart`."""
+    team = team_of(run)
+    found: set[str] = set()
+    for _, asked, _ in _understood(properties, team):
+        for one in asked:
+            found.update(*one.names.values())
+    return found
+
+
+def asked_properties(model: Model, properties: Sequence[AskedProperty]) -> tuple[list[Property], list[Sentence]]:
+    """The properties that a mission asks for, and why some of them are left out."""
+    found: list[Property] = []
+    left_out: list[Sentence] = []
+    for one, asked, error in _understood(properties, team_of(model.run)):
+        try:
+            if error is not None:
+                raise error
+            found.append(_property(model, one, asked))
+        except PropertyError as wrong:
+            left_out.append(Sentence("the property {name} is left out: {reason}", one.name, wrong.message))
+    return found, left_out
+
+
+def _understood(
+    properties: Iterable[AskedProperty], team: Sequence[Member]
+) -> Iterator[tuple[AskedProperty, list[Asked], PropertyError | None]]:
+    for one in properties:
+        try:
+            yield one, [ask(text, team) for _, text in one.conditions], None
+        except PropertyError as error:
+            yield one, [], error
+
+
+class _InModel:
+    """A condition, asked of states of a model."""
+
+    def __init__(self, model: Model, asked: Asked) -> None:
+        self._model = model
+        self._asked = asked
+        self._tests = {
+            (agent, test): Test(test, model.parts[agent].agent.robot)
+            for test, agents in asked.tests.items()
+            for agent in agents
+        }
+        self._known: dict[tuple[int, str, int], bool] = {}
+        for test, agents in asked.tests.items():
+            for agent in agents:
+                self._expect_known(agent, asked.names[test])
+
+    def _expect_known(self, agent: int, names: Iterable[str]) -> None:
+        part = self._model.parts[agent]
+        for sensor, sense in zip(part.agent.robot.sensors, part.senses, strict=False):
+            if sensor.name in names and sense.discrete is Discrete.ANY:
+                raise PropertyError(
+                    Sentence("{sensor} of {agent} may read anything at any time", sensor.name, part.agent.name),
+                    Sentence("ask for what a robot reads of roads, docks and storehouses, or for a variable"),
+                )
+
+    def when(self, wanted: Callable[[Truth], bool]) -> Sensed:
+        """The states of which something is true that is asked of tests of agents."""
+        agents = tuple(sorted({agent for agents in self._asked.tests.values() for agent in agents}))
+        return Sensed(agents, lambda keys: wanted(self._truths(dict(zip(agents, keys, strict=True)))))
+
+    @property
+    def holds(self) -> Sensed:
+        """The states in which it holds."""
+        return self.when(self._asked.holds)
+
+    def _truths(self, keys: Mapping[int, int]) -> Truth:
+        return lambda agent, test: self._truth(agent, test, keys[agent])
+
+    def _truth(self, agent: int, test: str, key: int) -> bool:
+        known = self._known.get((agent, test, key))
+        if known is None:
+            mind = _Mind(self._model.cells(agent, key))
+            known = self._known[agent, test, key] = self._tests[agent, test].holds(mind)
+        return known
+
+
+@dataclass
+class _Mind:
+    """What an agent reads and keeps (`sim.breakpoints.Mind`)."""
+
+    cells: Sequence[int]
+    seen: Sequence[int] = ()
+
+
+def _property(model: Model, one: AskedProperty, asked: Sequence[Asked]) -> Property:
+    conditions = [_InModel(model, condition) for condition in asked]
+    first, second = conditions[0], conditions[-1]
+
+    def watch(run: Simulation) -> Watch:
+        return _Watch(one.form, asked, run)
+
+    match one.form:
+        case Form.NEVER:
+            return Property(
+                one.name, one.words, never=first.holds, concerned=first.when(asked[0].is_concerned), watch=watch
+            )
+        case Form.EVENTUALLY:
+            return Property(one.name, one.words, waits=_not(first.holds), from_start=True, watch=watch)
+        case Form.AFTER:
+            return Property(
+                one.name, one.words, waits=_not(second.holds), since=first.holds, concerned=first.holds, watch=watch
+            )
+        case Form.STAYS:
+            closed = _not(second.holds)
+            return Property(
+                one.name,
+                one.words,
+                breaks=(_both(first.holds, closed), _both(_not(first.holds), closed)),
+                concerned=first.holds,
+                watch=watch,
+            )
+
+
+def _not(one: Sensed) -> Sensed:
+    return Sensed(one.agents, lambda keys: not one.test(keys))
+
+
+def _both(one: Sensed, other: Sensed) -> Sensed:
+    size = len(one.agents)
+    return Sensed((*one.agents, *other.agents), lambda keys: one.test(keys[:size]) and other.test(keys[size:]))
+
+
+class _Watch:
+    """Looks at a run of the simulator step by step."""
+
+    def __init__(self, form: Form, asked: Sequence[Asked], run: Simulation) -> None:
+        self._form = form
+        self._asked = asked
+        self._run = run
+        self._tests = {
+            (agent, test): Test(test, run.members[agent].robot)
+            for one in asked
+            for test, agents in one.tests.items()
+            for agent in agents
+        }
+        self._known: dict[tuple[int, str, tuple[int, ...]], bool] = {}
+        self._waits_since = 0 if form is Form.EVENTUALLY else -1
+        self._stayed = False
+
+    def after_step(self) -> bool:
+        first, second = self._holds(self._asked[0]), self._holds(self._asked[-1])
+        match self._form:
+            case Form.NEVER:
+                return first
+            case Form.EVENTUALLY:
+                self._waits_since = -1 if first or self._waits_since < 0 else self._waits_since
+            case Form.AFTER:
+                if second:
+                    self._waits_since = -1
+                elif first and self._waits_since < 0:
+                    self._waits_since = self._run.tick
+            case Form.STAYS:
+                broken = self._stayed and not first and not second
+                self._stayed = first and not second
+                return broken
+        return False
+
+    def at_end(self) -> bool:
+        if self._waits_since < 0:
+            return False
+        waited = self._run.tick - self._waits_since
+        return self._run.outcome != "time" or LONG_ENOUGH * waited >= self._run.tick
+
+    def _holds(self, asked: Asked) -> bool:
+        return asked.holds(self._truth)
+
+    def _truth(self, agent: int, test: str) -> bool:
+        machine = self._run.members[agent].machine
+        cells = tuple(int(cell) for cell in machine.cells[: machine.layout.cells])
+        key = agent, test, cells
+        known = self._known.get(key)
+        if known is None:
+            known = self._known[key] = self._tests[agent, test].holds(_Mind(cells))
+        return known

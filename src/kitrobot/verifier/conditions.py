@@ -1,0 +1,157 @@
+"""Conditions that speak of several agents: LLL in which each test says whose it is, `any carrier-1 (Sign.EqualTo(3))`.
+
+`any`, `all` and `most` are those of team programs; a name is an agent's, or a program's for all agents that run it.
+What stands in the brackets is decided by the interpreter on what that agent reads and keeps
+(`sim.breakpoints.Condition`); what is left here is *and*, *or*, *not* and counting.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.lll import And, Call, Condition, Conditional, Hole, Joint, Not, Or, nodes, parse_team
+from kitrobot.primitives import Robot
+from kitrobot.sim.breakpoints import Condition as Test
+from kitrobot.sim.breakpoints import ConditionError
+from kitrobot.text import Help, Sentence, did_you_mean, listed
+
+
+class PropertyError(KitRobotError):
+    """A condition of a property cannot be understood, or speaks of something that is not there."""
+
+
+class Member(NamedTuple):
+    """An agent as conditions speak of it."""
+
+    name: str
+    program: str
+    robot: Robot
+
+
+Truth = Callable[[int, str], bool]
+"""Whether a test, as text, holds for the agent of that number."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A condition that was understood.
+
+    Attributes:
+        text: the condition.
+        tests: of each test that it asks, as text, the numbers of the agents that are asked.
+        names: of each test, the parts of the robot that it speaks of.
+    """
+
+    text: str
+    tests: dict[str, tuple[int, ...]]
+    names: dict[str, frozenset[str]]
+    _condition: Condition
+    _agents: dict[int, tuple[int, ...]]
+
+    def holds(self, truth: Truth) -> bool:
+        """Whether it holds."""
+        return self._holds(self._condition, truth)
+
+    def is_concerned(self, truth: Truth) -> bool:
+        """Whether it is in question: of several that are joined by `&`, one holds; one alone always is."""
+        parts = list(_conjuncts(self._condition))
+        return len(parts) == 1 or any(self._holds(part, truth) for part in parts)
+
+    def _holds(self, one: Condition, truth: Truth) -> bool:
+        match one:
+            case And():
+                return self._holds(one.left, truth) and self._holds(one.right, truth)
+            case Or():
+                return self._holds(one.left, truth) or self._holds(one.right, truth)
+            case Not():
+                return not self._holds(one.condition, truth)
+            case Joint():
+                agents, test = self._agents[one.start], _test_of(self.text, one)
+                if one.quantifier == "all":
+                    return all(truth(agent, test) for agent in agents)
+                if one.quantifier == "any":
+                    return any(truth(agent, test) for agent in agents)
+                return 2 * sum(truth(agent, test) for agent in agents) > len(agents)
+        raise AssertionError("other conditions were refused")
+
+
+def ask(text: str, team: Sequence[Member]) -> Asked:
+    """Understands a condition.
+
+    Raises:
+        PropertyError: it is no condition, a test does not say whose it is, or a name is not there.
+    """
+    whole = f"[{text}](WAIT(1));"
+    parsed = parse_team(whole, "condition")
+    items = parsed.program.seq.items
+    first = next((item for item in parsed.diagnostics if item.is_error), None)
+    if first is not None:
+        raise PropertyError(first.message, first.help or _USUAL)
+    if not text.strip() or len(items) != 1 or not isinstance(items[0], Conditional) or items[0].orelse is not None:
+        raise PropertyError(Sentence("`{condition}` is no condition", text), _USUAL)
+    condition = items[0].condition
+    asked = Asked(text, {}, {}, condition, {})
+    for joint in _joints(condition):
+        agents = _named(joint, team)
+        test = _test_of(text, joint)
+        for robot in {team[agent].robot.name: team[agent].robot for agent in agents}.values():
+            try:
+                Test(test, robot)
+            except ConditionError as error:
+                raise PropertyError(error.message, error.help) from None
+        asked._agents[joint.start] = agents
+        asked.tests[test] = tuple(dict.fromkeys((*asked.tests.get(test, ()), *agents)))
+        asked.names[test] = frozenset(node.object for node in nodes(joint.condition) if isinstance(node, Call))
+    return asked
+
+
+_USUAL = Sentence("write one like any carrier-1 (Cargo.IsPressed()) & any carrier-2 (Sign.EqualTo(3))")
+
+
+def _test_of(text: str, joint: Joint) -> str:
+    """The text between the brackets of a test; the condition was read with one sign before it."""
+    return text[joint.condition.start - 1 : joint.condition.end - 1]
+
+
+def _conjuncts(one: Condition) -> Iterator[Condition]:
+    if isinstance(one, And):
+        yield from _conjuncts(one.left)
+        yield from _conjuncts(one.right)
+    else:
+        yield one
+
+
+def _joints(one: Condition) -> Iterator[Joint]:
+    match one:
+        case And() | Or():
+            yield from _joints(one.left)
+            yield from _joints(one.right)
+        case Not():
+            yield from _joints(one.condition)
+        case Joint():
+            if any(isinstance(node, Joint) for node in nodes(one.condition)):
+                raise PropertyError(Sentence("a test of agents stands inside another one"), _USUAL)
+            yield one
+        case Call():
+            message = Sentence("`{object}.{method}` does not say whose it is", one.object, one.method)
+            raise PropertyError(message, Sentence("write any carrier-1 (…) around it, with the agent that is meant"))
+        case Hole():
+            raise PropertyError(Sentence("a condition has no holes"), _USUAL)
+
+
+def _named(joint: Joint, team: Sequence[Member]) -> tuple[int, ...]:
+    """The numbers of the agents that a test asks."""
+    assert not isinstance(joint.members, Hole), "a program has no holes"
+    found: dict[int, None] = {}
+    for name in joint.members.names:
+        agents = [at for at, one in enumerate(team) if one.name == name]
+        agents = agents or [at for at, one in enumerate(team) if one.program == name]
+        if not agents:
+            known = dict.fromkeys([*(one.name for one in team), *(one.program for one in team)])
+            help: Help = did_you_mean(name, known) or Sentence("it has: {names}", listed(known))
+            raise PropertyError(Sentence("`{name}` is no agent of this team, and no program of one", name), help)
+        found.update(dict.fromkeys(agents))
+    return tuple(found)

@@ -1,0 +1,236 @@
+"""A check in a process of its own, so that the one that asks goes on; what is found comes as plain values.
+
+Left to others: checking (`verification`), telling people (server).
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from multiprocessing.connection import Connection
+from typing import Any
+
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.text import Sentence
+from kitrobot.verifier import Answer, Confirmed, Timing
+from kitrobot.workspace.child_processes import end_with_parent
+from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.verification import (
+    Column,
+    Finding,
+    Verification,
+    VerificationError,
+    VerificationOptions,
+    runs_of,
+    verify_runs,
+)
+
+MOST_EVENTS = 600
+"""Events of one run that are told; of a longer one the first and the last."""
+_LOOK_S = 0.1
+"""How long nobody looks whether a check is to be broken off, in seconds."""
+_EACH_S = 0.1
+"""Seconds between two words of progress."""
+_PATIENCE_S = 5.0
+"""How long a check that is broken off may take to judge what it has; then its process is ended."""
+
+
+@dataclass(frozen=True)
+class Explored:
+    """How far a check is.
+
+    Attributes:
+        timing, failures: the assumption.
+        states, depth: how many states there are, and how deep.
+        seconds: how long it is at this assumption.
+        memory: bytes that its process has taken at most; 0 where the system does not tell.
+    """
+
+    timing: Timing
+    failures: int
+    states: int
+    depth: int
+    seconds: float
+    memory: int
+
+
+@dataclass(frozen=True)
+class Answered:
+    """What came of one property under one assumption.
+
+    Attributes:
+        name, sentence: the property.
+        answer: the answer.
+        steps: of one that is broken, the steps of the run that breaks it.
+        repeats_from: the step from which on it repeats; -1: it does not.
+        story: its events, each with its step.
+        left_out: how many of them are left out in the middle.
+        confirmed: the run of the simulator that breaks it too, if one was found.
+        searched: whether the simulator was looked through for one.
+    """
+
+    name: str
+    sentence: Sentence
+    answer: Answer
+    steps: int = 0
+    repeats_from: int = -1
+    story: tuple[tuple[int, Sentence], ...] = ()
+    left_out: int = 0
+    confirmed: Confirmed | None = None
+    searched: bool = True
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What came of all properties under one assumption; see `verifier.Judged`. It may be told twice: at first what is
+    broken has not been looked for in the simulator.
+    """
+
+    timing: Timing
+    failures: int
+    states: int
+    depth: int
+    complete: bool
+    seconds: float
+    properties: tuple[Answered, ...]
+
+
+@dataclass(frozen=True)
+class Ended:
+    """The check is over: the length of a step of the simulator, and what is taken for granted, in sentences."""
+
+    tick_ms: int
+    limits: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Refused:
+    message: Sentence
+    help: Any
+
+
+Told = Callable[[Explored | Checked], None]
+
+
+def verify_apart(prepared: PreparedRun, options: VerificationOptions, told: Told) -> Ended | None:
+    """Checks a mission in another process; None where it was broken off so hard that it could not tell its end.
+
+    Raises:
+        VerificationError: the options make no sense, or the process died.
+        AbstractionError: as a `KitRobotError` with the same words: the mission cannot be checked.
+    """
+    context = multiprocessing.get_context("spawn")
+    mine, its = context.Pipe(duplex=False)
+    leave_off = context.Event()
+    chosen = replace(options, stop=VerificationOptions.stop)
+    process = context.Process(
+        target=_check, args=(prepared.parts(), prepared.options.seed, chosen, leave_off, its), daemon=True
+    )
+    process.start()
+    its.close()
+    try:
+        return _follow(mine, options.stop, leave_off, told)
+    except (EOFError, OSError) as error:
+        raise VerificationError(
+            Sentence("the process of the check died"),
+            Sentence("perhaps for want of memory: allow fewer failures, or give it less time"),
+        ) from error
+    finally:
+        mine.close()
+        process.kill()
+        process.join()
+
+
+def _follow(mine: Connection, stop: Callable[[], bool], leave_off: Any, told: Told) -> Ended | None:
+    stopped_at: float | None = None
+    while True:
+        if stopped_at is None and stop():
+            stopped_at = time.monotonic()
+            leave_off.set()
+        if stopped_at is not None and time.monotonic() > stopped_at + _PATIENCE_S:
+            return None
+        if not mine.poll(_LOOK_S):
+            continue
+        message = mine.recv()
+        if isinstance(message, _Refused):
+            raise KitRobotError(message.message, message.help)
+        if isinstance(message, Ended):
+            return message
+        told(message)
+
+
+def _check(parts: tuple[Any, ...], seed: int, chosen: VerificationOptions, leave_off: Any, out: Connection) -> None:
+    """In the process of the check."""
+    end_with_parent()
+    began = time.monotonic()
+    assumption: list[tuple[Timing, int]] = []
+    last = 0.0
+
+    def progress(timing: Timing, failures: int, states: int, depth: int) -> None:
+        nonlocal began, last
+        now = time.monotonic()
+        if assumption != [(timing, failures)]:
+            assumption[:] = [(timing, failures)]
+            began = now
+        if now >= last + _EACH_S:
+            last = now
+            out.send(Explored(timing, failures, states, depth, now - began, _memory()))
+
+    options = replace(chosen, stop=leave_off.is_set)
+    try:
+        made = verify_runs(runs_of(parts), seed, options, progress, lambda column: out.send(_plain(column)))
+        out.send(_end(made))
+    except KitRobotError as error:
+        out.send(_Refused(error.message, error.help))
+    out.close()
+
+
+def _end(made: Verification) -> Ended:
+    return Ended(made.tick_ms, made.limits)
+
+
+def _plain(column: Column) -> Checked:
+    judged = column.judged
+    return Checked(
+        judged.timing,
+        judged.failures,
+        judged.states,
+        judged.depth,
+        judged.complete,
+        judged.seconds,
+        tuple(_answered(finding) for finding in column.findings),
+    )
+
+
+def _answered(finding: Finding) -> Answered:
+    verdict, way, story = finding.verdict, finding.verdict.way, finding.story
+    one = verdict.property
+    if way is None:
+        return Answered(one.name, one.sentence, verdict.answer)
+    left_out = max(0, len(story) - MOST_EVENTS)
+    if left_out:
+        story = (*story[: MOST_EVENTS // 2], *story[left_out + MOST_EVENTS // 2 :])
+    return Answered(
+        one.name,
+        one.sentence,
+        verdict.answer,
+        len(way.steps),
+        way.repeats_from,
+        story,
+        left_out,
+        finding.confirmed,
+        finding.searched,
+    )
+
+
+def _memory() -> int:
+    """The most bytes that this process has taken; 0 where the system does not tell."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        return 0
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most if sys.platform == "darwin" else most * 1024

@@ -1,0 +1,83 @@
+"""The rows of a class: what came of each submission, as plain values in every language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any, Final
+
+from kitrobot.translation import LANGUAGES, reading_in, said
+
+LONGEST_TEXT: Final = 500
+"""Characters of one sentence in a row."""
+
+Told = dict[str, str]
+"""A text in each language, by `en`, `fr` and `ur`."""
+
+
+@dataclass(frozen=True)
+class GoalGrade:
+    """What came of one goal: as `GoalVerdict`, in plain values."""
+
+    label: Told
+    points: int
+    hidden: bool
+    reached: bool
+    why: Told
+    seed: int | None
+    seconds: float | None
+    runs: int
+    of: int
+
+
+@dataclass(frozen=True)
+class Grade:
+    """A row: what came of a submission. `problem` says why it could not be judged; then there are no goals."""
+
+    submission: str
+    exercise: Told
+    goals: tuple[GoalGrade, ...] = ()
+    problem: Told | None = None
+
+    @property
+    def points(self) -> int:
+        """Points that were reached."""
+        return sum(goal.points for goal in self.goals if goal.reached)
+
+    @property
+    def of(self) -> int:
+        """Points of all goals."""
+        return sum(goal.points for goal in self.goals)
+
+    @property
+    def full(self) -> bool:
+        """Whether it was judged and every goal is reached."""
+        return self.problem is None and all(goal.reached for goal in self.goals)
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain values, in the published shape, in English."""
+        made: dict[str, Any] = {
+            "submission": self.submission,
+            "exercise": self.exercise.get("en", ""),
+            "points": self.points,
+            "of": self.of,
+            "problem": None if self.problem is None else self.problem["en"],
+            "goals": [],
+        }
+        for goal in self.goals:
+            made["goals"].append({**asdict(goal), "label": goal.label["en"], "why": goal.why["en"]})
+        return made
+
+
+def told(sentence: str) -> Told:
+    """A sentence in every language."""
+    made = {}
+    for language in LANGUAGES:
+        with reading_in(language):
+            made[language] = str(said(sentence))[:LONGEST_TEXT]
+    return made
+
+
+def texts_of(texts: Mapping[str, str]) -> Told:
+    """The texts of an XML file in every language; English where there is none."""
+    return {language: texts.get("" if language == "en" else language) or texts.get("", "") for language in LANGUAGES}

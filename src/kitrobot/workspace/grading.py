@@ -1,0 +1,168 @@
+"""Grading the submissions of a class: each is judged in a process of its own, with bounds, and becomes a row.
+
+The parent opens the file that was named, a regular one of at most `MOST_BYTES` and never through a link, and gives its
+bytes to a fresh process (`grading_process`) whose answer is bounded by `MOST_ANSWER_BYTES`. Whatever becomes of it is
+a `Grade` that says so: what one submission does never keeps another from being graded.
+"""
+
+from __future__ import annotations
+
+import json
+import multiprocessing
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any, Final
+
+from kitrobot.diagnostics import KitRobotError, open_regular
+from kitrobot.text import Sentence, Word
+from kitrobot.workspace.child_processes import MOST_JOBS
+from kitrobot.workspace.grades import GoalGrade, Grade, told
+from kitrobot.workspace.grading_process import MOST_CPU_S, serve
+
+MOST_BYTES: Final = 1024 * 1024
+"""Bytes of a submission: some hundred times what a large exercise takes."""
+LONGEST_WAIT_S: Final = 600.0
+"""How long one process is waited for on the clock on the wall, where the system has no limit of processor time."""
+MOST_ANSWER_BYTES: Final = 256 * 1024
+MOST_SUBMISSIONS: Final = 10_000
+
+_LOOK_S: Final = 0.2
+
+Progress = Callable[[int, int], None]
+"""Told how many submissions are graded, and how many there are."""
+
+
+class GradingError(KitRobotError):
+    """Grading that makes no sense, or a submission that cannot be read."""
+
+
+def grade(
+    submissions: Sequence[Path],
+    exercise: Path | None,
+    jobs: int,
+    progress: Progress | None = None,
+    stop: threading.Event | None = None,
+) -> Iterator[Grade]:
+    """Grades submissions, in the order in which they are ready; hidden goals and seeds count too.
+
+    Args:
+        submissions: their files.
+        exercise: the exercise's file; None: of each that one of those that come along whose programs it has.
+        jobs: in so many processes at a time.
+        progress: told after each.
+        stop: when set, no more are begun and those that are on are ended.
+
+    Raises:
+        GradingError: a number makes no sense.
+    """
+    if not 1 <= jobs <= MOST_JOBS:
+        raise GradingError(Sentence("submissions are graded in 1 to {most} processes", MOST_JOBS))
+    if len(submissions) > MOST_SUBMISSIONS:
+        raise GradingError(Sentence("at most {most} submissions are graded at once", MOST_SUBMISSIONS))
+    stop = stop or threading.Event()
+    context = _context()
+    chosen = None if exercise is None else str(exercise.resolve())
+    done = 0
+    with ThreadPoolExecutor(min(jobs, max(1, len(submissions)))) as pool:
+        left = {pool.submit(_grade_one, context, path, chosen, stop) for path in submissions}
+        try:
+            while left:
+                over, left = wait(left, _LOOK_S, FIRST_COMPLETED)
+                for future in over:
+                    made = future.result()
+                    if made is None:
+                        continue
+                    done += 1
+                    if progress is not None:
+                        progress(done, len(submissions))
+                    yield made
+        finally:
+            stop.set()
+
+
+def _context() -> Any:
+    """How processes begin: where the system can, as copies of one that has imported everything and read nothing."""
+    if "forkserver" in multiprocessing.get_all_start_methods():
+        made = multiprocessing.get_context("forkserver")
+        made.set_forkserver_preload(["kitrobot.workspace.grading_process", "kitrobot.sim.stepping"])
+        return made
+    return multiprocessing.get_context("spawn")
+
+
+def _grade_one(context: Any, path: Path, exercise: str | None, stop: threading.Event) -> Grade | None:
+    """In a thread: one submission, from its file to its row; None when it was broken off."""
+    if stop.is_set():
+        return None
+    name = str(path)
+    try:
+        data = read_submission(path)
+    except KitRobotError as error:
+        return Grade(name, {}, problem=told(error.message))
+    ours, theirs = context.Pipe(duplex=False)
+    process = context.Process(target=serve, args=(theirs, data, path.name, exercise), daemon=True)
+    try:
+        process.start()
+        theirs.close()
+        answer = _answer(ours, stop)
+        if answer is None and stop.is_set():
+            return None
+        process.join(_LOOK_S * 5)
+        if answer is None:
+            return Grade(name, {}, problem=told(_how_it_died(process.exitcode)))
+        return _row(name, answer)
+    finally:
+        ours.close()
+        if process.is_alive():
+            process.kill()
+        process.join()
+
+
+def read_submission(path: Path) -> bytes:
+    """The bytes of the very file that was named.
+
+    Raises:
+        GradingError: it is not there, no regular file, a link, or too large.
+    """
+    try:
+        with open_regular(path, follow=False) as stream:
+            data = stream.read(MOST_BYTES + 1)
+    except FileNotFoundError:
+        raise GradingError(Sentence("there is no such file")) from None
+    except (OSError, ValueError) as error:
+        reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+        raise GradingError(Sentence("it could not be read: {reason}", Word(reason))) from None
+    if len(data) > MOST_BYTES:
+        raise GradingError(Sentence("it is larger than {most} kB", MOST_BYTES // 1024))
+    return data
+
+
+def _answer(connection: Connection, stop: threading.Event) -> dict[str, Any] | None:
+    """What the process says; None when it says nothing that can be used, or is broken off."""
+    waited = 0.0
+    try:
+        while not connection.poll(_LOOK_S):
+            waited += _LOOK_S
+            if stop.is_set() or waited > LONGEST_WAIT_S:
+                return None
+        answer = json.loads(connection.recv_bytes(MOST_ANSWER_BYTES))
+    except (EOFError, OSError, ValueError):
+        return None
+    return answer if isinstance(answer, dict) else None
+
+
+def _how_it_died(status: int | None) -> Sentence:
+    import signal
+
+    if status is not None and status in (-getattr(signal, "SIGXCPU", 0), -getattr(signal, "SIGKILL", 0)) and status:
+        return Sentence("judging it took more than {seconds} s of processor time", MOST_CPU_S)
+    if status is None:
+        return Sentence("judging it took too long")
+    return Sentence("judging it ended without an answer, perhaps for want of memory")
+
+
+def _row(name: str, answer: dict[str, Any]) -> Grade:
+    goals = tuple(GoalGrade(**goal) for goal in answer["goals"])
+    return Grade(name, answer["exercise"], goals, answer["problem"])

@@ -1,0 +1,359 @@
+"""Judging what was made of an exercise: its programs are looked at, run with every seed, and checked.
+
+The work is bounded by steps: each run ends after the exercise's simulated seconds, each check after its states. `stop`
+breaks off between two stretches of a run and within a check. Nothing the clock decides is in the result. Left to
+others: what a goal is (`exercise`), processes and tables for a class (`grading`).
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Final, Literal
+
+from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError
+from kitrobot.exercise import (
+    CheckGoal,
+    CheckSeen,
+    Contact,
+    Exercise,
+    Fault,
+    Goal,
+    PathPoint,
+    ProgramGoal,
+    ProgramsSeen,
+    RunGoal,
+    RunSeen,
+)
+from kitrobot.graph import IN, RETURN, START, STOP, Program
+from kitrobot.lll import Call, Hole, Number, Seq, nodes
+from kitrobot.mission import Mission
+from kitrobot.sim import Simulation
+from kitrobot.text import Sentence
+from kitrobot.verifier import AbstractionError, Answer, Timing
+from kitrobot.workspace.exercises import handed_in
+from kitrobot.workspace.opening import OpenMission, with_mission
+from kitrobot.workspace.running import PreparedRun, RunOptions
+from kitrobot.workspace.search_path import SearchPath
+from kitrobot.workspace.verification import Finding, VerificationError, VerificationOptions, verify
+
+STRETCH: Final = 250
+"""Steps of the simulator between two looks at `stop`."""
+LEAST_MOVE_MM: Final = 1.0
+"""Points of a path are at least so far apart."""
+STEPS_TOLD: Final = 4
+"""Of a run of the model that breaks a property, the last steps that are told."""
+
+_ANSWERS: Final[dict[Answer, Literal["holds", "broken", "not finished", "vacuous"]]] = {
+    Answer.BROKEN: "broken",
+    Answer.NOT_FINISHED: "not finished",
+    Answer.VACUOUS: "vacuous",
+    Answer.HOLDS: "holds",
+}
+"""From the worst to the best."""
+
+Progress = Callable[[int, int], None]
+"""Told how many pieces of work are over, and how many there are."""
+
+
+def _never() -> bool:
+    return False
+
+
+class JudgingStoppedError(KitRobotError):
+    """Judging was broken off."""
+
+
+@dataclass(frozen=True)
+class GoalVerdict:
+    """What came of a goal.
+
+    Attributes:
+        goal: the goal.
+        reached: whether it is; None where nothing was judged of it.
+        why: what went wrong, "" when nothing did.
+        seed: the run that shows it, if a run does.
+        seconds: when in that run, in simulated seconds.
+        runs: in how many of the `of` runs it was reached; both 0 for goals that are not of runs.
+    """
+
+    goal: Goal
+    reached: bool | None
+    why: str = ""
+    seed: int | None = None
+    seconds: float | None = None
+    runs: int = 0
+    of: int = 0
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What came of a submission. `problems` are the errors that kept it from being run; then no goal is reached."""
+
+    verdicts: tuple[GoalVerdict, ...]
+    problems: tuple[Diagnostic, ...] = ()
+
+    @property
+    def points(self) -> int:
+        """Points of the goals that are reached."""
+        return sum(verdict.goal.points for verdict in self.verdicts if verdict.reached)
+
+    @property
+    def of(self) -> int:
+        """Points of all goals."""
+        return sum(verdict.goal.points for verdict in self.verdicts)
+
+    @property
+    def full(self) -> bool:
+        """Whether every goal is reached."""
+        return all(verdict.reached for verdict in self.verdicts)
+
+
+@dataclass(frozen=True)
+class JudgingOptions:
+    """What is judged.
+
+    Attributes:
+        hidden: the hidden goals and seeds too.
+        seeds: these seeds only, in place of the exercise's; none: the exercise's.
+        runs: goals of runs too.
+        checks: goals of checking too, which take longest.
+        stop: asked now and then whether to break off.
+    """
+
+    hidden: bool = False
+    seeds: tuple[int, ...] = ()
+    runs: bool = True
+    checks: bool = True
+    stop: Callable[[], bool] = _never
+
+
+def open_handed_in(start: OpenMission, submission: Mission, search: SearchPath) -> OpenMission:
+    """A submission in the mission of its exercise, which lies in the folder of `search`.
+
+    Raises:
+        AnotherMissionError: it belongs to another exercise.
+    """
+    return with_mission(handed_in(start.mission, submission), start.name, search)
+
+
+def judge(
+    exercise: Exercise, opened: OpenMission, options: JudgingOptions | None = None, progress: Progress | None = None
+) -> Judgement:
+    """Judges a submission that was put into the mission of its exercise.
+
+    Raises:
+        JudgingStoppedError: `stop` said so.
+    """
+    options = options or JudgingOptions()
+    goals = exercise.goals_for(options.hidden)
+    seeds = options.seeds or exercise.seeds_for(options.hidden)
+    run_goals = [goal for goal in goals if isinstance(goal, RunGoal)] if options.runs else []
+    checks = [goal for goal in goals if isinstance(goal, CheckGoal)] if options.checks else []
+    total = (len(seeds) if run_goals else 0) + len(checks)
+    done = 0
+
+    def tell() -> None:
+        nonlocal done
+        done += 1
+        if progress is not None:
+            progress(done, total)
+
+    try:
+        prepared = opened.prepare(RunOptions(seeds[0], exercise.seconds))
+    except ProblemsError as error:
+        return _unusable(goals, [one for one in error.diagnostics if one.is_error])
+    found: dict[int, GoalVerdict] = {}
+    seen = programs_seen(opened)
+    for goal in goals:
+        if isinstance(goal, ProgramGoal):
+            fault = goal.fault(seen)
+            found[id(goal)] = _verdict(goal, fault)
+    verdicts: dict[int, list[tuple[int, Fault | None]]] = {id(goal): [] for goal in run_goals}
+    if run_goals:
+        paths = any(goal.needs_path for goal in run_goals)
+        for seed in seeds:
+            _go_on(options.stop)
+            run = run_seen(_simulation(prepared, seed), seed, paths, options.stop)
+            for goal in run_goals:
+                verdicts[id(goal)].append((seed, goal.fault(run)))
+            tell()
+    for goal in run_goals:
+        found[id(goal)] = _of_runs(goal, verdicts[id(goal)])
+    for alike in _alike(checks):
+        _go_on(options.stop)
+        seen_of = checks_seen(prepared, alike, options.stop)
+        _go_on(options.stop)
+        for check in alike:
+            found[id(check)] = _verdict(check, check.fault(seen_of[check.property]))
+            tell()
+    return Judgement(tuple(found.get(id(goal), GoalVerdict(goal, None)) for goal in goals))
+
+
+def _go_on(stop: Callable[[], bool]) -> None:
+    if stop():
+        raise JudgingStoppedError(Sentence("judging was broken off"))
+
+
+def _unusable(goals: Iterable[Goal], problems: list[Diagnostic]) -> Judgement:
+    first = problems[0].message if problems else ""
+    return Judgement(tuple(GoalVerdict(goal, False, first) for goal in goals), tuple(problems))
+
+
+def _verdict(goal: Goal, fault: Fault | None) -> GoalVerdict:
+    if fault is None:
+        return GoalVerdict(goal, True)
+    return GoalVerdict(goal, False, fault.sentence, fault.seed, fault.seconds)
+
+
+def _of_runs(goal: RunGoal, found: list[tuple[int, Fault | None]]) -> GoalVerdict:
+    wrong = [(seed, fault) for seed, fault in found if fault is not None]
+    reached = len(found) - len(wrong)
+    if not wrong:
+        return GoalVerdict(goal, True, runs=reached, of=len(found))
+    seed, fault = wrong[0]
+    return GoalVerdict(goal, False, fault.sentence, seed, fault.seconds, reached, len(found))
+
+
+# -- what is seen of programs
+
+
+def programs_seen(opened: OpenMission) -> ProgramsSeen:
+    """The elements that hang on the Start of each program, and what own blocks stand for."""
+    blocks = {block.name: block for block in opened.mission.constructors}
+    elements: dict[str, Counter[str]] = {}
+    own: dict[str, int] = {}
+    for program in opened.mission.programs:
+        counts = Counter(attached(program))
+        own[program.name] = 0
+        for name in set(counts) & set(blocks):
+            template = blocks[name].template
+            inner = [node for node in nodes(template) if not isinstance(node, Seq | Hole | Number)] if template else []
+            own[program.name] += len(inner)
+            counts.update(f"{node.object}.{node.method}" for node in inner if isinstance(node, Call))
+        elements[program.name] = counts
+    return ProgramsSeen(elements, own)
+
+
+def attached(program: Program) -> list[str]:
+    """The elements of the vertices that hang on Start, but for Start and Stop: those on the way from it, and what fills
+    their slots. What is parked is not among them.
+    """
+    kinds = {vertex.id: vertex.element for vertex in program.vertices}
+    ways: dict[str, list[str]] = {}
+    for arc in program.arcs:
+        fills = arc.at not in (IN, RETURN)
+        ways.setdefault(arc.target if fills else arc.source, []).append(arc.source if fills else arc.target)
+    waiting = [vertex.id for vertex in program.vertices if vertex.element == START]
+    met = set(waiting)
+    while waiting:
+        for other in ways.get(waiting.pop(), ()):
+            if other in kinds and other not in met:
+                met.add(other)
+                waiting.append(other)
+    return [kinds[vertex] for vertex in met if kinds[vertex] not in (START, STOP)]
+
+
+# -- what is seen of runs
+
+
+def _simulation(prepared: PreparedRun, seed: int) -> Simulation:
+    if seed == prepared.options.seed:
+        return prepared.again()
+    return prepared.opened.prepare(replace(prepared.options, seed=seed)).simulation
+
+
+def run_seen(simulation: Simulation, seed: int, with_paths: bool, stop: Callable[[], bool] = _never) -> RunSeen:
+    """Runs a simulation that has a time limit to its end.
+
+    Raises:
+        JudgingStoppedError: `stop` said so.
+    """
+    # Compiling takes longer than the runs of an exercise.
+    simulation.stays_plain = True
+    names = [agent.name for agent in simulation.members]
+    paths: list[list[PathPoint]] = [[PathPoint(x, y, 0.0)] for x, y, *_ in simulation.poses()]
+    contacts: list[Contact] = []
+    while simulation.outcome is None:
+        if simulation.tick % STRETCH == 0:
+            _go_on(stop)
+        simulation.advance(1 if with_paths else STRETCH)
+        for event in simulation.events:
+            if event.kind == "collision":
+                contacts.append(Contact(event.agent, event.tick * simulation.tick_ms / 1000, event.text))
+        if with_paths:
+            _follow(simulation, paths)
+    if with_paths:
+        for path, (x, y, *_) in zip(paths, simulation.poses(), strict=True):
+            path.append(PathPoint(x, y, simulation.seconds))
+    return RunSeen(
+        seed,
+        simulation.outcome,
+        simulation.sentence,
+        simulation.seconds,
+        tuple(contacts),
+        {name: tuple(path) for name, path in zip(names, paths, strict=True)} if with_paths else None,
+    )
+
+
+def _follow(simulation: Simulation, paths: list[list[PathPoint]]) -> None:
+    for path, (x, y, *_) in zip(paths, simulation.poses(), strict=True):
+        last = path[-1]
+        if abs(x - last.x) + abs(y - last.y) >= LEAST_MOVE_MM:
+            path.append(PathPoint(x, y, simulation.seconds))
+
+
+# -- what is seen by checking
+
+
+def _alike(checks: Iterable[CheckGoal]) -> list[list[CheckGoal]]:
+    """The goals that one search decides together."""
+    found: dict[tuple[str, int, int], list[CheckGoal]] = {}
+    for check in checks:
+        found.setdefault((check.timing, check.failures, check.states), []).append(check)
+    return list(found.values())
+
+
+def checks_seen(
+    prepared: PreparedRun, goals: Sequence[CheckGoal], stop: Callable[[], bool] = _never
+) -> dict[str, CheckSeen]:
+    """Checks the properties of goals that are alike, bounded by their states, in one search.
+
+    Of each property the worst answer counts: of all numbers of failures, and of all agents that it is about.
+    """
+    like = goals[0]
+    wanted = tuple(dict.fromkeys(goal.property for goal in goals))
+    options = VerificationOptions(wanted, (Timing(like.timing),), like.failures, like.states, None, stop=stop)
+    try:
+        made = verify(prepared, options)
+    except VerificationError as error:
+        if len(wanted) == 1:
+            return {wanted[0]: CheckSeen("none", error.message)}
+        # One of them does not fit this mission: each by itself.
+        return {goal.property: checks_seen(prepared, [goal], stop)[goal.property] for goal in goals}
+    except AbstractionError as error:
+        return dict.fromkeys(wanted, CheckSeen("none", error.message))
+    seen = {}
+    for name in wanted:
+        findings = [
+            finding
+            for column in made.columns
+            for finding in column.findings
+            if finding.verdict.property.name == name or finding.verdict.property.name.startswith(f"{name}-")
+        ]
+        if findings:
+            worst = min(findings, key=lambda finding: list(_ANSWERS).index(finding.verdict.answer))
+            seen[name] = _told(worst, made.tick_ms)
+        else:
+            seen[name] = CheckSeen("none", Sentence("nothing was checked"))
+    return seen
+
+
+def _told(finding: Finding, tick_ms: int) -> CheckSeen:
+    verdict, confirmed = finding.verdict, finding.confirmed
+    steps = tuple(dict.fromkeys(text for _, text in finding.story[-STEPS_TOLD:]))
+    seed = seconds = None
+    if confirmed is not None and not confirmed.harms:
+        seed, seconds = confirmed.seed, confirmed.tick * tick_ms / 1000
+    return CheckSeen(_ANSWERS[verdict.answer], verdict.property.sentence, seed, seconds, steps)

@@ -1,0 +1,47 @@
+"""Whether the properties that a mission asks for can be understood, and speak of what is there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kitrobot.diagnostics import Diagnostic, Place
+from kitrobot.files import Places
+from kitrobot.mission import PROPERTY, Mission
+from kitrobot.mission.asked import READY, SERVED
+from kitrobot.primitives import Catalogue
+from kitrobot.text import Sentence
+
+
+def property_problems(mission: Mission, catalogue: Catalogue, places: Places | None) -> Iterator[Diagnostic]:
+    """What is wrong with the properties of a mission; nothing is said of robots that are not at hand."""
+    if not mission.properties:
+        return
+    # Reading missions has no need of it.
+    from kitrobot.verifier.conditions import Member, PropertyError, ask
+
+    def place(name: str, attribute: str) -> Place | None:
+        return places.asked(name, attribute) if places is not None else None
+
+    kinds = {program.name: program.target for program in mission.programs}
+    team = [
+        Member(agent.name, agent.program, robot)
+        for agent in mission.team.agents
+        if (robot := catalogue.robots.get(agent.robot or kinds.get(agent.program, ""))) is not None
+    ]
+    if len(team) < len(mission.team.agents):
+        return
+    seen: set[str] = set()
+    for one in mission.properties:
+        if one.name in READY or one.name.startswith(SERVED):
+            message = Sentence("`{name}` is the name of a property that is checked unasked", one.name)
+            yield PROPERTY(message, place(one.name, "name"), help=Sentence("choose another name"))
+        elif one.name in seen:
+            message = Sentence("two properties are called `{name}`", one.name)
+            yield PROPERTY(message, place(one.name, "name"), help=Sentence("choose another name"))
+        seen.add(one.name)
+        for attribute, text in one.conditions:
+            try:
+                ask(text, team)
+            except PropertyError as error:
+                message = Sentence("the property {name}: {reason}", one.name, error.message)
+                yield PROPERTY(message, place(one.name, attribute), help=error.help)

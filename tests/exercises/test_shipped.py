@@ -1,0 +1,56 @@
+"""The twelve exercises that come along can be solved, and a wrong solution is told what it lacks."""
+
+from __future__ import annotations
+
+import pytest
+
+from kitrobot.workspace import SearchPath, open_mission
+from kitrobot.workspace.exercises import programs_of
+from kitrobot.workspace.grading_process import ready_exercise, shipped_exercises
+from kitrobot.workspace.judging import Judgement, JudgingOptions, judge, open_handed_in
+from tests.exercises.handing_in import FOLDER, exercise_file, submission
+from tests.exercises.solutions import SOLVED, WRONG, Programs
+
+NAMES = sorted(SOLVED)
+
+
+def judged(name: str, programs: Programs) -> Judgement:
+    ready = ready_exercise(exercise_file(name))
+    opened = open_handed_in(ready.start, submission(name, programs), SearchPath(FOLDER))
+    return judge(ready.exercise, opened, JudgingOptions(hidden=True))
+
+
+def missed(made: Judgement) -> list[int]:
+    return [number for number, verdict in enumerate(made.verdicts, 1) if not verdict.reached]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_model_solution_reaches_every_goal_and_a_wrong_one_is_told_which_it_misses(name: str) -> None:
+    solved = judged(name, SOLVED[name])
+    assert missed(solved) == [], [verdict.why for verdict in solved.verdicts]
+    assert (solved.points, solved.full) == (solved.of, True)
+    programs, wanted = WRONG[name]
+    wrong = judged(name, programs)
+    assert missed(wrong) == wanted
+    assert all(verdict.why for verdict in wrong.verdicts if not verdict.reached)
+    assert not wrong.full
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_an_exercise_begins_with_does_not_reach_its_goals(name: str) -> None:
+    # The last one is told above: it begins with its wrong solution.
+    if WRONG[name][0]:
+        assert not judged(name, {}).full
+
+
+def test_there_are_twelve_in_three_languages_and_their_programs_tell_them_apart() -> None:
+    files = shipped_exercises()
+    assert [path.name.removesuffix(".exercise.xml") for path in files] == NAMES
+    assert len(NAMES) == 12
+    programs: list[str] = []
+    for path in files:
+        exercise = ready_exercise(path).exercise
+        for texts in (exercise.label, exercise.help, *(goal.label for goal in exercise.goals)):
+            assert set(texts) == {"", "fr", "ur"}
+        programs += programs_of(open_mission(path.parent / exercise.start).mission)
+    assert len(programs) == len(set(programs))

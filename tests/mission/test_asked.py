@@ -1,0 +1,110 @@
+"""Properties of a mission: in the file, compared, merged, on the wire; a wrong one is told with its place."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kitrobot.mission import AskedProperty, Form, Mission, read_mission, write_mission
+from kitrobot.server.shapes import MissionShape, mission_from_shape, mission_shape
+from kitrobot.versions import differences, merge_missions
+from kitrobot.workspace import open_mission
+
+HEAD = """<kitrobot version="1"><program name="p" robot="mini-robot"><vertex id="start" element="Start"/>
+<vertex id="stop" element="Stop"/><arc from="start" to="stop"/></program>
+<team><agent name="robot-1" program="p"/></team>"""
+LINES = (
+    '<property name="n" never="any p (Button.IsPressed())"/>',
+    '<property name="a" after="any p (Button.IsPressed())" eventually="all robot-1 (Button.IsReleased())"/>',
+    '<property name="e" eventually="any robot-1 (Button.IsPressed())"/>',
+    '<property name="s" stays="any p (Button.IsPressed())" until="any p (Button.IsReleased())"/>',
+)
+TEXTS = st.text(st.characters(codec="utf-8", exclude_categories=("Cc", "Cs", "Co", "Cn")), max_size=30).map(str.strip)
+
+
+def read(*parts: str) -> tuple[Mission, list[str]]:
+    mission, problems = read_mission("\n".join((HEAD, *parts, "</kitrobot>")).encode(), "m.krt")
+    assert mission is not None
+    return mission, [item.message for item in problems]
+
+
+def test_the_four_forms_are_read_written_and_sent_the_same() -> None:
+    mission, problems = read(*LINES)
+    assert problems == []
+    assert [one.form for one in mission.properties] == [Form.NEVER, Form.AFTER, Form.EVENTUALLY, Form.STAYS]
+    written = write_mission(mission)
+    assert read_mission(written, "m.krt") == (mission, [])
+    assert [line.strip() for line in written.decode().splitlines() if "<property" in line] == list(LINES)
+    shape = MissionShape.model_validate_json(mission_shape(mission).model_dump_json())
+    assert mission_from_shape(shape) == mission
+
+
+@given(TEXTS.filter(bool), st.sampled_from(Form), TEXTS, TEXTS)
+def test_whatever_it_says_comes_back(name: str, form: Form, first: str, second: str) -> None:
+    one = AskedProperty(name, form, first, second if form in (Form.AFTER, Form.STAYS) else "")
+    mission, _ = read_mission(write_mission(Mission(properties=[one])), "m.krt")
+    assert mission is not None
+    assert mission.properties == [one]
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        '<property never="any p (Button.IsPressed())"/>',
+        '<property name="n"/>',
+        '<property name="n" after="x"/>',
+        '<property name="n" never="x" eventually="y"/>',
+        '<property name="n" stays="x" until="y" never="z"/>',
+        f'<property name="n" never="{"x" * 2000}"/>',
+        f'<property name="{"n" * 200}" never="x"/>',
+    ],
+)
+def test_one_that_is_wrong_is_kept_word_for_word(wrong: str) -> None:
+    mission, problems = read(wrong)
+    assert len(problems) == 1
+    assert mission.unknown == [wrong]
+    assert mission.properties == []
+
+
+def test_differences_and_merging() -> None:
+    base, _ = read(LINES[0])
+    ours, _ = read(LINES[0].replace("Pressed", "Released"))
+    theirs, _ = read(LINES[0], LINES[2])
+    assert [one.sentence for one in differences(base, ours)] == ["the property n: first changed"]
+    assert [one.sentence for one in differences(base, theirs)] == ["the property e added"]
+    merged = merge_missions(base, ours, theirs)
+    assert merged.conflicts == ()
+    assert merged.mission.properties == [ours.properties[0], theirs.properties[1]]
+
+
+@pytest.mark.parametrize(
+    ("line", "message", "help", "at"),
+    [
+        ('name="n" never="any p (Buton.IsPressed())"', "Buton", "Button", "never="),
+        (
+            'name="n" after="any p (Button.IsPressed())" eventually="any q (Button.IsPressed())"',
+            "`q`",
+            "",
+            "eventually=",
+        ),
+        ('name="n" never="Button.IsPressed()"', "does not say whose it is", "any carrier-1", "never="),
+        ('name="n" never=""', "expected a condition", "", "never="),
+        ('name="contact" never="any p (Button.IsPressed())"', "checked unasked", "another name", "name="),
+    ],
+)
+def test_one_about_nothing_is_told_with_its_place_and_the_mission_runs(
+    tmp_path: Path, line: str, message: str, help: str, at: str
+) -> None:
+    path = tmp_path / "m.krt"
+    path.write_text("\n".join((HEAD, f"  <property {line}/>", "</kitrobot>")), encoding="utf-8")
+    report = open_mission(path).check()
+    assert report.ok
+    [problem] = [one for one in report.problems if one.code == "mission-property"]
+    assert message in problem.message
+    assert help in problem.help
+    assert problem.place is not None
+    row = path.read_text(encoding="utf-8").splitlines()[problem.place.line - 1]
+    assert row[problem.place.column - 1 :].startswith(at)

@@ -1,0 +1,72 @@
+"""Check: a property is written with completion; what is broken opens its run, which is played up to its moment."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.patience import PATIENCE_S
+from tests.studio.test_reach import find_nothing
+from tests.verifier.building import EXAMPLES
+
+pytestmark = pytest.mark.browser
+
+
+@pytest.fixture
+def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
+    """A loader that reaches for boxes that are not there, as an example of its own."""
+    text = (EXAMPLES / "passing-loop" / "passing-loop.krt").read_text(encoding="utf-8")
+    loops = '<vertex id="v1" element="Repetition"><set name="count">3</set>'
+    assert loops in text
+    path = tmp_path / "made" / "greedy" / "greedy.krt"
+    path.parent.mkdir(parents=True)
+    path.write_text(text.replace(loops, loops.replace(">3<", ">9<")), encoding="utf-8")
+    monkeypatch.setitem(open_studio.__globals__, "EXAMPLES", tmp_path / "made")
+    return "greedy/greedy.krt"
+
+
+def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check_can_be_stopped(
+    open_studio, greedy: str
+) -> None:
+    studio = open_studio(greedy)
+    keys = studio.page.keyboard
+    keys.press("Alt+c")
+    studio.at("property-add-never").click()
+    field = studio.at("property-first-0")
+    field.focus()
+    keys.press("Enter")
+    expect(field).to_have_value("any ")
+    keys.type("carrier-1")
+    keys.press("Enter")
+    keys.type("Cargo.IsPr")
+    keys.press("Enter")
+    expect(field).to_have_value("any carrier-1 (Cargo.IsPressed()")
+    studio.at("property-name-0").fill("empty")
+    expect(studio.at("property-wrong")).to_be_visible(timeout=1000 * PATIENCE_S)
+    field.fill("any carrier-1 (Cargo.IsPressed())")
+    field.blur()
+    expect(studio.at("property-wrong")).to_have_count(0, timeout=1000 * PATIENCE_S)
+    studio.at("check-begin").click()
+    broken = studio.at("answer-empty-storehouse-lockstep-0")
+    expect(broken).to_have_attribute("data-shape", "broken", timeout=1000 * PATIENCE_S)
+    studio.at("check-stop").click()
+    expect(studio.at("check-begin")).to_be_visible(timeout=1000 * PATIENCE_S)
+    expect(studio.at("answer-empty-swing-lockstep-0")).to_have_attribute("data-shape", "holds")
+    expect(studio.at("answer-empty-lockstep-0")).to_have_attribute("data-shape", "broken")
+    broken.focus()
+    for key in ("ArrowDown", "ArrowRight", "ArrowLeft", "ArrowUp"):
+        keys.press(key)
+    expect(broken).to_be_focused()
+    keys.press("Enter")
+    expect(studio.at("check-seen")).to_have_attribute("data-confirmed", "true")
+    expect(studio.at("check-story").locator("li").last).to_contain_text("reaches into the empty storehouse")
+    expect(studio.at("check-limits")).to_be_visible()
+    find_nothing(studio, "the check with a run open")
+    studio.at("check-run").get_by_role("button").first.click()
+    expect(studio.at("check-run")).to_have_count(0)
+    broken.click()
+    studio.at("check-play").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused", timeout=1000 * PATIENCE_S)
+    expect(studio.at("status")).to_contain_text("01:05.6")

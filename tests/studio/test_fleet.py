@@ -1,0 +1,61 @@
+"""A team of processes in the studio: given bodies, started, shown as a run, stopped; by keys and on a phone."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import Studio
+from tests.studio.test_reach import find_nothing
+from tests.studio.test_watching import another_window, status_is
+
+pytestmark = pytest.mark.browser
+
+ACTIVE = ".vertex.is-active"
+
+
+@pytest.mark.slow
+def test_a_team_is_given_bodies_started_glows_is_paused_and_stopped_from_a_phone(
+    open_studio: Callable[..., Studio],
+) -> None:
+    studio = open_studio("convoy/convoy.krt")
+    page = studio.page
+    page.keyboard.press("Alt+r")
+    crew = studio.at("crew")
+    expect(crew.get_by_role("combobox")).to_have_count(4)
+    expect(studio.at("crew-send")).to_be_disabled()
+    # A board that is not plugged in can be chosen by its address, for one agent at a time.
+    studio.at("robots-address").fill("127.0.0.1:1")
+    page.keyboard.press("Enter")
+    one, two = (crew.get_by_label(f"Body of robot-{n}") for n in (1, 2))
+    one.select_option("socket://127.0.0.1:1")
+    two.select_option("socket://127.0.0.1:1")
+    expect(one).to_have_value("")
+    studio.at("crew-send").click()
+    expect(studio.at("crew-trouble")).to_have_count(1)
+    expect(studio.at("crew-refused")).to_contain_text("robot-2")
+    find_nothing(studio, "a team that could not be sent to")
+    two.select_option("")
+    expect(studio.at("crew-send")).to_be_disabled()
+    other = another_window(studio)
+    other.set_viewport_size({"width": 390, "height": 844})
+    other.keyboard.press("Alt+r")
+    studio.at("crew-start").focus()
+    page.keyboard.press("Enter")
+    expect(studio.at("crew-status")).to_have_attribute("data-phase", "running", timeout=60_000)
+    expect(crew).to_contain_text("Takes part")
+    status_is(page, "running")
+    studio.at("crew-watch").click()
+    expect(page.locator(ACTIVE).first).to_be_visible()
+    studio.at("pause-button").click()
+    expect(studio.at("behind-bar")).to_contain_text("does not pause them")
+    studio.at("follow").click()
+    expect(studio.at("behind-bar")).to_have_count(0)
+    expect(other.get_by_test_id("crew-status")).to_contain_text("The team runs")
+    assert other.evaluate("document.documentElement.scrollWidth") <= 390
+    other.get_by_test_id("crew-stop").click()
+    expect(other.get_by_test_id("crew-status")).to_contain_text(re.compile("stood still within [0-9]+ ms"))
+    status_is(page, "stopped")

@@ -1,0 +1,184 @@
+"""Small random missions, explored a second time without any cleverness: the verifier says the same of them.
+
+Two robots with a button each, which may be pressed at any tick, share two variables. In lockstep the second explorer
+steps the simulator itself, from snapshots, with every choice of buttons; in free timing it ticks one real `Machine`
+after another. It knows nothing of tables, liveness of cells, classes of readings or masks.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import Any
+
+import pytest
+
+from kitrobot.image import Machine
+from kitrobot.lll import print_program
+from kitrobot.sim import Simulation
+from kitrobot.sim.sharing import SHARED_VALUE
+from kitrobot.sim.state import numbers
+from kitrobot.verifier import Budget, Model, Timing, judge, ready_properties, take_apart
+from tests.effort import examples
+from tests.sim.building import avatar, empty_world, run_of
+from tests.strategies.programs import Shape, random_program
+
+MOST_STATES = 1_500
+"""Missions with more are left out: both explorers would take long."""
+
+ROBOT = avatar(
+    """<sensor name="Button" device="key" type="boolean"><operation name="IsPressed" test="equal" to="1"/></sensor>""",
+    """<variable name="Flag" type="boolean" initial="false" shared="yes"/>""",
+    """<variable name="Count" type="integer" min="0" max="3" initial="0" shared="yes"/>""",
+)
+
+State = tuple[Any, ...]
+
+
+def explored(first: State, after: Callable[[State], Iterator[State]]) -> dict[State, set[State]] | None:
+    """Every state that can be reached, with those that may follow it; None when there are too many."""
+    found: dict[State, set[State]] = {}
+    todo = [first]
+    while todo:
+        state = todo.pop()
+        if state in found:
+            continue
+        if len(found) == MOST_STATES:
+            return None
+        found[state] = set(after(state))
+        todo += found[state]
+    return found
+
+
+@dataclass(frozen=True)
+class Standstill:
+    """Whether nothing can stir any more before both programs have ended: `strictly`, when there is a state that nothing
+    leaves; `as_seen`, when what can follow differs in temporary cells only, which a later tick may or may not read.
+    """
+
+    strictly: bool
+    as_seen: bool
+
+
+def standstill(
+    found: dict[State, set[State]], seen: Callable[[State], State], ended: Callable[[State], bool]
+) -> Standstill:
+    """Looks for states that nothing leaves, and for those of which all that may ever follow looks alike."""
+    still = {state for state, following in found.items() if all(seen(one) == seen(state) for one in following)}
+    while left := {state for state in still if not found[state] <= still}:
+        still -= left
+    going_on = [state for state in still if not ended(state)]
+    return Standstill(any(found[state] == {state} for state in going_on), bool(going_on))
+
+
+def without_temporaries(machine: Machine, cells: Sequence[int]) -> tuple[int, ...]:
+    """The fault flag and the variables."""
+    return (cells[0], *(cells[cell] for cell in machine.layout.variables.values()))
+
+
+def random_run(rng: random.Random) -> tuple[Simulation, list[str]]:
+    """Two robots with random programs in an empty room."""
+    texts = [print_program(random_program(rng, ROBOT, Shape(instructions=5, depth=3))) for _ in range(2)]
+    world = empty_world(a=(200, 200, 0), b=(600, 600, 0))
+    return run_of({"a": (ROBOT, texts[0]), "b": (ROBOT, texts[1])}, world, seconds=None), texts
+
+
+def in_lockstep(run: Simulation) -> Standstill | None:
+    """Whether the simulator can come to stand still; None when it has too many states."""
+    snapshots: dict[State, bytes] = {}
+    ends: dict[State, bool] = {}
+
+    def seen() -> State:
+        made: list[object] = [tuple(numbers(run.state.shared.ints[SHARED_VALUE]))]
+        for member in run.members:
+            rows = (run.state.machines.cells, run.state.machines.threads, run.state.machines.pars)
+            cells, threads, pars = (list(numbers(row[member.index])) for row in rows)
+            for cell in member.machine.layout.sensors.values():
+                cells[cell] = 0
+            made.append((tuple(cells), tuple(threads), tuple(pars)))
+        state = tuple(made)
+        snapshots.setdefault(state, run.snapshot())
+        ends[state] = all(numbers(run.state.machines.threads[member.index])[0] < 0 for member in run.members)
+        return state
+
+    def after(state: State) -> Iterator[State]:
+        for pressed in product((0, 1), repeat=len(run.members)):
+            run.restore(snapshots[state])
+            # What it makes of its end is not asked: it does not know that a button may be pressed.
+            run.outcome = None
+            for member, value in zip(run.members, pressed, strict=True):
+                run.force(member.name, "Button", value)
+            run.step()
+            yield seen()
+
+    found = explored(seen(), after)
+    if found is None:
+        return None
+    machines = [member.machine for member in run.members]
+
+    def looks(state: State) -> State:
+        return state[0], *(
+            (without_temporaries(m, one[0]), one[1:]) for m, one in zip(machines, state[1:], strict=True)
+        )
+
+    return standstill(found, looks, lambda state: ends[state])
+
+
+def in_free_timing(run: Simulation) -> Standstill | None:
+    """The same where any robot may tick next, and tells what it wrote at once; None when there are too many states."""
+    machines = [member.machine.twin() for member in run.members]
+
+    def put(state: State) -> None:
+        for machine, snapshot in zip(machines, state, strict=True):
+            cells, threads, pars = (list(part) for part in snapshot)
+            machine.restore((cells, threads, pars))
+
+    def seen() -> State:
+        for machine in machines:
+            machine.set_input("Button", 0)
+        return tuple(tuple(map(tuple, machine.snapshot())) for machine in machines)
+
+    def after(state: State) -> Iterator[State]:
+        for ticking, pressed in product(machines, (0, 1)):
+            put(state)
+            ticking.set_input("Button", pressed)
+            ticking.tick()
+            for name, value in ticking.variables().items():
+                for machine in machines:
+                    machine.set_variable(name, value)
+            yield seen()
+
+    def ended(state: State) -> bool:
+        put(state)
+        return all(machine.ended for machine in machines)
+
+    found = explored(seen(), after)
+
+    def looks(state: State) -> State:
+        return tuple((without_temporaries(m, one[0]), one[1:]) for m, one in zip(machines, state, strict=True))
+
+    return None if found is None else standstill(found, looks, ended)
+
+
+@pytest.mark.parametrize(
+    ("timing", "brute_force"), [(Timing.LOCKSTEP, in_lockstep), (Timing.FREE, in_free_timing)], ids=["lockstep", "free"]
+)
+def test_random_missions_stand_still_where_brute_force_says_so(
+    timing: Timing, brute_force: Callable[[Simulation], Standstill | None]
+) -> None:
+    said = {True: 0, False: 0}
+    for seed in range(examples(40, 2000)):
+        run, texts = random_run(random.Random(seed))
+        model = Model(run, take_apart(run), 0, timing)
+        stands = brute_force(run)
+        if stands is None:
+            continue
+        ready = [one for one in ready_properties(model) if one.name == "deadlock"]
+        made = judge(model, ready, Budget(10 * MOST_STATES))
+        assert made.complete, texts
+        broken = made.verdicts[0].answer.value == "broken"
+        assert stands.strictly <= broken <= stands.as_seen, (seed, texts)
+        said[broken] += stands.strictly == stands.as_seen
+    assert min(said.values()) > 5

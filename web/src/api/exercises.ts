@@ -1,0 +1,11 @@
+/** Routes of exercises: which there are, and what came of judging a piece of one. */
+import type { Mission } from "../model/types";
+import { ask } from "./client";
+import type { Exercise, Judged } from "./generated";
+
+export const exerciseApi = {
+  all: () => ask<Exercise[]>("exercises"),
+  /** The run of that seed, or without one what is checked. */
+  judge: (exercise: string, mission: Mission, seed: number | null, signal: AbortSignal) =>
+    ask<Judged>("exercise/judge", { method: "POST", json: { exercise, mission, seed }, signal }),
+};

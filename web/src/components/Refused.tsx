@@ -1,0 +1,36 @@
+/** Why the server did not do some work: the sentence, the first errors of the mission, and the way to all of them. */
+import type { WorkRefusedMessage } from "../api/generated";
+import { Said } from "../i18n/Said";
+import { t } from "../i18n/words";
+import { useProblemList } from "../session/problem-walk";
+import "./refused.css";
+
+const SHOWN_PROBLEMS = 3;
+
+export type WhyRefused = Pick<WorkRefusedMessage, "message" | "help" | "problems">;
+
+export function Refused({ refused }: { refused: WhyRefused | null }) {
+  if (refused === null) return null;
+  const errors = refused.problems.filter(({ severity }) => severity === "error");
+  return (
+    <div className="refused" role="alert" data-testid="refused">
+      <p>
+        <Said text={refused.message} /> <Said text={refused.help} />
+      </p>
+      {errors.length === 0 ? null : (
+        <>
+          <ul>
+            {errors.slice(0, SHOWN_PROBLEMS).map((problem, index) => (
+              <li key={index}>
+                <Said text={problem.message} />
+              </li>
+            ))}
+          </ul>
+          <button type="button" className="button" onClick={() => useProblemList.setState({ open: true })}>
+            {t("work.problems")}
+          </button>
+        </>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,156 @@
+/** The table of answers: a grid that keys walk in; a broken one opens its run. */
+import { type FocusEvent, type KeyboardEvent, type MouseEvent, useRef, useState } from "react";
+
+import type { CheckedProperty, VerifyColumnMessage } from "../../api/generated";
+import { mirrored } from "../../i18n/language";
+import { decimal, grouped } from "../../i18n/numbers";
+import { t } from "../../i18n/words";
+import { Said } from "../../i18n/Said";
+import { type Cell, walkGrid } from "../../ui/grid";
+import { type Assumption, columnAt, sameAssumption, type Shape, shapeOf } from "./table";
+import { useCheck } from "./verifying";
+
+function stepsWords({ steps, repeats_from: from }: CheckedProperty): string {
+  const words = t("check.steps", { count: from < 0 ? steps : from });
+  return from < 0 ? words : t("check.steps-then", { steps: words });
+}
+
+/** The second line of an answer. */
+function detail(answer: CheckedProperty | undefined): string {
+  return answer?.answer !== "broken" ? "" : stepsWords(answer);
+}
+
+function Mark({ shape }: { shape: Shape }) {
+  return <span className="check-mark" data-shape={shape} aria-hidden="true" />;
+}
+
+interface HeadProps {
+  assumption: Assumption;
+  column: VerifyColumnMessage | undefined;
+  now: boolean;
+}
+
+function Head({ assumption, column, now }: HeadProps) {
+  const { timing, failures } = assumption;
+  return (
+    <th scope="col" data-now={now}>
+      <span className="check-timing">{t(`check.${timing}`)}</span>
+      <span className="check-means">
+        {failures === 0 ? t(`check.${timing}-means`) : t("check.head-failures", { count: failures })}
+      </span>
+      {column === undefined ? null : (
+        <span className="check-means check-numbers">
+          {t("check.explored", {
+            states: grouped(column.states),
+            seconds: decimal(Math.round(column.seconds * 10) / 10),
+          })}
+        </span>
+      )}
+    </th>
+  );
+}
+
+function placeOf(target: EventTarget): Cell | null {
+  const cell = target instanceof Element ? target.closest<HTMLElement>("[data-cell]")?.dataset["cell"] : undefined;
+  if (cell === undefined) return null;
+  const [row = 0, column = 0] = cell.split(" ").map(Number);
+  return { row, column };
+}
+
+export function AnswerTable() {
+  const plan = useCheck((check) => check.plan);
+  const columns = useCheck((check) => check.columns);
+  const busy = useCheck((check) => check.busy);
+  const progress = useCheck((check) => check.progress);
+  const open = useCheck((check) => check.open);
+  const [at, setAt] = useState<Cell>({ row: 0, column: 0 });
+  const table = useRef<HTMLTableElement>(null);
+  const rows = columns[0]?.properties ?? [];
+  const found = plan.map((_, place) => columnAt(plan, columns, place));
+
+  const choose = (cell: Cell) => {
+    const answer = found[cell.column]?.properties[cell.row];
+    useCheck.setState({ open: answer?.answer === "broken" ? cell : null });
+  };
+  const pressed = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const enter = event.key === "Enter" || event.key === " ";
+    const size = { row: rows.length, column: plan.length };
+    const to = walkGrid(event.key, at, size, mirrored() ? "ArrowLeft" : "ArrowRight");
+    if (!enter && to === null) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (enter) choose(at);
+    else table.current?.querySelector<HTMLElement>(`[data-cell="${String(to?.row)} ${String(to?.column)}"]`)?.focus();
+  };
+  const focused = (event: FocusEvent) => {
+    const place = placeOf(event.target);
+    if (place !== null) setAt(place);
+  };
+  const clicked = (event: MouseEvent) => {
+    const place = placeOf(event.target);
+    if (place !== null) choose(place);
+  };
+
+  return (
+    <div className="check-scroll">
+      <table
+        className="check-table"
+        role="grid"
+        aria-label={t("check.table")}
+        data-testid="check-table"
+        ref={table}
+        onKeyDown={pressed}
+        onFocus={focused}
+        onClick={clicked}
+      >
+        <thead>
+          <tr>
+            <th scope="col">{t("check.property")}</th>
+            {plan.map((assumption, place) => (
+              <Head
+                key={place}
+                assumption={assumption}
+                column={found[place]}
+                now={busy && progress !== null && sameAssumption(assumption, progress)}
+              />
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map(({ name, sentence }, row) => (
+            <tr key={name}>
+              <th scope="row" title={name}>
+                <span className="check-sentence">
+                  <Said text={sentence} />
+                </span>
+              </th>
+              {plan.map((assumption, column) => {
+                const answer = found[column]?.properties[row];
+                const now = progress !== null && sameAssumption(assumption, progress);
+                const shape = shapeOf(answer, busy, now);
+                return (
+                  <td
+                    key={column}
+                    className="check-answer"
+                    data-cell={`${String(row)} ${String(column)}`}
+                    data-testid={`answer-${name}-${assumption.timing}-${String(assumption.failures)}`}
+                    data-shape={shape}
+                    tabIndex={at.row === row && at.column === column ? 0 : -1}
+                    aria-selected={open?.row === row && open.column === column}
+                  >
+                    <span className="check-word">
+                      <Mark shape={shape} />
+                      {t(`check.is-${shape}`)}
+                    </span>
+                    <span className="check-detail">{detail(answer)}</span>
+                  </td>
+                );
+              })}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}

@@ -1,0 +1,132 @@
+/** How a property is broken: whether the simulator shows it too, playing that run, and the model's run in sentences. */
+import { useEffect, useRef } from "react";
+
+import type { CheckedEvent, CheckedProperty, ConfirmingRun } from "../../api/generated";
+import { clock, grouped } from "../../i18n/numbers";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { useRun } from "../../session/run";
+import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
+import { type Cell, stretches } from "./table";
+import { assumptionWords } from "./Verdict";
+import { answerAt, isHeldByRobots, play, useCheck } from "./verifying";
+
+export function BrokenRun({ cell }: { cell: Cell }) {
+  const shown = answerAt(
+    {
+      plan: useCheck((check) => check.plan),
+      columns: useCheck((check) => check.columns),
+    },
+    cell,
+  );
+  const place = useRef<HTMLElement>(null);
+  useEffect(() => {
+    // Not returned: newer browsers give a promise.
+    place.current?.scrollIntoView({ block: "nearest" });
+  }, []);
+  if (shown === null) return null;
+  const { answer, column } = shown;
+  return (
+    <section className="check-run" ref={place} data-testid="check-run" aria-label={t("check.run")}>
+      <header className="check-run-head">
+        <h3>{t("check.broken-under", { assumption: assumptionWords(column) })}</h3>
+        <Tool
+          small
+          icon="x"
+          label={t("check.run-close")}
+          titled={false}
+          onClick={() => useCheck.setState({ open: null })}
+        />
+      </header>
+      <p className="check-sentence">
+        <Said text={answer.sentence} />
+      </p>
+      <Seen answer={answer} />
+      <Story answer={answer} />
+    </section>
+  );
+}
+
+function failureWords({ agent, at_s, kind }: ConfirmingRun["failures"][number]): string {
+  return t(`check.befalls-${kind}`, { agent, time: clock(at_s) });
+}
+
+/** Whether the simulator shows it too. */
+function Seen({ answer }: { answer: CheckedProperty }) {
+  const held = useRun(isHeldByRobots);
+  const busy = useCheck((check) => check.busy);
+  const played = useCheck((check) => check.played === answer.confirmed);
+  const { confirmed: run, searched } = answer;
+  if (run === null) {
+    const words = searched ? t("check.not-reproduced") : busy ? t("check.searching") : t("check.not-searched");
+    return (
+      <p className="check-seen" data-testid="check-seen" data-confirmed="false">
+        {words}
+      </p>
+    );
+  }
+  return (
+    <>
+      <p className="check-seen" data-testid="check-seen" data-confirmed="true">
+        <Icon name="circle-check" size={16} />
+        <span>
+          <strong>{t("check.confirmed", { seed: String(run.seed), time: clock(run.seconds) })}</strong>
+          {run.failures.map((one, index) => (
+            <span key={index}> {failureWords(one)}</span>
+          ))}
+        </span>
+      </p>
+      <p className="check-play">
+        <button type="button" className="button" data-testid="check-play" disabled={held} onClick={() => play(run)}>
+          <Icon name="play" size={16} />
+          {t("check.play")}
+        </button>
+        {played ? <span className="check-note">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
+        {held ? <span className="check-note check-warning">{t("check.real")}</span> : null}
+      </p>
+    </>
+  );
+}
+
+/** The run of the model. */
+function Story({ answer }: { answer: CheckedProperty }) {
+  const parts = stretches(answer);
+  const last = parts.at(-1);
+  return (
+    <div className="check-story" data-testid="check-story">
+      {parts.map(({ repeats, events }, index) => (
+        <div key={index} data-repeats={repeats}>
+          {repeats ? (
+            <h4>
+              <Icon name="infinity" size={16} />
+              {events.length === 0 ? t("check.stays") : t("check.repeats")}
+            </h4>
+          ) : null}
+          <Events events={events} leftOut={answer.left_out} />
+        </div>
+      ))}
+      {last !== undefined && !last.repeats && last.events.length === 0 ? (
+        <p className="check-note">{t("check.at-once")}</p>
+      ) : null}
+    </div>
+  );
+}
+
+/** Events are left out in the middle of a long run: there is where the numbers of steps leap most. */
+function Events({ events, leftOut }: { events: readonly CheckedEvent[]; leftOut: number }) {
+  const gap = leftOut === 0 ? -1 : events.findIndex(({ step }, index) => step - (events[index - 1]?.step ?? step) > 1);
+  return (
+    <ol>
+      {events.map(({ step, text }, index) => (
+        <li key={index}>
+          {index === gap ? <span className="check-left-out">{t("check.left-out", { count: leftOut })}</span> : null}
+          <span className="check-step">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
+          <span>
+            <Said text={text} />
+          </span>
+        </li>
+      ))}
+    </ol>
+  );
+}

@@ -1,0 +1,134 @@
+/** The panel of the check: what is asked, how far it is, the table of answers, and the run that breaks a property. */
+import { useState } from "react";
+
+import { Refused } from "../../components/Refused";
+import { decimal, grouped } from "../../i18n/numbers";
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { closeBelow, useAlone } from "../../session/below-alone";
+import { Icon } from "../../theme";
+import { Select } from "../../ui/Select";
+import { Tool } from "../../ui/Tool";
+import { AnswerTable } from "./AnswerTable";
+import { BrokenRun } from "./BrokenRun";
+import { Properties } from "./Properties";
+import { assumptionWords, Limits, Verdict } from "./Verdict";
+import { answerAt, begin, breakOff, useCheck } from "./verifying";
+import "./check.css";
+
+const FAILURES = ["0", "1", "2", "3"];
+const SECONDS = ["10", "60", "300", "1800"];
+const MEGA = 1_000_000;
+
+export function CheckPanel() {
+  useAlone();
+  const refused = useCheck((check) => check.refused);
+  const asked = useCheck((check) => check.asked);
+  const open = useCheck((check) => check.open);
+  const shown = useCheck((check) => answerAt(check, check.open) !== null);
+  return (
+    <section className="dock-panel check-panel" id="check-panel" data-testid="check" aria-label={t("check.title")}>
+      <header className="dock-head check-head">
+        <h2>{t("check.title")}</h2>
+        <Asking />
+        <Tool small icon="x" label={t("check.close")} titled={false} onClick={closeBelow} />
+      </header>
+      <div className="check-body" data-run={shown}>
+        <div className="check-answers">
+          <Refused refused={refused} />
+          {asked === null ? <p className="check-note check-what">{t("check.what")}</p> : <Answers />}
+          <Properties />
+        </div>
+        {shown && open !== null ? <BrokenRun key={`${String(open.row)} ${String(open.column)}`} cell={open} /> : null}
+      </div>
+    </section>
+  );
+}
+
+function Answers() {
+  const columns = useCheck((check) => check.columns.length);
+  const busy = useCheck((check) => check.busy);
+  const changed = useStudio(({ mission }) => mission !== useCheck.getState().asked?.mission);
+  if (columns === 0) return busy ? <p className="check-note check-what">{t("check.begins")}</p> : null;
+  return (
+    <>
+      <Verdict />
+      {changed ? <p className="check-note check-warning">{t("check.changed")}</p> : null}
+      <AnswerTable />
+      <Limits />
+    </>
+  );
+}
+
+/** What is asked for; while the check is on, how far it is. */
+function Asking() {
+  const agents = useStudio((studio) => studio.mission.agents.length);
+  const busy = useCheck((check) => check.busy);
+  const asked = useCheck((check) => check.asked);
+  const [failures, setFailures] = useState(() => String(asked?.failures ?? 0));
+  const [seconds, setSeconds] = useState(() => String(asked?.seconds ?? 60));
+  if (busy) return <Progress />;
+  return (
+    <form
+      className="check-asking"
+      onSubmit={(event) => {
+        event.preventDefault();
+        begin(Number(failures), Number(seconds));
+      }}
+    >
+      <label>
+        <span>{t("check.failures")}</span>
+        <Select
+          label={t("check.failures")}
+          testId="check-failures"
+          value={failures}
+          options={FAILURES}
+          keep={setFailures}
+        />
+      </label>
+      <label>
+        <span>{t("check.seconds")}</span>
+        <Select
+          label={t("check.seconds")}
+          testId="check-seconds"
+          value={seconds}
+          options={SECONDS.map((one) => [one, t("check.seconds-of", { seconds: grouped(Number(one)) })])}
+          keep={setSeconds}
+        />
+      </label>
+      <button type="submit" className="button" data-testid="check-begin" disabled={agents === 0}>
+        <Icon name="clipboard-check" size={16} />
+        {asked === null ? t("check.begin") : t("check.again")}
+      </button>
+      {agents === 0 ? <span className="check-note">{t("check.nobody")}</span> : null}
+    </form>
+  );
+}
+
+function Progress() {
+  const progress = useCheck((check) => check.progress);
+  const stopping = useCheck((check) => check.stopping);
+  return (
+    <div className="check-asking" data-testid="check-progress">
+      <span className="check-count">{progress === null ? t("check.preparing") : said(progress)}</span>
+      <button type="button" className="button" data-testid="check-stop" disabled={stopping} onClick={breakOff}>
+        <Icon name="square" size={16} />
+        {t("check.stop")}
+      </button>
+    </div>
+  );
+}
+
+type Told = NonNullable<ReturnType<typeof useCheck.getState>["progress"]>;
+
+function said(progress: Told): string {
+  const { states, depth, seconds, memory } = progress;
+  const pace = seconds > 0 ? Math.round(states / seconds) : 0;
+  const words = t("check.progress", {
+    assumption: assumptionWords(progress),
+    states: grouped(states),
+    depth: grouped(depth),
+    pace: grouped(pace),
+  });
+  return memory === 0 ? words : t("check.progress-memory", { words, memory: decimal(Math.round(memory / MEGA)) });
+}

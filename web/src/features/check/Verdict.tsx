@@ -1,0 +1,61 @@
+/** The check in a sentence, and what its answers take for granted. */
+import { t } from "../../i18n/words";
+import { Said } from "../../i18n/Said";
+import { Icon } from "../../theme";
+import type { Assumption } from "./table";
+import { begin, useCheck } from "./verifying";
+
+const MOST_FAILURES = 3;
+
+/** "prompt, up to 2 failures" */
+export function assumptionWords({ timing, failures }: Assumption): string {
+  const name = t(`check.${timing}`);
+  return failures === 0 ? name : t("check.with-failures", { timing: name, count: failures });
+}
+
+/** What came of the check: how many are broken, whether all hold, and what was not reached. */
+export function Verdict() {
+  const asked = useCheck((check) => check.asked);
+  const busy = useCheck((check) => check.busy);
+  const columns = useCheck((check) => check.columns);
+  const planned = useCheck((check) => check.plan.length);
+  const answers = columns.flatMap((column) => column.properties);
+  const broken = new Set(answers.filter(({ answer }) => answer === "broken").map(({ name }) => name)).size;
+  const cut = answers.some(({ answer }) => answer === "not finished") || columns.length < planned;
+  if (asked === null || (busy && broken === 0)) return null;
+  const words = broken > 0 ? t("check.broken-count", { count: broken }) : cut ? t("check.cut") : t("check.all-hold");
+  const most = asked.failures ?? 0;
+  return (
+    <p className="check-verdict" role="status" data-testid="check-verdict">
+      <strong>{words}</strong>
+      {broken === 0 && !cut && most < MOST_FAILURES ? (
+        <button
+          type="button"
+          className="button"
+          data-testid="check-more-failures"
+          onClick={() => begin(most + 1, asked.seconds)}
+        >
+          <Icon name="plus" size={16} />
+          {t("check.let-fail", { count: most + 1 })}
+        </button>
+      ) : null}
+    </p>
+  );
+}
+
+export function Limits() {
+  const limits = useCheck((check) => check.limits);
+  if (limits === null || limits.length === 0) return null;
+  return (
+    <details className="check-limits" data-testid="check-limits">
+      <summary>{t("check.limits", { count: limits.length })}</summary>
+      <ul>
+        {limits.map((limit) => (
+          <li key={limit}>
+            <Said text={limit} />
+          </li>
+        ))}
+      </ul>
+    </details>
+  );
+}

@@ -1,0 +1,164 @@
+/**
+ * The check of this page: asked of the server over a socket of its own, and the answers as they come.
+ *
+ * Answers keep the mission that they are of, so that a run that is played is the one that it says, whatever was edited
+ * since. They go when another mission is opened; closing the panel keeps them, and lets a check go on.
+ */
+import { create } from "zustand";
+
+import type {
+  CheckedProperty,
+  ConfirmingRun,
+  VerifyColumnMessage,
+  VerifyEndMessage,
+  VerifyProgressMessage,
+  VerifyStartRequest,
+  WorkRefusedMessage,
+} from "../../api/generated";
+import { beginWork, type Work } from "../../api/work";
+import type { WhyRefused } from "../../components/Refused";
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import type { Mission } from "../../model/types";
+import { isLive, useRun } from "../../session/run";
+import { type Assumption, type Cell, columnAt, plan, sameAssumption } from "./table";
+
+type Message = VerifyProgressMessage | VerifyColumnMessage | VerifyEndMessage | WorkRefusedMessage;
+type Asked = Omit<VerifyStartRequest, "type">;
+
+/** Simulated seconds of a run in which the server looks for what is broken: those that are played take as long. */
+const RUN_S = 600;
+
+interface Checking {
+  /** What was asked; null before the first check. */
+  asked: Asked | null;
+  /** The assumptions in question, from the fast to the thorough. */
+  plan: readonly Assumption[];
+  /** The answers so far. */
+  columns: readonly VerifyColumnMessage[];
+  /** What is taken for granted; null while the check is on. */
+  limits: readonly string[] | null;
+  busy: boolean;
+  /** The page asked for its end. */
+  stopping: boolean;
+  progress: VerifyProgressMessage | null;
+  refused: WhyRefused | null;
+  /** The answer whose run is open. */
+  open: Cell | null;
+  /** The run that is played. */
+  played: ConfirmingRun | null;
+}
+
+const NOTHING: Checking = {
+  asked: null,
+  plan: [],
+  columns: [],
+  limits: null,
+  busy: false,
+  stopping: false,
+  progress: null,
+  refused: null,
+  open: null,
+  played: null,
+};
+
+export const useCheck = create<Checking>(() => NOTHING);
+
+let work: Work | null = null;
+
+function hangUp(): void {
+  work?.hangUp();
+  work = null;
+}
+
+/** Checks the open mission with up to so many failures, for so many seconds at most. */
+export function begin(failures: number, seconds: number): void {
+  hangUp();
+  const { mission, file } = useStudio.getState();
+  const asked: Asked = { mission, path: file.path, seed: useRun.getState().seed, failures, seconds };
+  useCheck.setState({ ...NOTHING, asked, plan: plan(failures), busy: true });
+  work = beginWork<Message>("api/verify", asked, {
+    onMessage: (message) => {
+      useCheck.setState((state) => after(state, message));
+      return message.type === "end" || message.type === "refused";
+    },
+    onLost: () => useCheck.setState({ busy: false, refused: { message: t("check.lost"), help: "", problems: [] } }),
+  });
+}
+
+function after(state: Checking, message: Message): Partial<Checking> {
+  switch (message.type) {
+    case "progress":
+      return { progress: message };
+    case "column":
+      return { columns: [...state.columns.filter((one) => !sameAssumption(one, message)), message] };
+    case "end":
+      return { limits: message.limits, busy: false, progress: null };
+    case "refused":
+      return { refused: message, busy: false, progress: null };
+  }
+}
+
+/** Ends the check; what was found until then stays. */
+export function breakOff(): void {
+  if (work?.breakOff() === true) {
+    useCheck.setState({ stopping: true });
+    return;
+  }
+  hangUp();
+  useCheck.setState({ busy: false });
+}
+
+/** The answer at a place of the table, and its assumption; null where there is none yet. */
+export function answerAt(
+  { plan, columns }: Pick<Checking, "plan" | "columns">,
+  cell: Cell | null,
+): { column: VerifyColumnMessage; answer: CheckedProperty } | null {
+  const column = cell === null ? undefined : columnAt(plan, columns, cell.column);
+  const answer = cell === null ? undefined : column?.properties[cell.row];
+  return column === undefined || answer === undefined ? null : { column, answer };
+}
+
+/** Whether nothing can be played now: real robots go on at their own pace, and are not left to themselves. */
+export function isHeldByRobots(): boolean {
+  const { real, status } = useRun.getState();
+  return real && isLive(status);
+}
+
+/** The mission with what befell agents in a run on its schedule. */
+export function withFailures(mission: Mission, run: ConfirmingRun): Mission {
+  const failures = [...(mission.failures ?? []), ...run.failures];
+  return failures.length === 0 ? mission : { ...mission, failures: failures.sort((a, b) => a.at_s - b.at_s) };
+}
+
+let following: (() => void) | null = null;
+
+/** Plays the run that breaks a property, as fast as it goes up to the moment in which it does, where it pauses. */
+export function play(run: ConfirmingRun): void {
+  const { asked } = useCheck.getState();
+  if (asked === null || isHeldByRobots()) return;
+  following?.();
+  useCheck.setState({ played: run });
+  const { path, mission } = asked;
+  const changed = withFailures(mission, run);
+  const like = { mission: changed, seed: run.seed, speed: 0, fail_rate: 0, seconds: RUN_S };
+  useRun.getState().start({ mission, path }, like);
+  const end = useRun.subscribe((now) => {
+    if (now.status === "connecting") return;
+    const there = now.tick >= run.tick;
+    if (now.status === "running" && !there) return;
+    end();
+    following = null;
+    if (!there) return;
+    now.pause();
+    now.seek(run.tick);
+    now.setSpeed(now.speed);
+  });
+  following = end;
+}
+
+useStudio.subscribe((studio, before) => {
+  if (studio.change === before.change || studio.change.kind !== "open") return;
+  hangUp();
+  useCheck.setState(NOTHING);
+});

@@ -1,0 +1,190 @@
+/** The checklist of the exercise that is open, docked above the graph; and all exercises as cards, for opening. */
+import { useEffect, useRef } from "react";
+
+import type { Exercise } from "../../api/generated";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { text } from "../../model/texts";
+import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
+import {
+  begin,
+  isHeldByRobots,
+  judgeAll,
+  keepExercise,
+  leave,
+  lookForExercises,
+  openExercise,
+  play,
+  stopJudging,
+  useExercise,
+} from "./judging";
+import { type Mark, OPEN } from "./marks";
+import { useOpenExercise } from "./memory";
+import "./exercise.css";
+
+const ICONS = { open: "circle", reached: "circle-check", missed: "circle-x" } as const;
+const WORDS = {
+  open: "exercise.goal-open",
+  reached: "exercise.goal-reached",
+  missed: "exercise.goal-missed",
+} as const;
+
+function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
+  const seconds = mark.seconds === null ? null : mark.seconds.toFixed(1);
+  return (
+    <li className="exercise-goal" data-state={mark.state} data-testid={`exercise-goal-${String(at + 1)}`}>
+      <Icon name={ICONS[mark.state]} size={18} label={t(WORDS[mark.state])} />
+      <span className="exercise-goal-words">
+        <span>{label}</span>
+        {mark.why === "" ? null : (
+          <span className="exercise-why">
+            <Said text={mark.why} />
+          </span>
+        )}
+      </span>
+      {mark.seed === null ? null : (
+        <button
+          type="button"
+          className="button small"
+          disabled={isHeldByRobots()}
+          onClick={() => {
+            play(mark);
+          }}
+        >
+          <Icon name="play" size={14} />
+          {seconds === null ? t("exercise.play") : t("exercise.play-at", { seconds })}
+        </button>
+      )}
+    </li>
+  );
+}
+
+/** What the marks are of, in a sentence. */
+function basisWords(): string {
+  const { basis, busy, old, marks } = useExercise.getState();
+  if (busy !== null) return t("exercise.judging", { done: busy.done, total: busy.total });
+  if (old && basis.kind !== "none") return t("exercise.changed");
+  if (basis.kind === "run") return t("exercise.after-run", { seed: basis.seed });
+  if (basis.kind === "stopped") return t("exercise.stopped");
+  if (basis.kind === "none") return t("exercise.not-yet");
+  if (marks.every(({ state }) => state === "reached")) return t("exercise.all-done");
+  return t("exercise.judged", { count: basis.runs });
+}
+
+export function ExercisePanel() {
+  const { marks, busy } = useExercise();
+  const open = useOpenExercise((state) => state.open);
+  const path = useStudio((studio) => studio.file.path);
+  const section = useRef<HTMLElement>(null);
+  useEffect(keepExercise, []);
+  const exercise = openExercise();
+  // Its mission may still be on the way.
+  const shown = open?.path === path ? exercise : null;
+  const name = shown?.name;
+  useEffect(() => {
+    if (name !== undefined) section.current?.focus();
+  }, [name]);
+  if (shown === null) return null;
+  const done = marks.filter(({ state }) => state === "reached").length;
+  const said = basisWords();
+  return (
+    <section
+      ref={section}
+      className="exercise"
+      tabIndex={-1}
+      data-testid="exercise"
+      aria-label={t("exercise.of", { name: text(shown.label) })}
+    >
+      <header className="exercise-head">
+        <Icon name={shown.icon} size={18} />
+        <h2>{text(shown.label)}</h2>
+        <span className="exercise-count" data-testid="exercise-count">
+          {t("exercise.reached", { done, total: shown.goals.length })}
+        </span>
+        {busy === null ? (
+          <button type="button" className="button small" data-testid="exercise-judge" onClick={judgeAll}>
+            <Icon name="list-checks" size={16} />
+            {t("exercise.judge")}
+          </button>
+        ) : (
+          <button type="button" className="button small" data-testid="exercise-stop" onClick={stopJudging}>
+            <Icon name="square" size={16} />
+            {t("exercise.stop")}
+          </button>
+        )}
+        <Tool
+          small
+          icon="x"
+          className="exercise-leave"
+          label={t("exercise.leave")}
+          testId="exercise-leave"
+          onClick={leave}
+        />
+      </header>
+      <p className="exercise-help">{text(shown.help)}</p>
+      <ol className="exercise-goals">
+        {shown.goals.map((goal, at) => (
+          <Goal key={at} at={at} label={text(goal.label)} mark={marks[at] ?? OPEN} />
+        ))}
+      </ol>
+      {busy === null ? null : <progress aria-label={said} max={Math.max(1, busy.total)} value={busy.done} />}
+      <p className="exercise-basis" role="status" data-testid="exercise-basis">
+        {said}
+      </p>
+    </section>
+  );
+}
+
+function Card({ exercise }: { exercise: Exercise }) {
+  return (
+    <button
+      type="button"
+      className="exercise-card"
+      data-testid={`exercise-card-${exercise.name}`}
+      onClick={() => {
+        begin(exercise);
+      }}
+    >
+      <Icon name={exercise.icon} size={20} />
+      <span>
+        <strong>{text(exercise.label)}</strong>
+        <small>{t("exercise.count", { count: exercise.goals.length })}</small>
+      </span>
+    </button>
+  );
+}
+
+/** One that has a mistake: its author sees which. */
+function Broken({ exercise: { name, problems } }: { exercise: Exercise }) {
+  const [first] = problems;
+  return (
+    <div className="exercise-card is-broken" data-testid={`exercise-card-${name}`}>
+      <Icon name="triangle-alert" size={20} />
+      <span>
+        <strong dir="auto">{name}</strong>
+        <small>
+          {t("exercise.broken")}{" "}
+          {first === undefined ? null : <Said text={t("banner.line", { line: first.line, message: first.message })} />}
+        </small>
+      </span>
+    </div>
+  );
+}
+
+export function ExerciseCards() {
+  const all = useExercise((state) => state.all);
+  useEffect(() => void lookForExercises(), []);
+  if (all === null || all.length === 0) return null;
+  return (
+    <section className="exercise-cards" aria-label={t("exercise.title")}>
+      <h3>{t("exercise.title")}</h3>
+      <ul>
+        {all.map((one) => (
+          <li key={one.name}>{one.goals.length > 0 ? <Card exercise={one} /> : <Broken exercise={one} />}</li>
+        ))}
+      </ul>
+    </section>
+  );
+}

@@ -1,0 +1,172 @@
+/**
+ * The exercise that is open: entered with its mission, judged after each run and on demand, left with its mission.
+ *
+ * Judging asks the server for one piece after another (`marks.ts`), so it can be stopped between them. The marks are of the
+ * mission as it was asked about; an edit makes them old and stops what is under way.
+ */
+import { create } from "zustand";
+
+import { exerciseApi } from "../../api/exercises";
+import type { Exercise } from "../../api/generated";
+import { useStudio } from "../../model/studio";
+import type { Mission } from "../../model/types";
+import { complain, show } from "../../session/document";
+import { openPath } from "../../session/open-requests";
+import { isLive, useRun } from "../../session/run";
+import { type Mark, noMarks, pieces, withVerdicts } from "./marks";
+import { remember, useOpenExercise } from "./memory";
+
+/** What the marks are of: nothing yet, one run, every run, or as far as judging came before it was stopped. */
+export type Basis =
+  { kind: "none" } | { kind: "run"; seed: number } | { kind: "all"; runs: number } | { kind: "stopped" };
+
+interface ExerciseState {
+  /** All exercises; null until the server has answered. */
+  all: readonly Exercise[] | null;
+  marks: readonly Mark[];
+  basis: Basis;
+  /** Whether the mission was edited since. */
+  old: boolean;
+  /** How far judging is; null while none is on. */
+  busy: { done: number; total: number } | null;
+  /** What was judged: a failing run is played from it. */
+  judged: Mission | null;
+}
+
+const NOTHING = {
+  marks: [] as readonly Mark[],
+  basis: { kind: "none" } as Basis,
+  old: false,
+  busy: null,
+  judged: null,
+};
+
+export const useExercise = create<ExerciseState>(() => ({ all: null, ...NOTHING }));
+
+const set = useExercise.setState;
+let asking = new AbortController();
+
+/** Asks which exercises there are; a folder may have got another one. */
+export async function lookForExercises(): Promise<void> {
+  try {
+    set({ all: await exerciseApi.all() });
+  } catch (cause) {
+    if (useExercise.getState().all !== null) return;
+    set({ all: [] });
+    complain(cause);
+  }
+}
+
+/** The exercise that is open, once it is known which there are. */
+export function openExercise(): Exercise | null {
+  const { open } = useOpenExercise.getState();
+  const found = useExercise.getState().all?.find(({ name }) => name === open?.name);
+  return found === undefined || found.goals.length === 0 ? null : found;
+}
+
+/** Opens the mission of an exercise, and its checklist with it. */
+export function begin(exercise: Exercise): void {
+  show(null);
+  reset();
+  remember({ name: exercise.name, path: exercise.start });
+  if (useStudio.getState().file.path !== exercise.start) openPath(exercise.start);
+}
+
+export function leave(): void {
+  reset();
+  remember(null);
+}
+
+function reset(): void {
+  asking.abort();
+  set(NOTHING);
+}
+
+async function judge(seeds: readonly (number | null)[], basis: Basis, of: Mission): Promise<void> {
+  const exercise = openExercise();
+  if (exercise === null) return;
+  asking.abort();
+  const mine = (asking = new AbortController());
+  set({ marks: noMarks(exercise), basis: { kind: "none" }, old: false, busy: { done: 0, total: seeds.length } });
+  try {
+    for (const [done, seed] of seeds.entries()) {
+      const { goals, mission } = await exerciseApi.judge(exercise.name, of, seed, mine.signal);
+      if (mine.signal.aborted) return;
+      const marks = withVerdicts(useExercise.getState().marks, goals);
+      set({ marks, judged: mission, busy: { done: done + 1, total: seeds.length } });
+    }
+    set({ basis, busy: null });
+  } catch (cause) {
+    if (mine.signal.aborted) return;
+    set({ busy: null });
+    complain(cause);
+  }
+}
+
+/** Judges every run, and what is checked. */
+export function judgeAll(): void {
+  const exercise = openExercise();
+  if (exercise === null) return;
+  void judge(pieces(exercise), { kind: "all", runs: exercise.seeds.length }, useStudio.getState().mission);
+}
+
+/** What was found until now stays. */
+export function stopJudging(): void {
+  asking.abort();
+  set({ busy: null, basis: { kind: "stopped" } });
+}
+
+/** Whether a run cannot be played now: real robots are not left to themselves. */
+export function isHeldByRobots(): boolean {
+  const { real, status } = useRun.getState();
+  return real && isLive(status);
+}
+
+/** Plays the run that shows what went wrong. */
+export function play(mark: Mark): void {
+  const exercise = openExercise();
+  const { judged } = useExercise.getState();
+  if (exercise === null || judged === null || mark.seed === null || isHeldByRobots()) return;
+  const like = { mission: judged, path: exercise.start, seed: mark.seed, seconds: exercise.seconds, fail_rate: 0 };
+  const { mission, file } = useStudio.getState();
+  playing = true;
+  useRun.getState().start({ mission, path: file.path }, like);
+}
+
+/** Whether the run that is on is one that was judged already. */
+let playing = false;
+
+/** Starts looking after the exercise that is open; the returned function ends it. */
+export function keepExercise(): () => void {
+  void lookForExercises();
+  const offStudio = useStudio.subscribe((state, before) => {
+    const { open } = useOpenExercise.getState();
+    if (open === null) return;
+    if (state.change !== before.change && state.change.kind === "open") {
+      if (state.file.path === open.path) reset();
+      else leave();
+    } else if (state.change !== before.change && state.change.kind === "save") {
+      if (state.file.path !== open.path) remember({ ...open, path: state.file.path });
+    } else if (state.mission !== before.mission) {
+      if (useExercise.getState().busy !== null) stopJudging();
+      set({ old: true });
+    }
+  });
+  const offRun = useRun.subscribe((state, before) => {
+    if (!isLive(before.status) || isLive(state.status) || state.recording || state.real || state.watching) return;
+    if (state.status === "idle" || state.status === "stopped" || state.mission === null) return;
+    const was = playing;
+    playing = false;
+    if (!was && useExercise.getState().busy === null) {
+      void judge([state.seed], { kind: "run", seed: state.seed }, state.mission);
+    }
+  });
+  const onFocus = () => void lookForExercises();
+  window.addEventListener("focus", onFocus);
+  return () => {
+    asking.abort();
+    offStudio();
+    offRun();
+    window.removeEventListener("focus", onFocus);
+  };
+}

@@ -1,0 +1,43 @@
+/** Which exercise is open in this browser, and as which mission; kept over a reload. */
+import { create } from "zustand";
+
+const KEY = "kitrobot.exercise";
+
+export interface Remembered {
+  name: string;
+  /** The mission that is worked on: where the exercise began, or what it was saved as. */
+  path: string;
+}
+
+/** What was remembered, as far as it makes sense; null for nothing. */
+export function readRemembered(text: string | null): Remembered | null {
+  try {
+    const found: unknown = JSON.parse(text ?? "null");
+    if (typeof found !== "object" || found === null) return null;
+    const { name, path } = found as Record<string, unknown>;
+    return typeof name === "string" && typeof path === "string" ? { name, path } : null;
+  } catch {
+    return null;
+  }
+}
+
+function stored(): Remembered | null {
+  try {
+    return readRemembered(localStorage.getItem(KEY));
+  } catch {
+    return null;
+  }
+}
+
+/** The exercise that is open; the panel, which is fetched later, shows it. */
+export const useOpenExercise = create<{ open: Remembered | null }>(() => ({ open: stored() }));
+
+export function remember(open: Remembered | null): void {
+  useOpenExercise.setState({ open });
+  try {
+    if (open === null) localStorage.removeItem(KEY);
+    else localStorage.setItem(KEY, JSON.stringify(open));
+  } catch {
+    // Then it is remembered until the page is closed.
+  }
+}

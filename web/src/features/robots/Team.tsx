@@ -1,0 +1,245 @@
+/** The team in the panel of robots: a body for each agent, sending to all boards, starting all agents as processes. */
+import "./team.css";
+
+import { useEffect, useId } from "react";
+
+import type { AgentActivity } from "../../api/wire";
+import { StateShape } from "../../components/StateShape";
+import { Said } from "../../i18n/Said";
+import { type Key, t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { stopEverything } from "../../session/features";
+import { Icon } from "../../theme";
+import { useBoards } from "./boards";
+import { keepShown } from "./shown";
+import { showRobots } from "./state";
+import {
+  bodyOf,
+  cancelTeam,
+  chooseBody,
+  isBusy,
+  MOST_AGENTS,
+  placesFor,
+  sendToAll,
+  standingOf,
+  startTeam,
+  TEAM,
+} from "./team";
+import type { Team, TeamAgent } from "./wire";
+
+const SHAPES: Record<TeamAgent["state"], AgentActivity> = {
+  idle: "idle",
+  sending: "waiting",
+  sent: "idle",
+  starting: "waiting",
+  there: "running",
+  ended: "stalled",
+};
+
+/** What an agent does, in a word; "" where there is nothing to say. */
+function stateWords(standing: TeamAgent | undefined): string {
+  if (standing === undefined) return "";
+  if (standing.failed) return t("crew.state-failed");
+  return standing.state === "idle" ? "" : t(`crew.state-${standing.state}`);
+}
+
+function Sending({ standing }: { standing: TeamAgent }) {
+  const label = useId();
+  if (standing.state !== "sending") return null;
+  const { step, done, total } = standing.progress ?? { step: "connect" as const, done: 0, total: 0 };
+  return (
+    <div className="robot-progress" data-testid="crew-progress">
+      <span id={label}>{t(`boards.step-${step}`)}</span>
+      <progress aria-labelledby={label} value={total > 0 ? done : undefined} max={Math.max(total, 1)} />
+    </div>
+  );
+}
+
+/** What it said last, or what went wrong with it. */
+function Message({ standing }: { standing: TeamAgent }) {
+  if (standing.message === "") return null;
+  if (!standing.failed)
+    return (
+      <p className="crew-said">
+        <Said text={standing.message} />
+      </p>
+    );
+  return (
+    <div className="robot-trouble" role="alert" data-testid="crew-trouble">
+      <Icon name="triangle-alert" size={16} />
+      <p>
+        <strong>
+          <Said text={standing.message} />
+        </strong>{" "}
+        <Said text={standing.help} />
+        {standing.way === "" ? null : (
+          <button
+            type="button"
+            className="robot-link"
+            data-testid={`crew-${standing.way}`}
+            onClick={() => sendToAll({ [standing.name]: standing.way })}
+          >
+            {t(`boards.${standing.way}`)}
+          </button>
+        )}
+      </p>
+    </div>
+  );
+}
+
+function Member({ name, disabled }: { name: string; disabled: boolean }) {
+  const state = useBoards();
+  const path = useStudio(({ file }) => file.path);
+  const standing = standingOf(state.team, path, name);
+  const chosen = bodyOf(state, path, name);
+  const label = useId();
+  return (
+    <li className="crew-member" data-testid="crew-member" data-agent={name} data-state={standing?.state ?? "idle"}>
+      <div className="crew-row">
+        <StateShape state={standing?.failed === true ? "failed" : SHAPES[standing?.state ?? "idle"]} size={10} />
+        <span className="crew-name" id={label}>
+          {name}
+        </span>
+        <select
+          aria-label={t("crew.body", { name })}
+          data-testid="crew-body"
+          disabled={disabled}
+          value={chosen}
+          onChange={(event) => chooseBody(name, event.target.value)}
+        >
+          <option value="">{t("crew.simulated")}</option>
+          {placesFor(state, chosen).map((place) => (
+            <option key={place.address} value={place.address}>
+              {place.address.endsWith(place.name) ? place.name : `${place.name} (${place.address})`}
+            </option>
+          ))}
+        </select>
+        <span className="crew-state">{stateWords(standing)}</span>
+      </div>
+      {standing === undefined ? null : <Sending standing={standing} />}
+      {standing === undefined ? null : <Message standing={standing} />}
+    </li>
+  );
+}
+
+/** What the team does, and what was refused to it. */
+function Status({ team, other }: { team: Team | null; other: boolean }) {
+  const refused = useBoards((state) => state.refused[TEAM]);
+  const trouble = refused ?? (team?.failed === true && !other ? team : null);
+  const phase: Key | null = team === null || team.phase === "idle" ? null : `crew.phase-${team.phase}`;
+  return (
+    <>
+      <p className="crew-status" role="status" data-testid="crew-status" data-phase={team?.phase ?? "idle"}>
+        {phase === null ? null : <strong>{t(phase)}</strong>}
+        {other && phase !== null ? <span>{t("crew.other", { mission: team?.path ?? "" })}</span> : null}
+        {trouble === null && team !== null && !other && team.message !== "" ? <Said text={team.message} /> : null}
+      </p>
+      {trouble === null ? null : (
+        <div className="robot-trouble" role="alert" data-testid="crew-refused">
+          <Icon name="triangle-alert" size={16} />
+          <p>
+            <strong>
+              <Said text={trouble.message} />
+            </strong>{" "}
+            <Said text={trouble.help} />
+          </p>
+        </div>
+      )}
+    </>
+  );
+}
+
+function Button({
+  icon,
+  label,
+  id,
+  on,
+  ink = false,
+  disabled = false,
+  title,
+}: {
+  icon: string;
+  label: string;
+  id: string;
+  on: () => void;
+  ink?: boolean;
+  disabled?: boolean;
+  title?: string;
+}) {
+  return (
+    <button
+      type="button"
+      className={ink ? "button button-ink" : "button"}
+      data-testid={id}
+      disabled={disabled}
+      title={title}
+      onClick={on}
+    >
+      <Icon name={icon} size={14} />
+      {label}
+    </button>
+  );
+}
+
+function Acts({ team, boards, ready }: { team: Team | null; boards: number; ready: boolean }) {
+  const busy = isBusy(team);
+  if (busy && team?.phase !== "sending")
+    return (
+      <div className="robot-acts">
+        <Button ink icon="square" label={t("crew.stop")} id="crew-stop" on={stopEverything} />
+        <Button icon="eye" label={t("crew.watch")} id="crew-watch" on={() => showRobots(false)} />
+      </div>
+    );
+  return (
+    <div className="robot-acts">
+      {busy ? <Button icon="x" label={t("boards.cancel")} id="crew-cancel" on={cancelTeam} /> : null}
+      <Button
+        ink
+        icon="play"
+        label={t("crew.start")}
+        id="crew-start"
+        title={t("crew.start-help")}
+        disabled={busy || !ready}
+        on={startTeam}
+      />
+      <Button
+        icon="upload"
+        label={t("crew.send")}
+        id="crew-send"
+        title={t("crew.send-help")}
+        disabled={busy || !ready || boards === 0}
+        on={() => sendToAll()}
+      />
+    </div>
+  );
+}
+
+export function TeamPart() {
+  const agents = useStudio(({ mission }) => mission.agents);
+  const path = useStudio(({ file }) => file.path);
+  const state = useBoards();
+  const title = useId();
+  useEffect(keepShown, []);
+  if (agents.length < 2) return null;
+  const { team, you } = state;
+  const other = isBusy(team) && team?.path !== path;
+  const tooMany = agents.length > MOST_AGENTS;
+  const boards = agents.filter(({ name }) => bodyOf(state, path, name) !== "").length;
+  return (
+    <section className="crew" data-testid="crew" aria-labelledby={title}>
+      <h3 id={title}>{t("crew.title")}</h3>
+      <p className="robots-note">
+        {tooMany ? t("crew.too-many", { most: MOST_AGENTS, count: agents.length }) : t("crew.about")}
+      </p>
+      {tooMany ? null : (
+        <ul className="crew-list">
+          {agents.map(({ name }) => (
+            <Member key={name} name={name} disabled={isBusy(team)} />
+          ))}
+        </ul>
+      )}
+      <Status team={team} other={other} />
+      <Acts team={team} boards={boards} ready={you !== "" && !tooMany} />
+    </section>
+  );
+}
