@@ -14,7 +14,8 @@ START = "example:exercises/03-square.krt"
 def mission_of(page, path: str) -> dict:
     answer = page.get("/api/mission", params={"path": path})
     assert answer.status_code == 200, answer.text
-    return answer.json()["mission"]
+    mission: dict = answer.json()["mission"]
+    return mission
 
 
 def judge(page, exercise: str, mission: dict, seed: int | None):
