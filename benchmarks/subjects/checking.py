@@ -1,24 +1,28 @@
 """Exploring every order of events of carriers on a ring, agents lagging as they like, beside SPIN on a model by hand.
 
-States a second of one core; ours with every step kept for what happens in the end, and without. SPIN's model
+States a second of one core, by processor time; ours plain and through Numba (compiled before), with every step kept for
+what happens in the end, and without. SPIN's model
 (`peers/ring.pml`) is a comparable ring, not the same one: it has fewer devices, and no interpreter runs in it. Partial
 order reduction is off (`-DNOREDUCE`). The peer is left out where there is no `spin` or no `gcc`.
 """
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
 import tempfile
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 from benchmarks.measuring import Rate, Row, in_turns
 from kitrobot.sim import Simulation
-from kitrobot.verifier import Budget, Model, Timing, take_apart
+from kitrobot.sim.compiling import available
+from kitrobot.verifier import Budget, Model, Timing, compiling, take_apart
+from kitrobot.verifier.engines import PLAIN
 from kitrobot.verifier.exploring import explore
-from kitrobot.verifier.timing import Clock
 from kitrobot.workspace import RunOptions, open_mission
 
 TITLE = "checking"
@@ -28,37 +32,47 @@ _ROOT = Path(__file__).parents[2]
 
 @dataclass(frozen=True)
 class Size:
+    """How much is explored plain, and through Numba."""
+
     states: int
+    compiled: int
     carriers: tuple[int, ...]
     rounds: int
 
 
-FULL = Size(states=60_000, carriers=(2, 3), rounds=3)
-TINY = Size(states=200, carriers=(2,), rounds=1)
+FULL = Size(states=60_000, compiled=1_000_000, carriers=(2, 3), rounds=3)
+TINY = Size(states=200, compiled=200, carriers=(2,), rounds=1)
 
 
 def run(size: Size, *, peers: bool) -> list[Row]:
     has_peer = peers and shutil.which("spin") is not None and shutil.which("gcc") is not None
+    engines = {"plain": PLAIN, **({"Numba": compiling.make()} if available() else {})}
     rows = []
     for carriers in size.carriers:
         transport = _transport(carriers)
         found: dict[str, int] = {}
 
-        def exploring(keeps: bool, run: Simulation = transport, found: dict[str, int] = found) -> None:
-            clock = Clock(Model(run, take_apart(run)), Timing.FREE)
-            made = explore(clock, Budget(size.states), lambda number, state, step, after: True, keeps)
-            found["safety"] = len(made.states)
+        def exploring(name: str, keeps: bool, run: Simulation = transport, found: dict[str, int] = found) -> None:
+            most = size.states if name == "plain" else size.compiled
+            made = explore(Model(run, take_apart(run), 0, Timing.FREE), Budget(most), keeps, engines[name])
+            found[name] = len(made)
 
-        seconds = in_turns({"safety": lambda: exploring(False), "liveness": lambda: exploring(True)}, size.rounds)
-        theirs = _spin(carriers, 1) if has_peer else []
+        work = {
+            f"{what}, {name}": partial(exploring, name, keeps)
+            for name in engines
+            for what, keeps in (("safety", False), ("liveness", True))
+        }
+        seconds = in_turns(work, size.rounds)
+        theirs = _spin(carriers, size.rounds) if has_peer else []
         for what, taken in seconds.items():
+            beside = bool(theirs) and what.startswith("safety")
             rows.append(
                 Row(
                     f"{carriers} carriers, {what}",
                     "states/s",
-                    Rate.of(found["safety"], taken),
-                    PEER if theirs and what == "safety" else "",
-                    Rate.of(1, [1 / rate for rate in theirs]) if theirs and what == "safety" else None,
+                    Rate.of(found[what.split(", ")[1]], taken),
+                    PEER if beside else "",
+                    Rate.of(1, [1 / rate for rate in theirs]) if beside else None,
                 )
             )
     return rows
@@ -74,7 +88,7 @@ def _transport(carriers: int) -> Simulation:
 
 
 def _spin(carriers: int, rounds: int) -> list[float]:
-    """States a second of SPIN's verifier, each round of a minute at most."""
+    """States a second of processor time of SPIN's verifier, each round of a minute at most."""
     rates = []
     with tempfile.TemporaryDirectory() as folder:
         shutil.copy(_ROOT / "benchmarks" / "peers" / "ring.pml", folder)
@@ -83,6 +97,7 @@ def _spin(carriers: int, rounds: int) -> list[float]:
         build = ["gcc", "-O2", "-DSAFETY", "-DNOREDUCE", "-DMEMLIM=2000", "-o", "pan", "pan.c"]
         subprocess.run(build, cwd=folder, check=True, capture_output=True, timeout=300)
         for _ in range(rounds):
+            before = _children_s()
             said = subprocess.run(
                 ["./pan", "-E", "-n", "-m1000000", "-Q1"],
                 cwd=folder,
@@ -91,7 +106,12 @@ def _spin(carriers: int, rounds: int) -> list[float]:
                 text=True,
                 timeout=300,
             ).stdout
-            rate = re.search(r"pan: rate +([0-9.e+]+) states/second", said)
-            if rate is not None:
-                rates.append(float(rate[1]))
+            stored = re.search(r"([0-9.e+]+) states, stored", said)
+            if stored is not None:
+                rates.append(float(stored[1]) / (_children_s() - before))
     return rates
+
+
+def _children_s() -> float:
+    """Processor time of the processes that were started and have ended."""
+    return os.times().children_user + os.times().children_system

@@ -20,8 +20,8 @@ def prepared(path: Path) -> PreparedRun:
 
 def judged(run: Simulation, timing: Timing, failures: int = 0, states: int = 200_000) -> Judged:
     """All ready properties of a run under one assumption."""
-    model = Model(run, take_apart(run), failures)
-    return judge(model, ready_properties(model), timing, failures, Budget(states))
+    model = Model(run, take_apart(run), failures, timing)
+    return judge(model, ready_properties(model), Budget(states))
 
 
 def answers(made: Judged) -> dict[str, str]:

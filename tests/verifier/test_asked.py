@@ -10,7 +10,6 @@ from kitrobot.verifier import (
     Budget,
     Model,
     PropertyError,
-    Timing,
     Verdict,
     ask,
     asked_properties,
@@ -20,6 +19,9 @@ from kitrobot.verifier import (
     variables_asked,
 )
 from kitrobot.verifier.asked import team_of
+from kitrobot.verifier.looking import decode, sensed
+from kitrobot.verifier.model import State
+from kitrobot.verifier.properties import Condition, Sensed
 from tests.sim.building import transport
 
 LOADED, EMPTY = "any carrier-1 (Cargo.IsPressed())", "any carrier-1 (Cargo.IsReleased())"
@@ -48,6 +50,13 @@ ASKED = {
 }
 
 
+def holds(model: Model, condition: Condition | None, state: State) -> bool:
+    """Whether a condition of what agents sense holds in a state."""
+    assert isinstance(condition, Sensed)
+    decode(model.t, *model.layout.key(state))
+    return condition.test(tuple(sensed(model.t, i) for i in condition.agents))
+
+
 def fresh(seed: int = 1) -> Simulation:
     return transport(stock=2, carriers=2, seed=seed, seconds=200.0)
 
@@ -58,7 +67,7 @@ def judged() -> tuple[Model, dict[str, Verdict]]:
     model = Model(run, take_apart(run, variables_asked(run, asked)))
     properties, left_out = asked_properties(model, asked)
     assert left_out == []
-    made = judge(model, properties, Timing.LOCKSTEP, 0, Budget())
+    made = judge(model, properties, Budget())
     assert made.complete
     return model, {verdict.property.name: verdict for verdict in made.verdicts}
 
@@ -81,13 +90,15 @@ def test_what_is_broken_has_a_run_that_breaks_it_and_the_simulator_confirms_it(j
     states = verdict.way.states
     assert all(step.state == state for step, state in zip(verdict.way.steps, states[1:], strict=True))
     if mine.never is not None:
-        assert [mine.never(state) for state in states] == [False] * (len(states) - 1) + [True]
+        assert [holds(model, mine.never, state) for state in states] == [False] * (len(states) - 1) + [True]
     elif mine.breaks is not None:
-        assert mine.breaks(states[-2], states[-1])
+        before, after = mine.breaks
+        assert holds(model, before, states[-2])
+        assert holds(model, after, states[-1])
     else:
         assert mine.waits is not None
         assert verdict.way.repeats_from >= 0
-        assert all(mine.waits(state) for state in states[verdict.way.repeats_from :])
+        assert all(holds(model, mine.waits, state) for state in states[verdict.way.repeats_from :])
     assert confirm(verdict.property, verdict.way, model, fresh, lambda: False) is not None
 
 

@@ -171,12 +171,12 @@ def test_random_missions_stand_still_where_brute_force_says_so(
     said = {True: 0, False: 0}
     for seed in range(examples(40, 2000)):
         run, texts = random_run(random.Random(seed))
-        model = Model(run, take_apart(run), 0)
+        model = Model(run, take_apart(run), 0, timing)
         stands = brute_force(run)
         if stands is None:
             continue
         ready = [one for one in ready_properties(model) if one.name == "deadlock"]
-        made = judge(model, ready, timing, 0, Budget(10 * MOST_STATES))
+        made = judge(model, ready, Budget(10 * MOST_STATES))
         assert made.complete, texts
         broken = made.verdicts[0].answer.value == "broken"
         assert stands.strictly <= broken <= stands.as_seen, (seed, texts)

@@ -1,4 +1,5 @@
-"""Every step of the simulator is one that the model allows in lockstep.
+"""Every step of the simulator is one that the model allows in lockstep: the plain model of `tests.verifier.reference`,
+whose states and answers `test_equality` holds the tables to.
 
 The model's hidden flags (whether a robot is new in its zone, since when it brakes) cannot be read off the simulator, so
 all model states that fit what was seen are followed side by side; there must always be one.
@@ -14,12 +15,12 @@ import pytest
 from kitrobot.mission import Failure, FailureKind
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
-from kitrobot.verifier import Model, Timing, take_apart
-from kitrobot.verifier.model import State
-from kitrobot.verifier.timing import Clock
+from kitrobot.verifier import take_apart
 from tests.effort import cases
 from tests.sim.building import transport
 from tests.verifier.building import EXAMPLES, prepared
+from tests.verifier.reference.model import Model, State
+from tests.verifier.reference.timing import Clock, Timing
 
 KINDS = (FailureKind.FAIL, FailureKind.STALL)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from array import array
 
 import pytest
 from hypothesis import assume, given, settings
@@ -12,12 +11,10 @@ from hypothesis import strategies as st
 from kitrobot.compiler import compile_text
 from kitrobot.image import Machine
 from kitrobot.text import Sentence
-from kitrobot.verifier import Budget, Model, Property, Timing, judge, take_apart
-from kitrobot.verifier.exploring import Explored
-from kitrobot.verifier.fairness import fair_part
+from kitrobot.verifier import Budget, Model, Property, judge, take_apart
 from kitrobot.verifier.programs import AbstractionError, ProgramTable, value_classes
-from kitrobot.verifier.roads import Gaps, possible, zones_of
-from kitrobot.verifier.timing import Clock
+from kitrobot.verifier.properties import OfAgent
+from kitrobot.verifier.roads import Gaps, possible, possible_everywhere, zones_of
 from tests.effort import examples
 from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of
 
@@ -51,6 +48,18 @@ def test_a_gap_that_there_is_is_possible(
     if ahead == 0 and theirs < mine:
         ahead = len(zones)
     assert possible(zones, gaps, one, ahead)[gaps.class_of(way - gaps.lengths_mm)]
+
+
+def test_all_gaps_at_once_are_those_one_by_one() -> None:
+    for closed in (False, True):
+        zones, gaps = zones_of(1000.0, closed, [10.5, 70.25, 333.0, 900.125]), Gaps((150.0,), 100.0)
+        one_by_one = [
+            can
+            for zone in range(len(zones))
+            for ahead in range(len(zones) + 1)
+            for can in possible(zones, gaps, zone, ahead)
+        ]
+        assert possible_everywhere(zones, gaps) == one_by_one
 
 
 def test_classes_are_cut_by_the_constants_that_a_sensor_is_compared_with() -> None:
@@ -101,59 +110,17 @@ def test_a_table_says_what_the_interpreter_says(seed: int) -> None:
         assert len(made) <= 40
 
 
-def explored(edges: dict[int, list[tuple[int, int]]], idle: list[int], forward: list[int]) -> Explored:
-    """A graph with the progress classes of its edges and states."""
-    made = Explored(first_edge=array("q", [0]))
-    for state in range(len(idle)):
-        for target, taken in edges.get(state, []):
-            made.targets.append(target)
-            made.taken.append(taken)
-        made.first_edge.append(len(made.targets))
-        made.states.append((state,))
-    made.idle, made.forward, made.backward = idle, forward, [0] * len(idle)
-    return made
-
-
-TICK, BEGIN, END, ZONE = 1, 2, 4, 8
-ALL = TICK | BEGIN | END
-
-
-def test_a_round_that_puts_off_an_end_for_ever_is_not_fair() -> None:
-    ring = {0: [(1, TICK)], 1: [(0, TICK), (2, END)]}
-    assert fair_part(explored(ring, [ALL, ALL & ~END, ALL], [0, 0, 0]), [0, 1], 1) is None
-    assert sorted(fair_part(explored(ring, [ALL, ALL, ALL], [0, 0, 0]), [0, 1], 1) or []) == [0, 1]
-
-
-def test_a_tick_may_be_idle_now_and_then_but_not_put_off_always() -> None:
-    ring = {0: [(1, 0)], 1: [(0, 0)]}
-    assert fair_part(explored(ring, [ALL & ~TICK, ALL & ~TICK], [0, 0]), [0, 1], 1) is None
-    assert fair_part(explored(ring, [ALL & ~TICK, ALL], [0, 0]), [0, 1], 1) is not None
-
-
-def test_who_rolls_comes_somewhere() -> None:
-    ring = {0: [(1, TICK)], 1: [(0, TICK)]}
-    assert fair_part(explored(ring, [ALL, ALL], [1, 1]), [0, 1], 1) is None
-    further = {0: [(1, TICK | ZONE)], 1: [(0, TICK)]}
-    assert fair_part(explored(further, [ALL, ALL], [1, 1]), [0, 1], 1) is not None
-
-
-def test_a_state_that_nothing_leaves_is_stayed_in_and_one_that_is_left_is_not() -> None:
-    assert fair_part(explored({}, [ALL], [0]), [0], 1) == [0]
-    assert fair_part(explored({0: [(1, TICK)]}, [ALL, ALL], [0, 0]), [0], 1) is None
-
-
 def test_who_ticks_more_slowly_may_miss_a_moment_of_lockstep_and_never_all_of_them() -> None:
     fast, slow = avatar(WHEEL.format(settings=""), name="fast"), avatar(WHEEL.format(settings=""), tick=40, name="slow")
     world = empty_world(a=(500, 500, 0), b=(900, 900, 0))
     run = run_of({"a": (fast, "3*( WAIT(1); );"), "b": (slow, "3*( WAIT(1); );")}, world)
-    model = Model(run, take_apart(run))
-    clock = Clock(model, Timing.LOCKSTEP)
-    assert {step.taken & 2 for step in clock.steps(clock.first)} == {0, 2}
-    properties = [Property("over", Sentence("in the end both end"), waits=lambda state: not model.ended(state, 1))]
-    made = judge(model, properties, Timing.LOCKSTEP, 0, Budget())
-    assert [verdict.answer.value for verdict in made.verdicts] == ["holds"]
-    never = Property(
-        "never", Sentence("in the end the slow one is not over"), waits=lambda state: model.ended(state, 1)
-    )
-    broken = judge(model, [never], Timing.LOCKSTEP, 0, Budget()).verdicts[0]
-    assert broken.answer.value == "broken"
+    parts = take_apart(run)
+
+    def answer(over: bool) -> str:
+        model = Model(run, parts)
+        waits = ((OfAgent(1, lambda inside: model.has_ended(1, inside) != over),),)
+        made = judge(model, [Property("over", Sentence("in the end both end, or not"), waits=waits)], Budget())
+        return made.verdicts[0].answer.value
+
+    assert answer(True) == "holds"
+    assert answer(False) == "broken"

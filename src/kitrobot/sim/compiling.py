@@ -130,10 +130,11 @@ def cache_folder() -> Path:
         except PackageNotFoundError:
             digest.update(package.encode())
     digest.update(f"{sys.version} {platform.machine()}".encode())
-    return _user_cache() / f"step-{digest.hexdigest()[:24]}"
+    return user_cache() / f"step-{digest.hexdigest()[:24]}"
 
 
-def _user_cache() -> Path:
+def user_cache() -> Path:
+    """The folder for what is compiled: KITROBOT_CACHE, or the user's cache folder."""
     given = os.environ.get("KITROBOT_CACHE")
     if given:
         return Path(given)
@@ -224,13 +225,13 @@ def _make_in_peace() -> None:
     """What `ask` does in its thread: a machine where it cannot be done goes on plain."""
     # Numba may fail in any way on a machine we do not know; the plain step is as right as the compiled one.
     with suppress(Exception):
-        if (cache_folder() / READY).is_file() or _compile_elsewhere():
+        if (cache_folder() / READY).is_file() or compile_elsewhere():
             make()
 
 
-def _compile_elsewhere() -> bool:
+def compile_elsewhere(module: str = __name__) -> bool:
     """Compiles in a process of its own, which has no part in our threads; whether it did."""
-    command = [sys.executable, "-c", "from kitrobot.sim.compiling import make; make()"]
+    command = [sys.executable, "-c", f"from {module} import make; make()"]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
     nice: dict[str, Any] = {}
     if sys.platform == "win32":

@@ -7,7 +7,7 @@ their last tick.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from kitrobot.mission import AskedProperty, Form
@@ -15,9 +15,9 @@ from kitrobot.sim import Simulation
 from kitrobot.sim.breakpoints import Condition as Test
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.text import Sentence
-from kitrobot.verifier.conditions import Asked, Member, PropertyError, ask
-from kitrobot.verifier.model import Model, State
-from kitrobot.verifier.properties import Property, Watch
+from kitrobot.verifier.conditions import Asked, Member, PropertyError, Truth, ask
+from kitrobot.verifier.model import Model
+from kitrobot.verifier.properties import Property, Sensed, Watch
 
 LONG_ENOUGH = 2
 """A run whose time is up shows that something is waited for in vain if it was for one part of so many of its time."""
@@ -73,7 +73,7 @@ class _InModel:
             for test, agents in asked.tests.items()
             for agent in agents
         }
-        self._known: dict[tuple[int, str, tuple[int, ...]], bool] = {}
+        self._known: dict[tuple[int, str, int], bool] = {}
         for test, agents in asked.tests.items():
             for agent in agents:
                 self._expect_known(agent, asked.names[test])
@@ -87,18 +87,24 @@ class _InModel:
                     Sentence("ask for what a robot reads of roads, docks and storehouses, or for a variable"),
                 )
 
-    def holds(self, state: State) -> bool:
-        return self._asked.holds(lambda agent, test: self._truth(state, agent, test))
+    def when(self, wanted: Callable[[Truth], bool]) -> Sensed:
+        """The states of which something is true that is asked of tests of agents."""
+        agents = tuple(sorted({agent for agents in self._asked.tests.values() for agent in agents}))
+        return Sensed(agents, lambda keys: wanted(self._truths(dict(zip(agents, keys, strict=True)))))
 
-    def is_concerned(self, state: State) -> bool:
-        return self._asked.is_concerned(lambda agent, test: self._truth(state, agent, test))
+    @property
+    def holds(self) -> Sensed:
+        """The states in which it holds."""
+        return self.when(self._asked.holds)
 
-    def _truth(self, state: State, agent: int, test: str) -> bool:
-        key = agent, test, self._model.seen(state, agent)
-        known = self._known.get(key)
+    def _truths(self, keys: Mapping[int, int]) -> Truth:
+        return lambda agent, test: self._truth(agent, test, keys[agent])
+
+    def _truth(self, agent: int, test: str, key: int) -> bool:
+        known = self._known.get((agent, test, key))
         if known is None:
-            mind = _Mind(self._model.cells(state, agent))
-            known = self._known[key] = self._tests[agent, test].holds(mind)
+            mind = _Mind(self._model.cells(agent, key))
+            known = self._known[agent, test, key] = self._tests[agent, test].holds(mind)
         return known
 
 
@@ -117,33 +123,35 @@ def _property(model: Model, one: AskedProperty, asked: Sequence[Asked]) -> Prope
     def watch(run: Simulation) -> Watch:
         return _Watch(one.form, asked, run)
 
-    def open_in(state: State) -> bool:
-        return first.holds(state) and not second.holds(state)
-
     match one.form:
         case Form.NEVER:
-            return Property(one.name, one.words, never=first.holds, concerned=first.is_concerned, watch=watch)
-        case Form.EVENTUALLY:
             return Property(
-                one.name, one.words, waits=lambda state: not first.holds(state), from_start=True, watch=watch
+                one.name, one.words, never=first.holds, concerned=first.when(asked[0].is_concerned), watch=watch
             )
+        case Form.EVENTUALLY:
+            return Property(one.name, one.words, waits=_not(first.holds), from_start=True, watch=watch)
         case Form.AFTER:
             return Property(
-                one.name,
-                one.words,
-                waits=lambda state: not second.holds(state),
-                since=first.holds,
-                concerned=first.holds,
-                watch=watch,
+                one.name, one.words, waits=_not(second.holds), since=first.holds, concerned=first.holds, watch=watch
             )
         case Form.STAYS:
+            closed = _not(second.holds)
             return Property(
                 one.name,
                 one.words,
-                breaks=lambda state, after: open_in(state) and not first.holds(after) and not second.holds(after),
+                breaks=(_both(first.holds, closed), _both(_not(first.holds), closed)),
                 concerned=first.holds,
                 watch=watch,
             )
+
+
+def _not(one: Sensed) -> Sensed:
+    return Sensed(one.agents, lambda keys: not one.test(keys))
+
+
+def _both(one: Sensed, other: Sensed) -> Sensed:
+    size = len(one.agents)
+    return Sensed((*one.agents, *other.agents), lambda keys: one.test(keys[:size]) and other.test(keys[size:]))
 
 
 class _Watch:

@@ -4,6 +4,10 @@ A robot on a road is in a zone and at a class of gap to the robot ahead (`roads`
 It comes into the next zone, or nearer than a class of gap, only after a tick of its own in the one where it is. Where
 that very tick lets it brake, or it was braking when it came, it leaves only a zone (or a class of gap) that is shorter
 than its braking distance; where it brakes later, it may leave any.
+
+A *body* is this motion as one number: the direction that its wheels were told (`want`) and the one in which it rolls
+(`way`), each 1 (forward), -1 (back) or 0 (stands); the class of the gap to the robot ahead; the zone; and five flags.
+What is here is in the part of Python that Numba takes.
 """
 
 from __future__ import annotations
@@ -30,59 +34,101 @@ class Inside(NamedTuple):
     down: int
 
 
-class Body(NamedTuple):
-    """The motion of a robot on a road. Directions are 1 (forward), -1 (back) and 0 (stands).
+NEW_ZONE = 1 << 4
+"""It came into its zone after its last tick."""
+NEW_GAP = 1 << 5
+"""It came to its class of gap, by its own motion, after its last tick."""
+HELD_ZONE = 1 << 6
+"""It brakes since it came into its zone, or since before."""
+HELD_GAP = 1 << 7
+"""The same of its class of gap."""
+TICKS = 1 << 8
+"""It has ticks: its program goes on, and nothing befell it."""
+_GAP, _ZONE = 9, 15
+_GAPS = 63
+_NEW = NEW_ZONE | NEW_GAP
+_HELD = HELD_ZONE | HELD_GAP
+MOST_GAPS = _GAPS
+"""Classes of gaps at most."""
 
-    Attributes:
-        want: the direction that its wheels were told.
-        way: the direction in which it rolls.
-        zone: where it is along its road.
-        gap: the class of the gap to the robot ahead (see `motion.Track.around`).
-        new_zone: whether it came into its zone after its last tick.
-        new_gap: whether it came to its class of gap, by its own motion, after its last tick.
-        held_zone: whether it brakes since it came into its zone, or since before.
-        held_gap: the same of its class of gap.
-        ticks: whether it has ticks: its program goes on, and nothing befell it.
-    """
 
-    want: int
-    way: int
-    zone: int
-    gap: int
-    new_zone: bool
-    new_gap: bool
-    held_zone: bool
-    held_gap: bool
-    ticks: bool
+def body(want: int, way: int, zone: int, gap: int, flags: int) -> int:
+    """A body of these."""
+    return want + 1 | way + 1 << 2 | flags | gap << _GAP | zone << _ZONE
 
-    def told(self, want: int) -> Body:
-        """After its wheels were told a direction, in a tick of its own."""
-        if want == self.want:
-            return self
-        if self.way == 0 or want == self.way:
-            return self._replace(want=want, held_zone=False, held_gap=False)
-        if self.want != self.way:
-            return self._replace(want=want)
-        return self._replace(want=want, held_zone=self.new_zone, held_gap=self.new_gap)
 
-    def begun(self) -> Body:
-        """After it began to roll as it was told."""
-        return self._replace(way=self.want, held_zone=False, held_gap=False)
+def want_of(one: int) -> int:
+    """The direction that its wheels were told."""
+    return (one & 3) - 1
 
-    def halted(self) -> Body:
-        """After it came to stand; what its wheels were told stays."""
-        return self._replace(way=0, new_zone=False, new_gap=False, held_zone=False, held_gap=False)
 
-    def entered(self, zone: int) -> Body:
-        """After it came into a zone by its own motion."""
-        brakes = self.want != self.way
-        return self._replace(zone=zone, new_zone=not brakes, held_zone=brakes)
+def way_of(one: int) -> int:
+    """The direction in which it rolls."""
+    return (one >> 2 & 3) - 1
 
-    def closed_in(self, gap: int) -> Body:
-        """After its own motion brought it to a narrower class of gap."""
-        brakes = self.want != self.way
-        return self._replace(gap=gap, new_gap=not brakes, held_gap=brakes)
 
-    def at_gap(self, gap: int) -> Body:
-        """After the gap ahead became of another class without its doing."""
-        return self._replace(gap=gap, new_gap=False, held_gap=False)
+def gap_of(one: int) -> int:
+    """The class of the gap ahead."""
+    return one >> _GAP & _GAPS
+
+
+def zone_of(one: int) -> int:
+    """The zone."""
+    return one >> _ZONE
+
+
+def told(one: int, want: int) -> int:
+    """After its wheels were told a direction, in a tick of its own."""
+    was, way = want_of(one), way_of(one)
+    if want == was:
+        return one
+    after = one & ~3 | want + 1
+    if way == 0 or want == way:
+        return after & ~_HELD
+    if was != way:
+        return after
+    return after & ~_HELD | (one & _NEW) << 2
+
+
+def ticked(one: int, want: int, ticks: bool) -> int:
+    """After a tick of its own that told its wheels a direction (less than -1: nothing); whether it ticks on."""
+    after = told(one, want) if want >= -1 else one
+    return after & ~(_NEW | TICKS) | (TICKS if ticks else 0)
+
+
+def begun(one: int) -> int:
+    """After it began to roll as it was told."""
+    return one & ~(_HELD | 12) | (one & 3) << 2
+
+
+def halted(one: int) -> int:
+    """After it came to stand; what its wheels were told stays."""
+    return one & ~(_NEW | _HELD | 12) | 1 << 2
+
+
+def entered(one: int, zone: int) -> int:
+    """After it came into a zone by its own motion."""
+    flag = HELD_ZONE if want_of(one) != way_of(one) else NEW_ZONE
+    return one & ((1 << _ZONE) - 1) & ~(NEW_ZONE | HELD_ZONE) | zone << _ZONE | flag
+
+
+def closed_in(one: int, gap: int) -> int:
+    """After its own motion brought it to a narrower class of gap."""
+    flag = HELD_GAP if want_of(one) != way_of(one) else NEW_GAP
+    return one & ~(_GAPS << _GAP | NEW_GAP | HELD_GAP) | gap << _GAP | flag
+
+
+def at_gap(one: int, gap: int) -> int:
+    """After the gap ahead became of another class without its doing."""
+    return one & ~(_GAPS << _GAP | NEW_GAP | HELD_GAP) | gap << _GAP
+
+
+def in_gap(one: int, gap: int) -> int:
+    """The same at another class of gap; its flags stay."""
+    return one & ~(_GAPS << _GAP) | gap << _GAP
+
+
+def befallen(one: int, down: int) -> int:
+    """After it failed, stalled or runs again."""
+    after = one & ~TICKS | (TICKS if down == RUNS else 0)
+    return after & ~(_HELD | 3) | 1 if down == FAILED else after

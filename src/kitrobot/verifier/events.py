@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import NamedTuple
 
+from kitrobot.verifier.columns import E_AGENT, E_KIND, E_MASK, E_OTHER
 from kitrobot.verifier.motion import Move
 
 
@@ -22,6 +23,9 @@ class What(IntEnum):
     STALL = 19
     RESUME = 20
 
+
+TICK, DONE, LOADED, UNLOADED, NO_EMPTY_CARRIER, NO_LOADED_CARRIER, NO_BOX, FAIL, STALL, RESUME = map(int, What)
+"""The same as whole numbers, which Numba takes."""
 
 SWINGS = (What.LOADED, What.UNLOADED, What.NO_BOX, What.NO_EMPTY_CARRIER, What.NO_LOADED_CARRIER)
 """An arm came to the end of its motion."""
@@ -45,10 +49,8 @@ class Event(NamedTuple):
     other: int = -1
 
 
-_CLASSES: dict[Move | What, int] = {What.TICK: 0, Move.BEGIN: 1, **dict.fromkeys(ENDS, 2), Move.ZONE: 3}
-
-
-def progress(event: Event, agents: int) -> int:
-    """The progress class of an event, as a bit (see `timing`); 0 for one that has none."""
-    place = _CLASSES.get(event.what, -1)
-    return 1 << place * agents + event.agent if place >= 0 else 0
+def event_of(number: int) -> Event:
+    """An event that is written as one number (see `columns.E_AGENT`)."""
+    kind = number & E_KIND
+    what = What(kind) if kind >= What.TICK else Move(kind)
+    return Event(number >> E_AGENT & E_MASK, what, (number >> E_OTHER) - 1)

@@ -4,15 +4,24 @@ from __future__ import annotations
 
 import time
 from array import array
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
+from typing import Any
 
-from kitrobot.verifier.events import TooManyError
-from kitrobot.verifier.model import State
-from kitrobot.verifier.timing import Clock, Step
+from kitrobot.verifier import columns as v
+from kitrobot.verifier import engines
+from kitrobot.verifier.engines import Engine
+from kitrobot.verifier.events import Event, TooManyError, event_of
+from kitrobot.verifier.growing import longer
+from kitrobot.verifier.model import Model, State
+from kitrobot.verifier.tables import Graph
 
-_LOOK_EVERY = 1024
+_PAUSE_S = 0.1
+"""How long exploring goes on before it is asked whether to break off."""
+_ROOM_AT_FIRST = 16_000_000
+"""States that arrays have room for from the beginning; memory is taken only as it is used."""
+MOST_STATES = (1 << 31) - 2
 
 
 @dataclass(frozen=True)
@@ -22,12 +31,14 @@ class Budget:
     Attributes:
         states: at most so many.
         seconds: at most so long, on the clock on the wall; None for no limit.
+        memory: at most about so many bytes; None for no limit.
         stop: asked now and then whether to break off.
         progress: told now and then how many states there are and how deep.
     """
 
     states: int = 1_000_000
     seconds: float | None = None
+    memory: int | None = None
     stop: Callable[[], bool] = lambda: False
     progress: Callable[[int, int], None] = lambda states, depth: None
 
@@ -37,97 +48,234 @@ class Explored:
     """What was explored.
 
     Attributes:
-        states: every state that was reached, in the order of their distance from the first.
-        parents: of each the number of the state from which it was reached first; -1 of the first.
-        first_edge: steps out of state n are `first_edge[n]` … `first_edge[n + 1]` - 1, where they were kept.
-        targets, taken: of each step the state after it and its progress classes (see `timing`).
-        idle: of each state the progress classes that it cannot put off.
-        forward, backward: of each state the agents that roll that way, as bits.
-        depth: steps to the state that is furthest away.
+        model: of which mission.
+        graph: states and steps.
+        engine: what goes through them.
+        expanded: how many of the states, from the first on, have all their steps.
         complete: whether there is no state beyond.
         seconds: how long it took.
+        breaks_off: asked whether time is up or it is stopped.
+        is_stopped: asked whether it is stopped.
     """
 
-    states: list[State] = field(default_factory=list)
-    parents: array[int] = field(default_factory=lambda: array("q"))
-    first_edge: array[int] = field(default_factory=lambda: array("q", [0]))
-    targets: array[int] = field(default_factory=lambda: array("q"))
-    taken: list[int] = field(default_factory=list)
-    idle: list[int] = field(default_factory=list)
-    forward: list[int] = field(default_factory=list)
-    backward: list[int] = field(default_factory=list)
-    depth: int = 0
+    model: Model
+    graph: Graph
+    engine: Engine
     complete: bool = False
     seconds: float = 0.0
+    breaks_off: Callable[[], bool] = field(default=lambda: False)
+    is_stopped: Callable[[], bool] = field(default=lambda: False)
+
+    def __len__(self) -> int:
+        """How many states were reached."""
+        return int(self.model.t.regs[v.COUNT])
+
+    @property
+    def expanded(self) -> int:
+        """How many of the states, from the first on, have all their steps."""
+        return int(self.model.t.regs[v.AT])
+
+    @property
+    def depth(self) -> int:
+        """Steps to the state that is furthest away."""
+        return int(self.model.t.regs[v.DEPTH])
+
+    @property
+    def memory(self) -> int:
+        """Bytes that states, steps and tables take."""
+        regs, graph = self.model.t.regs, self.graph
+        states = len(self) * (8 * self.model.layout.words + 4)
+        steps = int(regs[v.EDGES]) * 6 + (self.expanded + 1) * 4 if regs[v.KEEPS] else 0
+        tables = sum(8 * len(table) for table in self.model.t)
+        return states + steps + 4 * len(graph.slots) + 4 * int(regs[v.DEAD]) + tables
+
+    def state(self, number: int) -> State:
+        """A state."""
+        graph = self.graph
+        return self.model.layout.state(
+            int(graph.x[number]), int(graph.y[number]) if self.model.layout.words == 2 else 0
+        )
+
+    def came_first(self) -> dict[int, int]:
+        """Of each kind of event that came up the state out of which it came first."""
+        regs = self.model.t.regs
+        return {kind: int(regs[v.FIRST_OF + kind]) for kind in range(v.KINDS) if regs[v.SEEN_KINDS] >> kind & 1}
 
     def path(self, number: int) -> list[int]:
         """The numbers of the states on a shortest way to a state, from the first one on."""
         found = []
         while number >= 0:
             found.append(number)
-            number = self.parents[number]
+            number = int(self.graph.parents[number])
         return found[::-1]
 
+    def steps(self, number: int) -> Iterator[tuple[State, int, int]]:
+        """The steps out of a state: the state after each, its progress classes by number, its kinds of events."""
+        t = self._expand(number, -1)
+        for n in range(int(t.regs[v.NEXTS])):
+            state = self.model.layout.state(int(t.next_x[n]), int(t.next_y[n]))
+            yield state, int(t.next_taken[n]), int(t.next_kinds[n])
 
-Looking = Callable[[int, State, Step | None, State], bool]
-"""Told the number of a state, the state, a step out of it (None: the state itself) and the state after it; whether the
-search may go on.
-"""
+    def events(self, number: int, step: int) -> tuple[Event, ...]:
+        """The events of a step out of a state, by its place among those."""
+        t = self._expand(number, step)
+        if t.fixed[v.TIMING] != v.LOCKSTEP:
+            return (event_of(int(t.next_event[step])),)
+        return tuple(event_of(int(t.events[n])) for n in range(int(t.regs[v.FOUND])))
+
+    def _expand(self, number: int, seek: int) -> Any:
+        """Finds the steps out of a state again."""
+        state = self.state(number)
+        while True:
+            t = self.model.t
+            t.regs[v.SEEK] = seek
+            found = self.engine.expand(t, *self.model.layout.key(state))
+            t.regs[v.SEEK] = -1
+            if found >= 0 or (seek >= 0 and t.fixed[v.TIMING] == v.LOCKSTEP and t.regs[v.FOUND] >= 0):
+                return t
+            self.fill(int(t.regs[v.CODE]))
+
+    def fill(self, code: int) -> None:
+        """Puts what exploring asked for into tables and graph.
+
+        Raises:
+            TooManyError: that cannot be.
+        """
+        before = self.model.layout
+        regs = self.model.t.regs
+        if code == v.ROOM_STATES:
+            self._grow_states()
+        elif code == v.ROOM_EDGES:
+            self._grow("targets", "taken")
+            if int(regs[v.AT]) + 2 > len(self.graph.first_edge):
+                self._grow("first_edge")
+        elif code == v.ROOM_DEAD:
+            self._grow("dead")
+        else:
+            self.model.fill(code)
+        if self.model.layout is not before:
+            self._repack(before)
+
+    def _grow(self, *names: str) -> None:
+        for name in names:
+            table = getattr(self.graph, name)
+            self.graph = self.graph._replace(**{name: longer(table, 2 * len(table))})
+
+    def _grow_states(self) -> None:
+        count, words = len(self), self.model.layout.words
+        if len(self.graph.x) - count < 2 * len(self.model.t.next_x):
+            self._grow("x", "parents", *(("y",) if words == 2 else ()))
+        if (count + len(self.model.t.next_x)) * 10 > len(self.graph.slots) * 7:
+            self._find_again(2 * len(self.graph.slots))
+
+    def _find_again(self, size: int) -> None:
+        slots = self.graph.slots
+        self.graph = self.graph._replace(slots=slots[:0])
+        del slots
+        self.graph = self.graph._replace(slots=self.engine.zeros(size))
+        self.engine.rehash(self.graph, len(self), self.model.layout.words == 2)
+
+    def _repack(self, before: Any) -> None:
+        """Writes all keys in the new layout."""
+        model = self.model
+        if model.layout.words == 2 and len(self.graph.y) < len(self.graph.x):
+            self.graph = self.graph._replace(y=longer(self.graph.y, len(self.graph.x)))
+        two = model.layout.words == 2
+        rows = self.engine.row(before.rows()), self.engine.row(model.layout.rows())
+        self.engine.repack(self.graph, len(self), len(before.word), *rows, before.words == 2, two)
+        model.t.regs[v.WORDS] = model.layout.words
+        self._find_again(len(self.graph.slots))
 
 
-def explore(clock: Clock, budget: Budget, looking: Looking, keeps_steps: bool) -> Explored:
+def explore(model: Model, budget: Budget, keeps_steps: bool, engine: Engine | None = None) -> Explored:
     """Explores the states of a model.
 
     Args:
-        clock: the steps of the model.
+        model: the model, of which nothing was explored yet.
         budget: how far.
-        looking: shown every state and step, once.
         keeps_steps: whether steps are kept, as judging what happens in the end needs them.
+        engine: what goes through the states; None for the plain one until the compiled one is worth it and there.
     """
     began = time.monotonic()
-    made = Explored()
+    ends = None if budget.seconds is None else began + budget.seconds
+
+    def breaks_off() -> bool:
+        return budget.stop() or (ends is not None and time.monotonic() >= ends)
+
+    made = Explored(model, _fresh(), engines.PLAIN, breaks_off=breaks_off, is_stopped=budget.stop)
     with suppress(TooManyError):
-        _explore(clock, budget, looking, keeps_steps, made, began)
+        _begin(made, min(budget.states, MOST_STATES), keeps_steps)
+        if engine is not None:
+            _use(made, engine)
+        _explore(made, budget, engine is None)
     made.seconds = time.monotonic() - began
-    budget.progress(len(made.states), made.depth)
+    budget.progress(len(made), made.depth)
     return made
 
 
-def _explore(clock: Clock, budget: Budget, looking: Looking, keeps_steps: bool, made: Explored, began: float) -> None:
-    numbers: dict[State, int] = {clock.first: 0}
-    masks: dict[int, int] = {}  # so that each is kept once
-    made.states.append(clock.first)
-    made.parents.append(-1)
-    level_end = 1
-    for at, state in enumerate(made.states):
-        if at == level_end:
-            made.depth += 1
-            level_end = len(made.states)
-        if at % _LOOK_EVERY == 0:
-            budget.progress(len(made.states), made.depth)
-            if budget.stop():
-                return
-        if not looking(at, state, None, state):
+def _fresh() -> Graph:
+    def numbers(size: int) -> array[int]:
+        return array("i", bytes(4 * size))
+
+    def keys(size: int) -> array[int]:
+        return array("q", bytes(8 * size))
+
+    return Graph(
+        x=keys(4096),
+        y=keys(0),
+        parents=numbers(4096),
+        slots=numbers(8192),
+        first_edge=numbers(4096),
+        targets=numbers(8192),
+        taken=array("H", bytes(2 * 8192)),
+        dead=numbers(4096),
+    )
+
+
+def _begin(made: Explored, most: int, keeps_steps: bool) -> None:
+    """Puts the first state into the graph."""
+    model = made.model
+    first = model.begin()
+    regs = model.t.regs
+    regs[v.WORDS] = model.layout.words
+    if model.layout.words == 2:
+        made.graph = made.graph._replace(y=longer(made.graph.y, len(made.graph.x)))
+    made.graph.x[0], y = model.layout.key(first)
+    if model.layout.words == 2:
+        made.graph.y[0] = y
+    made.graph.parents[0] = -1
+    regs[v.AT], regs[v.COUNT], regs[v.EDGES], regs[v.LEVEL_END], regs[v.DEPTH] = 0, 1, 0, 1, 0
+    regs[v.MOST], regs[v.KEEPS], regs[v.SEEK], regs[v.SEEN_KINDS] = most, int(keeps_steps), -1, 0
+    made.engine.rehash(made.graph, 1, model.layout.words == 2)
+
+
+def _explore(made: Explored, budget: Budget, may_change: bool) -> None:
+    batch, told = 256, time.monotonic()
+    while made.expanded < len(made):
+        if made.breaks_off() or (budget.memory is not None and made.memory > budget.memory):
             return
-        for step in clock.steps(state):
-            if budget.seconds is not None and time.monotonic() - began > budget.seconds:
-                return
-            if not looking(at, state, step, step.state):
-                return
-            number = numbers.get(step.state)
-            if number is None:
-                if len(made.states) >= budget.states:
-                    return
-                number = numbers[step.state] = len(made.states)
-                made.states.append(step.state)
-                made.parents.append(at)
-            if keeps_steps:
-                made.targets.append(number)
-                made.taken.append(masks.setdefault(step.taken, step.taken))
-        if keeps_steps:
-            made.first_edge.append(len(made.targets))
-            idle, (forward, backward) = clock.idle(state), clock.rolling(state)
-            made.idle.append(masks.setdefault(idle, idle))
-            made.forward.append(forward)
-            made.backward.append(backward)
+        if may_change and made.engine is engines.PLAIN:
+            better = engines.worth(len(made))
+            if better is not None:
+                _use(made, better)
+        began = time.monotonic()
+        t = made.model.t
+        code = made.engine.advance(t, made.graph, int(t.regs[v.AT]) + batch)
+        if code == v.CUT:
+            return
+        if code != v.GOES_ON:
+            made.fill(code)
+            continue
+        now = time.monotonic()
+        batch = max(16, min(4 * batch, int(batch * _PAUSE_S / max(now - began, 1e-3))))
+        if now - told > _PAUSE_S:
+            told = now
+            budget.progress(len(made), made.depth)
     made.complete = True
+
+
+def _use(made: Explored, engine: Engine) -> None:
+    """Goes on with another engine, whose tables and graph are its own kind."""
+    most = min(made.model.t.regs[v.MOST] or _ROOM_AT_FIRST, _ROOM_AT_FIRST)
+    made.model.t, made.graph = engine.take(made.model.t, made.graph, int(most))
+    made.engine = engine

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
-from itertools import pairwise
-from operator import itemgetter
+from typing import NamedTuple
 
-from kitrobot.verifier.events import What
+from kitrobot.verifier.engines import Engine
+from kitrobot.verifier.events import Event
 from kitrobot.verifier.exploring import Budget, Explored, explore
-from kitrobot.verifier.fairness import fair_part, reachable, targets, way
 from kitrobot.verifier.model import Model, State
-from kitrobot.verifier.motion import Move
 from kitrobot.verifier.properties import Property
-from kitrobot.verifier.timing import Clock, Step, Timing
+from kitrobot.verifier.rounds import fair_round, first_crossing, first_marked, first_where, holds_somewhere
+from kitrobot.verifier.timing import Timing
 
 
 class Answer(Enum):
@@ -24,6 +23,13 @@ class Answer(Enum):
     BROKEN = "broken"
     NOT_FINISHED = "not finished"
     VACUOUS = "vacuous"
+
+
+class Step(NamedTuple):
+    """A step of a run: what happens, and the state after it."""
+
+    events: tuple[Event, ...]
+    state: State
 
 
 @dataclass(frozen=True)
@@ -63,6 +69,7 @@ class Judged:
         depth: steps to the one furthest away.
         complete: whether there are no more.
         seconds: how long exploring took.
+        memory: bytes that states, steps and tables took.
     """
 
     timing: Timing
@@ -72,114 +79,89 @@ class Judged:
     depth: int
     complete: bool
     seconds: float
+    memory: int = 0
 
 
-def judge(model: Model, properties: Sequence[Property], timing: Timing, failures: int, budget: Budget) -> Judged:
-    """Explores a model and judges properties by it."""
-    clock = Clock(model, timing)
-    first: dict[Move | What, tuple[int, Step]] = {}
-    wrong: dict[str, tuple[int, Step | None]] = {}
-    by_step = [one for one in properties if one.never is not None or one.breaks is not None]
-    concerned: set[str] = {one.name for one in properties if not one.about and one.concerned is None}
-    by_state = [one for one in properties if one.concerned is not None]
+def judge(model: Model, properties: Sequence[Property], budget: Budget, engine: Engine | None = None) -> Judged:
+    """Explores a model, of which nothing was explored yet, and judges properties by it."""
+    keeps_steps = any(one.waits is not None or one.breaks is not None for one in properties)
+    made = explore(model, budget, keeps_steps, engine)
+    first = made.came_first()
+    verdicts = [_verdict(made, one, first) for one in properties]
+    return Judged(
+        model.timing,
+        model.failures,
+        tuple(verdicts),
+        len(made),
+        made.depth,
+        made.complete,
+        made.seconds,
+        made.memory,
+    )
 
-    def looking(number: int, state: State, step: Step | None, after: State) -> bool:
-        if step is None:
-            for one in by_state:
-                if one.name not in concerned and one.concerned is not None and one.concerned(state):
-                    concerned.add(one.name)
-            for one in by_step:
-                if one.never is not None and one.name not in wrong and one.never(state):
-                    wrong[one.name] = number, None
-            return True
-        for event in step.events:
-            if event.what not in first:
-                first[event.what] = number, step
-        for one in by_step:
-            if one.breaks is not None and one.name not in wrong and one.breaks(state, after):
-                wrong[one.name] = number, step
+
+def _verdict(made: Explored, one: Property, first: dict[int, int]) -> Verdict:
+    kinds = [what for what in one.broken_by if what in first]
+    if kinds:
+        kind = min(kinds, key=lambda what: (first[what], what))
+        path = made.path(first[kind])
+        last = next(n for n, (_, _, came) in enumerate(made.steps(path[-1])) if came >> kind & 1)
+        return Verdict(one, Answer.BROKEN, _way_to(made, path, last))
+    way, is_sure = _sudden(made, one), True
+    if way is None:
+        way, is_sure = _endless(made, one)
+    if way is not None:
+        return Verdict(one, Answer.BROKEN, way)
+    in_question = _is_in_question(made, one, first)
+    if not made.complete or not is_sure or made.is_stopped():
+        return Verdict(one, Answer.NOT_FINISHED)
+    return Verdict(one, Answer.HOLDS if in_question else Answer.VACUOUS)
+
+
+def _is_in_question(made: Explored, one: Property, first: dict[int, int]) -> bool:
+    """Whether what a property is about came up."""
+    if not one.about and one.concerned is None:
         return True
-
-    made = explore(clock, budget, looking, keeps_steps=True)
-    concerned.update(one.name for one in properties if not one.about.isdisjoint(first))
-    verdicts = []
-    for one in properties:
-        found: tuple[int, Step | None] | None = wrong.get(one.name)
-        found = found or min((first[what] for what in one.broken_by if what in first), key=itemgetter(0), default=None)
-        if found is not None:
-            verdicts.append(Verdict(one, Answer.BROKEN, _way_to(clock, made, made.path(found[0]), found[1])))
-            continue
-        path = _endless(clock, made, one)
-        if path is not None:
-            verdicts.append(Verdict(one, Answer.BROKEN, path))
-        elif not made.complete:
-            verdicts.append(Verdict(one, Answer.NOT_FINISHED))
-        else:
-            verdicts.append(Verdict(one, Answer.HOLDS if one.name in concerned else Answer.VACUOUS))
-    return Judged(timing, failures, tuple(verdicts), len(made.states), made.depth, made.complete, made.seconds)
+    if any(what in first for what in one.about):
+        return True
+    return one.concerned is not None and holds_somewhere(made, one.concerned)
 
 
-def _endless(clock: Clock, made: Explored, one: Property) -> Way | None:
-    """A run that breaks a property by standing still or by waiting for ever."""
-    expanded = len(made.first_edge) - 1
+def _sudden(made: Explored, one: Property) -> Way | None:
+    """A run that breaks a property by a state, or by a step from one to another."""
+    if one.never is not None:
+        number = first_where(made, one.never)
+        return None if number < 0 else _way_to(made, made.path(number))
+    if one.breaks is not None:
+        number, step = first_crossing(made, *one.breaks)
+        return None if number < 0 else _way_to(made, made.path(number), step)
+    return None
+
+
+def _endless(made: Explored, one: Property) -> tuple[Way | None, bool]:
+    """A run that breaks a property by standing still or by waiting for ever; whether all was looked through."""
     if one.is_wrong is not None:
-        for number in range(expanded):
-            if one.is_wrong(made.states[number]) and all(to == number for to in targets(made, number)):
-                return _way_to(clock, made, made.path(number), None, repeats=True)
-        return None
+        number = first_marked(made, one.is_wrong)
+        return (None if number < 0 else _way_to(made, made.path(number), repeats=True)), True
     if one.waits is None:
-        return None
-    waiting = [one.waits(state) for state in made.states]
-    since = one.since
-    if one.from_start:
-        starts = [0] if waiting[:1] == [True] else []
-    else:
-        starts = [n for n, waits in enumerate(waiting) if waits and (since is None or since(made.states[n]))]
-    inside = reachable(made, waiting, starts)
-    part = fair_part(made, inside, clock.count)
-    if part is None:
-        return None
-    # The run begins to wait in one of the starts, and waits until it is in the part and for ever after.
-    members, within = set(part), set(inside)
-    for start in starts:
-        onward = [] if start in members else way(made, start, members, within)
-        if onward or start in members:
-            break
-    path = [*made.path(start), *onward]
-    return _way_to(clock, made, [*path, *_round(made, members, path[-1])], None, repeats=True, first=len(path) - 1)
+        return None, True
+    lead, around, is_sure = fair_round(made, one)
+    if not around:
+        return None, is_sure
+    path = [*made.path(lead[0]), *lead[1:]]
+    return _way_to(made, [*path, *around[1:]], repeats=True, first=len(path) - 1), True
 
 
-def _round(made: Explored, part: set[int], begin: int) -> list[int]:
-    """A way through a strongly connected part and back that takes every class that is taken in it; [] for one state."""
-    wanted: dict[int, tuple[int, int]] = {}
-    for state in part:
-        for edge in range(made.first_edge[state], made.first_edge[state + 1]):
-            if made.targets[edge] in part:
-                wanted.setdefault(made.taken[edge], (state, made.targets[edge]))
-    covered, found, at = 0, [], begin
-    for taken, (state, target) in sorted(wanted.items(), key=lambda item: -item[0].bit_count()):
-        if taken & ~covered == 0:
-            continue
-        if at != state:
-            found += way(made, at, {state}, part)
-        found.append(target)
-        at, covered = target, covered | taken
-    return found if at == begin else [*found, *way(made, at, {begin}, part)]
-
-
-def _way_to(
-    clock: Clock,
-    made: Explored,
-    numbers: Sequence[int],
-    last: Step | None,
-    repeats: bool = False,
-    first: int = -1,
-) -> Way:
-    """The run through these states, with its steps found again, and a last step behind it."""
-    states = [made.states[number] for number in numbers]
-    steps = [next(step for step in clock.steps(before) if step.state == after) for before, after in pairwise(states)]
-    if last is not None:
-        states.append(last.state)
-        steps.append(last)
+def _way_to(made: Explored, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1) -> Way:
+    """The run through these states, with its steps found again, and a step out of the last one (-1: none)."""
+    states = [made.state(number) for number in numbers]
+    steps = []
+    for number, after in zip(numbers, states[1:], strict=False):
+        which = next(n for n, (state, _, _) in enumerate(made.steps(number)) if state == after)
+        steps.append(Step(made.events(number, which), after))
+    if last >= 0:
+        after = [state for state, _, _ in made.steps(numbers[-1])][last]
+        steps.append(Step(made.events(numbers[-1], last), after))
+        states.append(after)
     repeats_from = -1 if not repeats else first if first >= 0 else len(states) - 1
     return Way(tuple(states), tuple(steps), repeats_from)

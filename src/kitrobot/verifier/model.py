@@ -1,8 +1,9 @@
-"""The discrete model of a mission: its states, the ticks of its agents and the events of its world.
+"""The discrete model of a mission: what its components are, and the tables in which exploring looks them up.
 
-A state is a tuple of whole numbers: for each agent a number for what it is but for its motion (`Inside`); for each road
-a number for the motion of all robots on it (`Body`); the boxes in each storehouse; the shared variables; and how many
-failures may still come. Whatever depends on a few of these is looked up once it was computed.
+The state of a mission is cut into *components*: what is shared (boxes, shared variables, failures that may still come),
+each agent but for its motion (`Inside`), and the motion of all robots on each road (`traffic`). Each is given a number
+when it first comes up, and a state is these numbers in one key (`columns`). What exploring finds missing in a table is
+filled in here, by the interpreter itself (`programs`).
 
 A tick changes the agent itself and shared variables; what others sense of it changes with events of the world. So the
 ticks of one moment may be taken in any order, but for shared variables: those of a tick are seen by the next.
@@ -10,305 +11,383 @@ ticks of one moment may be taken in any order, but for shared variables: those o
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
-from itertools import product
-from operator import itemgetter
+from collections.abc import Iterator
 
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
-from kitrobot.verifier.bodies import FAILED, RUNS, STALLED, Inside
-from kitrobot.verifier.events import Event, What
-from kitrobot.verifier.parts import Part, Parts, Sense
-from kitrobot.verifier.traffic import Traffic
+from kitrobot.verifier import columns as v
+from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
+from kitrobot.verifier.building import Roads, build, check_size, first_body
+from kitrobot.verifier.events import TooManyError
+from kitrobot.verifier.growing import longer
+from kitrobot.verifier.packing import Layout, Widths
+from kitrobot.verifier.parts import Parts
+from kitrobot.verifier.reactions import after_reaction, idle_actuators, is_store, read
+from kitrobot.verifier.stepping import due_in
+from kitrobot.verifier.tables import find
+from kitrobot.verifier.timing import Timing
+from kitrobot.verifier.traffic import find_again, intern_conf
 
 State = tuple[int, ...]
+"""The numbers of a state's components: what is shared, each agent, each road; under *prompt* who has a tick to make."""
 
-_Outcome = tuple[int, int, tuple[int, ...]]
-"""After a tick: the agent's number, the direction its wheels were told (`_AS_BEFORE` or more), its shared variables."""
-_AS_BEFORE = -2
+Shared = tuple[int, ...]
+"""How many failures may still come, the boxes in each storehouse, the shared variables."""
 
 
 class Model:
-    """The model of a run that is before its first step.
+    """The model of a run that is before its first step, under one assumption.
 
     Args:
         run: the run.
         parts: its agents, taken apart.
         failures: how many failures there may be, together.
+        timing: when agents tick.
+
+    Raises:
+        AbstractionError: the mission is too large for the numbers of the tables.
     """
 
-    def __init__(self, run: Simulation, parts: Parts, failures: int = 0) -> None:
+    def __init__(self, run: Simulation, parts: Parts, failures: int = 0, timing: Timing = Timing.LOCKSTEP) -> None:
         state = run.state
         self.run = run
+        self.timing = timing
         self.parts = parts.parts
         self.limits = parts.limits
         self.count = len(self.parts)
-        roads = sorted({part.road for part in self.parts if part.road >= 0})
-        self.traffic = [Traffic(run, self.parts, road) for road in roads]
-        """The roads that somebody is on."""
-        self.roads_at = self.count
-        self.stock_at = self.roads_at + len(roads)
-        self.shared_at = self.stock_at + len(run.world.storehouses)
-        self.failures_at = self.shared_at + len(state.shared.ints[0])
+        check_size(self.parts)
+        self.roads = Roads(run, self.parts)
         self.goals = [(int(house), int(wanted)) for house, wanted in zip(*state.docks.goals, strict=True)]
-        self._capacity = [int(one) for one in state.docks.capacity]
-        self._road_of = [roads.index(part.road) if part.road >= 0 else -1 for part in self.parts]
-        self._dock_road = [roads.index(road) if road in roads else -1 for road in state.docks.road]
+        self.houses = len(run.world.storehouses)
+        fastest = min((part.agent.period for part in self.parts), default=1)
+        slower = sum(1 << i for i, part in enumerate(self.parts) if part.agent.period > fastest)
+        self.t, due = build(run, self.parts, self.roads, timing, failures > 0, slower)
+        self.widths = Widths(self.t.fixed[v.FIELDS], due if timing is Timing.PROMPT else -1, self.count)
+        self.layout: Layout = self.widths.layout()
+        self.place_fields()
         self._insides: list[list[Inside]] = [[] for _ in self.parts]
-        self._numbers: list[dict[Inside, int]] = [{} for _ in self.parts]
-        self._shared_places = [[self.shared_at + v for v in part.shared] for part in self.parts]
-        self._seen_by = [itemgetter(*self._places(i)) for i in range(self.count)]
-        self._met: list[dict[tuple[int, ...], tuple[_Outcome, ...]]] = [{} for _ in self.parts]
-        self._ticking: list[list[bool]] = [[] for _ in self.parts]
-        self._reactions: list[dict[tuple[int, ...], tuple[_Outcome, ...]]] = [{} for _ in self.parts]
-        beds = state.robots.ints[c.LOAD]
-        self.first: State = (
-            *(
-                self._number(i, self._first_inside(part, int(beds[part.agent.index])))
-                for i, part in enumerate(self.parts)
-            ),
-            *(road.first for road in self.traffic),
-            *(int(one) for one in state.docks.stock),
-            *(int(one) for one in state.shared.ints[0]),
-            failures,
-        )
+        self._inside_numbers: list[dict[Inside, int]] = [{} for _ in self.parts]
+        self._shareds: list[Shared] = []
+        self._shared_numbers: dict[Shared, int] = {}
+        self._writes: dict[tuple[tuple[int, int], ...], int] = {}
+        self._seen: list[dict[tuple[int, ...], int]] = [{} for _ in self.parts]
+        self._seen_tuples: list[list[tuple[int, ...]]] = [[] for _ in self.parts]
+        self._changes = self._reactions = self._outcomes = 0
+        self.failures = failures
+        loads, at = state.robots.ints[c.LOAD], [float(one) for one in state.robots.floats[c.AT]]
+        # The run may be gone on with before exploring begins.
+        self._first_shared = [*(int(one) for one in state.docks.stock), *(int(one) for one in state.shared.ints[0])]
+        self._first_insides = [
+            Inside(part.table.first, int(loads[part.agent.index]), idle_actuators(part), RUNS) for part in self.parts
+        ]
+        self._first_bodies = [first_body(part, self.parts, at) if part.track is not None else 0 for part in self.parts]
 
-    # -- states
+    # -- the first state
 
-    def inside(self, state: State, i: int) -> Inside:
-        """What agent i is, but for its motion."""
-        return self._insides[i][state[i]]
+    def begin(self) -> State:
+        """The first state.
 
-    def _number(self, i: int, inside: Inside) -> int:
-        known = self._numbers[i]
-        number = known.get(inside)
-        if number is None:
-            number = known[inside] = len(known)
-            self._insides[i].append(inside)
-            self._ticking[i].append(inside.down == RUNS and not self.parts[i].table.has_ended(inside.local))
-        return number
-
-    def _first_inside(self, part: Part, load: int) -> Inside:
-        return Inside(part.table.first, load, (0,) * sum(act.busy >= 0 for act in part.acts), RUNS)
-
-    def ended(self, state: State, i: int) -> bool:
-        """Whether the program of agent i has ended."""
-        return self.parts[i].table.has_ended(self.inside(state, i).local)
-
-    def ticks(self, state: State, i: int) -> bool:
-        """Whether agent i has ticks: its program goes on, and nothing befell it."""
-        return self._ticking[i][state[i]]
-
-    def goals_hold(self, state: State) -> bool:
-        """Whether every storehouse of a goal holds what it is to hold."""
-        return all(state[self.stock_at + house] == wanted for house, wanted in self.goals)
-
-    def standing_in(self, state: State, dock: int) -> tuple[int, ...]:
-        """The agents with beds that stand in a dock."""
-        road = self._dock_road[dock]
-        return self.traffic[road].standing_in(state[self.roads_at + road], dock) if road >= 0 else ()
-
-    def seen(self, state: State, i: int) -> tuple[int, ...]:
-        """All of a state that decides what a tick of agent i does, and what it reads and keeps."""
-        found: tuple[int, ...] = self._seen_by[i](state)
-        return found
-
-    def cells(self, state: State, i: int) -> list[int]:
-        """The first cells of agent i as its program would find them now: inputs, then variables, each at its place. An
-        input that may read anything is 0, and so is a variable that `take_apart` was not told of.
+        Raises:
+            TooManyError: the mission is too large for a key.
         """
-        part, inside = self.parts[i], self.inside(state, i)
-        layout = part.agent.machine.layout
-        found = [0] * layout.cells
-        for at, sense in enumerate(part.senses):
-            found[1 + at] = _reads(inside, sense, self._there(state, i, self._road_of[i], sense)) or 0
-        for cell in layout.variables.values():
-            found[cell] = part.table.value(inside.local, cell)
-        for cell, v in zip(part.table.shared, part.shared, strict=True):
-            found[cell] = state[self.shared_at + v]
-        return found
-
-    # -- ticks
-
-    def react(self, state: State, i: int) -> tuple[_Outcome, ...]:
-        """What one tick of agent i can bring."""
-        seen = self._seen_by[i](state)
-        found = self._met[i].get(seen)
-        if found is not None:
-            return found
-        part, road = self.parts[i], self._road_of[i]
-        around = [self._there(state, i, road, sense) for sense in part.senses]
-        key = (state[i], *around, *(state[self.shared_at + v] for v in part.shared))
-        found = self._reactions[i].get(key)
-        if found is None:
-            found = self._reactions[i][key] = self._computed(i, self.inside(state, i), around, key[1 + len(around) :])
-        self._met[i][seen] = found
-        return found
-
-    def _places(self, i: int) -> list[int]:
-        """The places of a state that a tick of agent i depends on; at least two."""
-        part = self.parts[i]
-        found = {i, self.failures_at, *(self.shared_at + v for v in part.shared)}
-        for sense in part.senses:
-            if sense.discrete in (Discrete.SECTION, Discrete.GAP):
-                found.add(self.roads_at + self._road_of[i])
-            elif sense.discrete is Discrete.EXACT and sense.store >= 0:
-                found.add(self.stock_at + sense.store)
-            elif sense.discrete is Discrete.VISIT and self._dock_road[sense.dock] >= 0:
-                road = self._dock_road[sense.dock]
-                found |= {self.roads_at + road, *self.traffic[road].beds}
-        return sorted(found)
-
-    def after_tick(self, state: State, i: int) -> Iterator[State]:
-        """The states after one tick of agent i; what it writes is seen at once."""
-        for outcome in self.react(state, i):
-            made = list(state)
-            self._apply(made, state, i, outcome)
-            yield tuple(made)
-
-    def stays(self, state: State, i: int) -> bool:
-        """Whether a tick of agent i may change nothing."""
-        shared = tuple(state[self.shared_at + v] for v in self.parts[i].shared)
-        return any(
-            outcome[0] == state[i] and outcome[2] == shared and self._keeps_motion(state, i, outcome[1])
-            for outcome in self.react(state, i)
-        )
-
-    def _keeps_motion(self, state: State, i: int, want: int) -> bool:
-        road = self._road_of[i]
-        if road < 0:
-            return True
-        number = state[self.roads_at + road]
-        return self.traffic[road].after_tick(number, i, want, True) == number
-
-    def after_all(self, state: State, paused: Collection[int] = ()) -> Iterator[State]:
-        """The states after a tick of all agents at once, but of those that are `paused`; of two that write one variable
-        the later in the team wins.
-        """
-        ticking = [i for i in range(self.count) if i not in paused and self.ticks(state, i)]
-        for outcomes in product(*(self.react(state, i) for i in ticking)):
-            made = list(state)
-            for i, outcome in zip(ticking, outcomes, strict=True):
-                self._apply(made, state, i, outcome)
-            yield tuple(made)
-
-    def _apply(self, made: list[int], before: State, i: int, outcome: _Outcome) -> None:
-        """Puts what a tick of agent i brought into a state that is being made."""
-        made[i], want, shared = outcome
-        for at, value in zip(self._shared_places[i], shared, strict=True):
-            if value != before[at]:
-                made[at] = value
-        road = self._road_of[i]
-        if road >= 0:
-            at = self.roads_at + road
-            made[at] = self.traffic[road].after_tick(made[at], i, want, self._ticking[i][made[i]])
-
-    def _there(self, state: State, i: int, road: int, sense: Sense) -> int:
-        """What an input reads outside of the agent itself; 0 where there is nothing to read."""
-        if sense.discrete is Discrete.SECTION:
-            return sense.signs[self.traffic[road].body(state[self.roads_at + road], i).zone]
-        if sense.discrete is Discrete.GAP:
-            return self.traffic[road].notices(state[self.roads_at + road], i, sense.reach_mm)
-        if sense.discrete is Discrete.VISIT:
-            loads = [self.inside(state, at).load for at in self.standing_in(state, sense.dock)]
-            return int(any(sense.load in (2, load) for load in loads))
-        if sense.discrete is Discrete.EXACT and sense.store >= 0:
-            return state[self.stock_at + sense.store]
-        return 0
-
-    def _computed(self, i: int, inside: Inside, around: list[int], shared: tuple[int, ...]) -> tuple[_Outcome, ...]:
-        part = self.parts[i]
-        sensed = tuple(_reads(inside, sense, there) for sense, there in zip(part.senses, around, strict=True))
-        choices = {at: sense.choices for at, sense in enumerate(part.senses)}
-        found: dict[_Outcome, None] = {}
-        for reaction in part.table.react(inside.local, sensed, shared, choices):
-            want, busy = _AS_BEFORE, list(inside.busy)
-            for actuator, command, argument in reaction.commands:
-                act = part.acts[actuator]
-                if actuator == part.drive:
-                    want = act.ways[command] if argument else 0
-                elif act.busy >= 0 and command in act.later:
-                    busy[act.busy] = 1 + act.ways[command]
-            after = inside._replace(local=reaction.local, busy=tuple(busy))
-            found[self._number(i, after), want, reaction.shared] = None
+        found = [
+            self.shared_number((self.failures, *self._first_shared)),
+            *(self.inside_number(i, inside) for i, inside in enumerate(self._first_insides)),
+        ]
+        for road, agents in enumerate(self.roads.agents):
+            for k in range(self.roads.places):
+                self.t.made[k] = self._first_bodies[agents[k]] if k < len(agents) else 0
+            while (number := intern_conf(self.t, road)) < 0:
+                self.fill(int(self.t.regs[v.CODE]))
+            found.append(number)
+        if self.timing is Timing.PROMPT:
+            x, y = self.layout.key((*found, 0))
+            while (due := due_in(self.t, x, y, (1 << self.count) - 1)) < 0:
+                self.fill(int(self.t.regs[v.CODE]))
+                x, y = self.layout.key((*found, 0))
+            found.append(due)
         return tuple(found)
 
-    # -- the world
+    # -- components
 
-    def moves(self, state: State) -> Iterator[tuple[Event, State]]:
-        """What robots on roads can do next, and the states after it."""
-        for road, traffic in enumerate(self.traffic):
-            at = self.roads_at + road
-            for event, number in traffic.moves(state[at]):
-                yield event, (*state[:at], number, *state[at + 1 :])
+    def inside(self, i: int, number: int) -> Inside:
+        """What an agent is, but for its motion."""
+        return self._insides[i][number]
 
-    def ends(self, state: State) -> Iterator[tuple[Event, State]]:
-        """What takes longer and can come to its end next, and the states after it."""
-        for i in range(self.count):
-            inside = self.inside(state, i)
-            if any(inside.busy) and inside.down != FAILED:
-                yield from self._ends_of(state, i, inside)
+    def insides(self, i: int) -> list[Inside]:
+        """Everything that came up of it, by number."""
+        return self._insides[i]
 
-    def failures(self, state: State) -> Iterator[tuple[Event, State]]:
-        """What may befall agents next, and the states after it."""
-        for i, part in enumerate(self.parts):
-            inside = self.inside(state, i)
-            if inside.down == STALLED:
-                yield Event(i, What.RESUME), self._befallen(state, i, RUNS, 0)
-            if state[self.failures_at] == 0 or inside.down == FAILED or part.table.has_ended(inside.local):
-                continue
-            yield Event(i, What.FAIL), self._befallen(state, i, FAILED, 1)
-            if inside.down == RUNS:
-                yield Event(i, What.STALL), self._befallen(state, i, STALLED, 1)
+    def shareds(self) -> list[Shared]:
+        """Everything that came up of what is shared, by number."""
+        return self._shareds
 
-    def begins(self, state: State) -> bool:
-        """Whether a robot is told to roll, stands, and has a free way: in the simulator it rolls in that step."""
-        return any(road.begins(state[self.roads_at + r]) for r, road in enumerate(self.traffic))
+    def has_ended(self, i: int, inside: Inside) -> bool:
+        """Whether the program of agent i has ended."""
+        return self.parts[i].table.has_ended(inside.local)
 
-    def _befallen(self, state: State, i: int, down: int, failures: int) -> State:
-        made = list(state)
-        made[i] = self._number(i, self.inside(state, i)._replace(down=down))
-        made[self.failures_at] -= failures
-        road = self._road_of[i]
-        if road >= 0:
-            at = self.roads_at + road
-            made[at] = self.traffic[road].befallen(made[at], i, down)
-        return tuple(made)
+    def goals_hold(self, shared: Shared) -> bool:
+        """Whether every storehouse of a goal holds what it is to hold."""
+        return all(shared[1 + house] == wanted for house, wanted in self.goals)
 
-    def _ends_of(self, state: State, i: int, inside: Inside) -> Iterator[tuple[Event, State]]:
-        """What takes longer comes to its end; an arm moves a box then, or none."""
-        for act in self.parts[i].acts:
-            if act.busy < 0 or inside.busy[act.busy] == 0:
-                continue
+    def body(self, state: State, i: int) -> int:
+        """How an agent on a road moves (see `bodies`)."""
+        number = state[1 + self.count + self.roads.of[i]]
+        fixed = self.t.fixed
+        at = v.C_STAND + fixed[v.DOCKS] + fixed[v.PLACES] + self.roads.place[i]
+        return int(self.t.confs[number * fixed[v.CONF_WIDTH] + at])
+
+    def zone(self, state: State, i: int) -> int:
+        """The zone in which an agent on a road is."""
+        return zone_of(self.body(state, i))
+
+    def inside_number(self, i: int, inside: Inside) -> int:
+        """The number of what an agent is."""
+        known = self._inside_numbers[i]
+        number = known.get(inside)
+        if number is not None:
+            return number
+        number = len(known)
+        if number >= v.MOST_INSIDES:
+            raise TooManyError
+        self._hold(1 + i, number)
+        fixed = self.t.fixed
+        if number >= fixed[v.INSIDE_STRIDE]:
+            self._widen_insides()
+        known[inside] = number
+        self._insides[i].append(inside)
+        ended = self.parts[i].table.has_ended(inside.local)
+        row = (i * fixed[v.INSIDE_STRIDE] + number) * fixed[v.INSIDE_WIDTH]
+        insides = self.t.insides
+        insides[row + v.I_TICKS] = int(inside.down == RUNS and not ended)
+        insides[row + v.I_LOAD], insides[row + v.I_DOWN] = inside.load, inside.down
+        insides[row + v.I_ENDS] = int(any(inside.busy) and inside.down != FAILED)
+        insides[row + v.I_ENDED] = int(ended)
+        for n, act in enumerate(self.parts[i].acts):
+            insides[row + v.I_ACT + 2 * n] = inside.busy[act.busy] if act.busy >= 0 else 0
+        return number
+
+    def shared_number(self, shared: Shared) -> int:
+        """The number of what is shared."""
+        number = self._shared_numbers.get(shared)
+        if number is not None:
+            return number
+        number = len(self._shareds)
+        self._hold(0, number)
+        seen = [self._seen_number(i, shared) << v.S_SHARED for i in range(self.count)]
+        row = [*shared[: 1 + self.houses], *seen]
+        self._room("shared", (number + 1) * len(row))
+        self.t.shared[number * len(row) : (number + 1) * len(row)] = row
+        self._shared_numbers[shared] = number
+        self._shareds.append(shared)
+        return number
+
+    def _seen_number(self, i: int, shared: Shared) -> int:
+        """The number of what agent i sees of what is shared: its variables, and the storehouses that it senses."""
+        part = self.parts[i]
+        stocks = (shared[1 + sense.store] for sense in part.senses if is_store(sense))
+        seen = (*(shared[1 + self.houses + n] for n in part.shared), *stocks)
+        number = self._seen[i].get(seen)
+        if number is None:
+            number = self._seen[i][seen] = len(self._seen[i])
+            self._seen_tuples[i].append(seen)
+            if number >= v.MOST_SEEN:
+                raise TooManyError
+        return number
+
+    def cells(self, i: int, key: int) -> list[int]:
+        """The first cells of agent i as its program would find them where it senses this (`looking.sensed`): inputs,
+        then variables, each at its place. An input that may read anything is 0, and so is a variable that `take_apart`
+        was not told of.
+        """
+        part, inside = self.parts[i], self._insides[i][key & v.MOST_INSIDES - 1]
+        seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
+        layout = part.agent.machine.layout
+        found = [0] * layout.cells
+        for at, (sense, there) in enumerate(
+            zip(part.senses, self._around(i, key, seen[len(part.shared) :]), strict=True)
+        ):
+            found[1 + at] = read(inside, sense, there) or 0
+        for cell in layout.variables.values():
+            found[cell] = part.table.value(inside.local, cell)
+        for cell, value in zip(part.table.shared, seen, strict=False):
+            found[cell] = value
+        return found
+
+    # -- filling
+
+    def fill(self, code: int) -> None:
+        """Puts into the tables what exploring asked for.
+
+        Raises:
+            TooManyError: there is no number left for it, or a step goes in too many ways.
+            AbstractionError: a program may read too many values.
+        """
+        regs = self.t.regs
+        a, b = int(regs[v.MISS_A]), int(regs[v.MISS_B])
+        if code == v.MISS_REACTION:
+            self._fill_reaction(a, b)
+        elif code == v.MISS_SHARED:
+            self._fill_change(a, b)
+        elif code in (v.MISS_DONE, v.MISS_LOADED, v.MISS_DOWN):
+            self._fill_inside(code, a, b)
+        elif code == v.WIDEN:
+            self._hold(a, int(self.t.mask[a]) + 1)
+        elif code == v.ROOM_CONFS:
+            self._more("confs")
+            slots = self.t.conf_slots
+            while len(slots) < 4 * (len(self.t.confs) // int(self.t.fixed[v.CONF_WIDTH])):
+                self._more("conf_slots")
+                slots = self.t.conf_slots
+            self._find_confs_again()
+        elif code == v.ROOM_NEXT:
+            if len(self.t.next_x) > 1_000_000:
+                raise TooManyError
+            for name in ("next_x", "next_y", "next_taken", "next_kinds", "next_event", "next_slots"):
+                self._more(name)
+            self.t.next_slots[:] = [0] * len(self.t.next_slots)
+            regs[v.NEXTS] = 0
+        elif code in _ROOM:
+            self._more(_ROOM[code])
+        else:
+            raise TooManyError
+
+    def _fill_reaction(self, i: int, key: int) -> None:
+        part = self.parts[i]
+        inside = self._insides[i][key & v.MOST_INSIDES - 1]
+        seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
+        around = self._around(i, key, seen[len(part.shared) :])
+        shared = seen[: len(part.shared)]
+        sensed = tuple(read(inside, sense, there) for sense, there in zip(part.senses, around, strict=True))
+        choices = {at: sense.choices for at, sense in enumerate(part.senses)}
+        found: dict[tuple[int, int, int], None] = {}
+        for reaction in part.table.react(inside.local, sensed, shared, choices):
+            want, after = after_reaction(part, inside, reaction)
+            number = self.inside_number(i, after)
+            ticks = after.down == RUNS and not part.table.has_ended(after.local)
+            changes = [
+                (at, now) for at, was, now in zip(part.shared, shared, reaction.shared, strict=True) if was != now
+            ]
+            found[number, 2 * (want + 2) + ticks, self._write_number(tuple(changes))] = None
+        first = self._outcomes
+        self._outcomes += len(found)
+        self._room("outcomes", self._outcomes * v.OUTCOME)
+        rows = [one for row in found for one in row]
+        self.t.outcomes[first * v.OUTCOME : self._outcomes * v.OUTCOME] = rows
+        self._reactions += 1
+        self._put("reaction_keys", "reaction_at", self._reactions, key, first << v.S_COUNT | len(found))
+
+    def _around(self, i: int, key: int, stocks: tuple[int, ...]) -> Iterator[int]:
+        """What each input of agent i reads outside of the agent itself; 0 where there is nothing to read."""
+        senses = self.parts[i].senses
+        gaps = sum(sense.discrete is Discrete.GAP for sense in senses)
+        view = key >> v.S_VIEW & v.MOST_VIEWS - 1
+        signs = iter(self.roads.signs[i][view >> gaps] if self.roads.of[i] >= 0 else ())
+        visits = key >> v.S_VISITS & v.MOST_VISITS - 1
+        left = iter(stocks)
+        for sense in senses:
+            if sense.discrete is Discrete.SECTION:
+                yield next(signs)
+            elif sense.discrete is Discrete.GAP:
+                gaps -= 1
+                yield view >> gaps & 1
+            elif sense.discrete is Discrete.VISIT:
+                yield visits & 1
+                visits >>= 1
+            else:
+                yield next(left) if is_store(sense) else 0
+
+    def _write_number(self, changes: tuple[tuple[int, int], ...]) -> int:
+        """The number of a change of shared variables."""
+        return self._writes.setdefault(changes, 2 + 2 * self.houses + len(self._writes)) if changes else v.NO_WRITE
+
+    def _fill_change(self, number: int, write: int) -> None:
+        shared = list(self._shareds[number])
+        if write <= 2 * self.houses:
+            shared[1 + (write - 1) // 2] += 1 if write % 2 == 0 else -1
+        elif write == 1 + 2 * self.houses:
+            shared[0] -= 1
+        else:
+            changes = next(one for one, its in self._writes.items() if its == write)
+            for at, value in changes:
+                shared[1 + self.houses + at] = value
+        after = self.shared_number(tuple(shared))
+        self._changes += 1
+        self._put("change_keys", "change_to", self._changes, number << v.S_WRITE | write, after)
+
+    def _fill_inside(self, code: int, i: int, which: int) -> None:
+        number = int(self.t.now[1 + i])
+        inside = self._insides[i][number]
+        column = v.I_LOADED
+        after = inside._replace(load=1 - inside.load)
+        if code == v.MISS_DONE:
+            column = v.I_ACT + 2 * which + 1
             busy = list(inside.busy)
-            busy[act.busy] = 0
-            done = list(state)
-            done[i] = self._number(i, inside._replace(busy=tuple(busy)))
-            if not act.is_arm:
-                yield Event(i, What.DONE), tuple(done)
-                continue
-            loads = inside.busy[act.busy] == 1
-            stock_at = self.stock_at + act.store
-            for carrier in self.standing_in(state, act.dock) or (-1,):
-                other = self.inside(state, carrier) if carrier >= 0 else None
-                if other is None or other.load == loads:
-                    what = What.NO_EMPTY_CARRIER if loads else What.NO_LOADED_CARRIER
-                    yield Event(i, what, act.dock), tuple(done)
-                elif loads and state[stock_at] == 0:
-                    yield Event(i, What.NO_BOX, act.store), tuple(done)
-                elif loads or state[stock_at] < self._capacity[act.store]:
-                    moved = done[:]
-                    moved[carrier] = self._number(carrier, other._replace(load=int(loads)))
-                    moved[stock_at] += -1 if loads else 1
-                    yield Event(i, What.LOADED if loads else What.UNLOADED, carrier), tuple(moved)
+            busy[self.parts[i].acts[which].busy] = 0
+            after = inside._replace(busy=tuple(busy))
+        elif code == v.MISS_DOWN:
+            column = v.I_BEFALLEN + which
+            after = inside._replace(down=which)
+        to = self.inside_number(i, after)
+        fixed = self.t.fixed
+        self.t.insides[(i * fixed[v.INSIDE_STRIDE] + number) * fixed[v.INSIDE_WIDTH] + column] = to
+
+    # -- room in the tables
+
+    def _hold(self, field: int, number: int) -> None:
+        """Makes sure that a field is wide enough for a number; keys are written anew where it was not."""
+        if number > int(self.t.mask[field]):
+            self.layout = self.widths.widen(field, number)
+            self.place_fields()
+
+    def place_fields(self) -> None:
+        """Writes the layout into the tables."""
+        for name in ("shift", "mask", "word"):
+            getattr(self.t, name)[: len(self.layout.shift)] = getattr(self.layout, name)
+
+    def _more(self, name: str) -> None:
+        """Doubles a table; its new rows hold what free ones hold."""
+        table = getattr(self.t, name)
+        free = -1 if name in ("change_keys", "reaction_keys") else 0
+        self.t = self.t._replace(**{name: longer(table, 2 * len(table), free)})
+
+    def _find_confs_again(self) -> None:
+        if isinstance(self.t.confs, list):
+            find_again(self.t)
+            return
+        import numpy as np
+
+        # What is beyond 64 bits is dropped, as it is where this is compiled.
+        with np.errstate(over="ignore"):
+            find_again(self.t)
+
+    def _room(self, name: str, size: int) -> None:
+        while len(getattr(self.t, name)) < size:
+            self._more(name)
+
+    def _put(self, keys: str, values: str, count: int, key: int, value: int) -> None:
+        """Puts a value into a table of open addressing, of which at most half is used."""
+        if 2 * count > len(getattr(self.t, keys)):
+            old_keys, old = getattr(self.t, keys), getattr(self.t, values)
+            size = 2 * len(old_keys)
+            new_keys, new = longer(old_keys[:0], size, -1), longer(old[:0], size, 0)
+            for at, one in enumerate(old_keys):
+                if one >= 0:
+                    to = find(new_keys, int(one))
+                    new_keys[to], new[to] = one, old[at]
+            self.t = self.t._replace(**{keys: new_keys, values: new})
+        at = find(getattr(self.t, keys), key)
+        getattr(self.t, keys)[at], getattr(self.t, values)[at] = key, value
+
+    def _widen_insides(self) -> None:
+        fixed, old = self.t.fixed, self.t.insides
+        stride, size = int(fixed[v.INSIDE_STRIDE]), int(fixed[v.INSIDE_STRIDE]) * int(fixed[v.INSIDE_WIDTH])
+        new = longer(old[:0], 2 * len(old), -1)
+        for i in range(self.count):
+            new[2 * i * size : (2 * i + 1) * size] = old[i * size : (i + 1) * size]
+        fixed[v.INSIDE_STRIDE] = 2 * stride
+        self.t = self.t._replace(insides=new)
 
 
-def _reads(inside: Inside, sense: Sense, there: int) -> int | None:
-    """The value of an input; None where it may be any of its choices."""
-    if sense.discrete is Discrete.ANY:
-        return None
-    if sense.discrete is Discrete.BUSY:
-        return 0 if inside.busy[sense.actuator] else 1
-    value = inside.load if sense.discrete is Discrete.EXACT and sense.store < 0 else there
-    return min(max(value, sense.least), sense.most)
+_ROOM = {v.ROOM_MOVES: "moves", v.ROOM_MOMENTS: "moments", v.ROOM_LOG: "log"}

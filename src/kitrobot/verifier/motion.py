@@ -1,16 +1,44 @@
-"""How robots on one road move: the events of the world that are possible for three neighbours.
+"""How robots on one road move: the events of the world that are possible for a robot between its two neighbours.
 
 An event changes one robot, or two: a robot that goes on changes the gap to the one ahead and the gap of the one behind.
+What is here is in the part of Python that Numba takes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import IntEnum
 
-from kitrobot.verifier.bodies import Body
-from kitrobot.verifier.roads import PRESSED, TOUCHING, Gaps, Zones, possible
+from kitrobot.verifier.bodies import (
+    HELD_GAP,
+    HELD_ZONE,
+    NEW_GAP,
+    NEW_ZONE,
+    TICKS,
+    at_gap,
+    begun,
+    closed_in,
+    entered,
+    gap_of,
+    halted,
+    in_gap,
+    want_of,
+    way_of,
+    zone_of,
+)
+from kitrobot.verifier.columns import (
+    A_BEYOND,
+    A_CAN_AT,
+    A_CLOSED,
+    A_FOLLOWER,
+    A_GAP_AT,
+    A_LEADER,
+    A_ZONE_AT,
+    A_ZONES,
+    AGENT,
+    DOCKS,
+)
+from kitrobot.verifier.roads import PRESSED, TOUCHING
+from kitrobot.verifier.tables import Row, Tables
 
 
 class Move(IntEnum):
@@ -24,125 +52,143 @@ class Move(IntEnum):
     WIDER = 6
 
 
-@dataclass(frozen=True)
-class Track:
-    """One robot's road.
+BEGIN, HALT, ZONE, CLOSER, TOUCH, WIDER = 1, 2, 3, 4, 5, 6
+NOTHING = 0
+WAYS_TO_MOVE = 6
+"""Moves that a robot may have: begin, halt, zone, closer by itself, closer by the one ahead, wider."""
 
-    Attributes:
-        zones: the zones of its road.
-        gaps: the classes of the gap to the robot ahead.
-        braking_mm: how far it rolls at most from a reading that lets it brake until it stands.
-        tick_mm: how far it rolls at most from one tick of its own to the next.
-    """
-
-    zones: Zones
-    gaps: Gaps
-    braking_mm: float
-    tick_mm: float
-
-    @property
-    def around(self) -> int:
-        """The class of gap where the robot ahead is in the same zone and yet a whole road ahead."""
-        return self.gaps.beyond + 1
-
-    def ahead(self, me: Body, leader: Body) -> int:
-        """How many zones ahead the leader is."""
-        if me.zone == leader.zone:
-            return len(self.zones) if me.gap == self.around else 0
-        return (leader.zone - me.zone) % len(self.zones)
-
-    def gap_in(self, gap: int, zone: int, ahead: int) -> int:
-        """The class of gap after a zone changed: the same, or the one with a lap between; -1 where it cannot be."""
-        if ahead < 0 or ahead > len(self.zones):
-            return -1
-        if self.zones.closed and ahead == len(self.zones):
-            return self.around if gap >= self.gaps.beyond and possible(self.zones, self.gaps, zone, ahead)[-1] else -1
-        gap = min(gap, self.gaps.beyond)
-        return gap if possible(self.zones, self.gaps, zone, ahead)[gap] else -1
+ZONE_NUMBERS = 3
+"""Of each zone: whether it is longer than a robot rolls between two ticks, and than its braking distance; its class;
+then, of each dock, whether it is a zone of that."""
+GAP_NUMBERS = 2
+"""The same two of each class of gap."""
 
 
-@dataclass(frozen=True, slots=True)
-class Moved:
-    """An event of the world for one robot: what it is, and the robots after it (None: unchanged)."""
-
-    move: Move
-    me: Body
-    leader: Body | None = None
-    follower: Body | None = None
+def zones_ahead(agents: Row, i: int, me: int, leader: int) -> int:
+    """How many zones ahead the leader is; where it is in the same one, a whole road when a lap is between."""
+    zones = agents[i * AGENT + A_ZONES]
+    if zone_of(me) == zone_of(leader):
+        return zones if gap_of(me) > agents[i * AGENT + A_BEYOND] else 0
+    return (zone_of(leader) - zone_of(me)) % zones
 
 
-def moves(
-    me: Body, leader: Body | None, follower: Body | None, track: Track, behind: Track | None, is_pair: bool
-) -> Iterator[Moved]:
-    """What can happen to a robot next, between a leader (ahead) and a follower (behind), where there are such.
+def can_be(agents: Row, geo: Row, i: int, zone: int, ahead: int, gap: int) -> bool:
+    """Whether the gap from agent i in a zone to one that is `ahead` zones further can be of this class."""
+    a = i * AGENT
+    return (
+        geo[agents[a + A_CAN_AT] + (zone * (agents[a + A_ZONES] + 1) + ahead) * (agents[a + A_BEYOND] + 1) + gap] != 0
+    )
+
+
+def gap_in(agents: Row, geo: Row, i: int, gap: int, zone: int, ahead: int) -> int:
+    """The class of gap after a zone changed: the same, or the one with a lap between; -1 where it cannot be."""
+    a = i * AGENT
+    zones, beyond = agents[a + A_ZONES], agents[a + A_BEYOND]
+    if ahead < 0 or ahead > zones:
+        return -1
+    if agents[a + A_CLOSED] and ahead == zones:
+        return beyond + 1 if gap >= beyond and can_be(agents, geo, i, zone, ahead, beyond) else -1
+    kept = gap if gap < beyond else beyond
+    return kept if can_be(agents, geo, i, zone, ahead, kept) else -1
+
+
+def next_zone(agents: Row, i: int, zone: int, way: int) -> int:
+    """The zone ahead (`way` 1) or behind (-1); -1 where the road ends."""
+    zones = agents[i * AGENT + A_ZONES]
+    found = zone + way
+    if agents[i * AGENT + A_CLOSED]:
+        return found % zones
+    return found if 0 <= found < zones else -1
+
+
+def is_blocked(want: int, leader: int, gap: int, follower: int) -> bool:
+    """Whether a robot presses on one that stands in the direction that its wheels were told; a body of -1 is nobody."""
+    if want > 0:
+        return leader >= 0 and gap == PRESSED and way_of(leader) <= 0
+    return follower >= 0 and gap_of(follower) == PRESSED and way_of(follower) >= 0
+
+
+def move(t: Tables, bodies: int, k: int, i: int, which: int, behind: int) -> int:
+    """Puts the bodies after one of `WAYS_TO_MOVE` of a robot into `made`, which holds those before it.
 
     Args:
-        me: the robot.
-        leader: the robot ahead on the same road.
-        follower: the one behind, whose leader `me` is.
-        track: the robot's road.
-        behind: the follower's.
-        is_pair: leader and follower are the same robot.
+        t: the tables.
+        bodies: where the bodies of its road begin in `confs`.
+        k: its place among them.
+        i: its number in the team.
+        which: the way.
+        behind: the number in the team of the robot behind it; -1 for none.
+
+    Returns:
+        What happens; NOTHING where it cannot.
     """
-    if me.want and me.way == 0 and not _is_blocked(me, leader, follower):
-        yield Moved(Move.BEGIN, me.begun())
-    if me.way and (me.want != me.way or (me.way > 0 and me.gap == PRESSED and leader is not None)):
-        yield Moved(Move.HALT, me.halted())
-    if me.way and len(track.zones) > 1:
-        yield from _into_next_zone(me, leader, follower, track, behind, is_pair)
-    if leader is not None and me.gap < track.around:
-        yield from _other_gap(me, leader, track)
-
-
-def _is_blocked(me: Body, leader: Body | None, follower: Body | None) -> bool:
-    """Whether it presses on a robot that stands in the direction that its wheels were told."""
-    if me.want > 0:
-        return leader is not None and me.gap == PRESSED and leader.way <= 0
-    return follower is not None and follower.gap == PRESSED and follower.way >= 0
-
-
-def _into_next_zone(
-    me: Body, leader: Body | None, follower: Body | None, track: Track, behind: Track | None, is_pair: bool
-) -> Iterator[Moved]:
-    zones = track.zones
-    size = zones.size(me.zone)
-    if me.new_zone and me.ticks and size > track.tick_mm:
-        return
-    if me.held_zone and size > track.braking_mm:
-        return
-    zone = zones.next(me.zone, me.way)
-    if zone < 0:
-        if me.want == me.way:
-            yield Moved(Move.HALT, me.halted())
-        return
-    after = me.entered(zone)
-    if leader is not None:
-        gap = track.gap_in(me.gap, zone, track.ahead(me, leader) - me.way)
-        if gap < 0:
-            return
-        after = after._replace(gap=gap)
-    if follower is None or behind is None:
-        yield Moved(Move.ZONE, after)
-        return
-    theirs = behind.gap_in(follower.gap, follower.zone, behind.ahead(follower, me) + me.way)
-    if theirs < 0:
-        return
-    other = follower if theirs == follower.gap else follower.at_gap(theirs)
-    yield Moved(Move.ZONE, after, other if is_pair else None, None if is_pair else other)
-
-
-def _other_gap(me: Body, leader: Body, track: Track) -> Iterator[Moved]:
-    ahead = track.ahead(me, leader)
-    can = possible(track.zones, track.gaps, me.zone, ahead)
-    if me.gap > PRESSED and can[me.gap - 1]:
-        gap = me.gap - 1
-        move = Move.CLOSER if gap > TOUCHING else Move.TOUCH
-        low, high = track.gaps.limits(me.gap)
-        free = not (me.new_gap and me.ticks and high - low > track.tick_mm)
-        if me.way > 0 and free and not (me.held_gap and high - low > track.braking_mm):
-            after = me.closed_in(gap)
-            yield Moved(move, after.halted() if gap == PRESSED else after)
-        if leader.way < 0:
-            yield Moved(move, me.at_gap(gap), leader.halted() if gap == PRESSED else leader)
-    if me.gap < track.gaps.beyond and can[me.gap + 1] and (leader.way > 0 or me.way < 0):
-        yield Moved(Move.WIDER, me.at_gap(me.gap + 1))
+    agents, geo, made = t.agents, t.geo, t.made
+    a = i * AGENT
+    ahead_at, behind_at = agents[a + A_LEADER], agents[a + A_FOLLOWER]
+    me = t.confs[bodies + k]
+    leader = t.confs[bodies + ahead_at] if ahead_at >= 0 else -1
+    follower = t.confs[bodies + behind_at] if behind_at >= 0 else -1
+    want, way, gap, zone = want_of(me), way_of(me), gap_of(me), zone_of(me)
+    beyond = agents[a + A_BEYOND]
+    if which == 0:
+        if want == 0 or way != 0 or is_blocked(want, leader, gap, follower):
+            return NOTHING
+        made[k] = begun(me)
+        return BEGIN
+    if which == 1:
+        if way == 0 or not (want != way or (way > 0 and gap == PRESSED and leader >= 0)):
+            return NOTHING
+        made[k] = halted(me)
+        return HALT
+    if which == 2:
+        if way == 0 or agents[a + A_ZONES] < 2:
+            return NOTHING
+        at = agents[a + A_ZONE_AT] + zone * (ZONE_NUMBERS + t.fixed[DOCKS])
+        if (me & NEW_ZONE and me & TICKS and geo[at]) or (me & HELD_ZONE and geo[at + 1]):
+            return NOTHING
+        to = next_zone(agents, i, zone, way)
+        if to < 0:
+            if want != way:
+                return NOTHING
+            made[k] = halted(me)
+            return HALT
+        after = entered(me, to)
+        if leader >= 0:
+            further = gap_in(agents, geo, i, gap, to, zones_ahead(agents, i, me, leader) - way)
+            if further < 0:
+                return NOTHING
+            after = in_gap(after, further)
+        if follower >= 0:
+            theirs = gap_of(follower)
+            nearer = gap_in(
+                agents, geo, behind, theirs, zone_of(follower), zones_ahead(agents, behind, follower, me) + way
+            )
+            if nearer < 0:
+                return NOTHING
+            if nearer != theirs:
+                made[behind_at] = at_gap(follower, nearer)
+        made[k] = after
+        return ZONE
+    if leader < 0 or gap > beyond:
+        return NOTHING
+    ahead = zones_ahead(agents, i, me, leader)
+    if which == 5:
+        if gap >= beyond or not (way_of(leader) > 0 or way < 0) or not can_be(agents, geo, i, zone, ahead, gap + 1):
+            return NOTHING
+        made[k] = at_gap(me, gap + 1)
+        return WIDER
+    if gap <= PRESSED or not can_be(agents, geo, i, zone, ahead, gap - 1):
+        return NOTHING
+    if which == 3:
+        at = agents[a + A_GAP_AT] + gap * GAP_NUMBERS
+        if way <= 0 or (me & NEW_GAP and me & TICKS and geo[at]) or (me & HELD_GAP and geo[at + 1]):
+            return NOTHING
+        after = closed_in(me, gap - 1)
+        made[k] = halted(after) if gap - 1 == PRESSED else after
+    else:
+        if way_of(leader) >= 0:
+            return NOTHING
+        made[k] = at_gap(me, gap - 1)
+        if gap - 1 == PRESSED:
+            made[ahead_at] = halted(leader)
+    return CLOSER if gap - 1 > TOUCHING else TOUCH

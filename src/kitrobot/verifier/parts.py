@@ -21,9 +21,8 @@ from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.sim.event_text import sensor_names
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
-from kitrobot.verifier.motion import Track
 from kitrobot.verifier.programs import AbstractionError, ProgramTable, greatest_argument, value_classes
-from kitrobot.verifier.roads import Gaps, Zones, zones_of
+from kitrobot.verifier.roads import Gaps, Track, Zones, zones_of
 
 _WAYS = (0, 1, -1)
 """The directions of the procedures of wheels: stop, forward, back."""

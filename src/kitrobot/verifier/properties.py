@@ -13,8 +13,9 @@ from typing import Protocol
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.text import Sentence
+from kitrobot.verifier.bodies import Inside
 from kitrobot.verifier.events import SWINGS, What
-from kitrobot.verifier.model import Model, State
+from kitrobot.verifier.model import Model, Shared
 from kitrobot.verifier.motion import Move
 
 
@@ -26,6 +27,43 @@ class Watch(Protocol):
 
     def at_end(self) -> bool:
         """Whether the run, which is over, broke it."""
+
+
+@dataclass(frozen=True)
+class OfShared:
+    """What is true of boxes, shared variables and failures."""
+
+    test: Callable[[Shared], bool]
+
+
+@dataclass(frozen=True)
+class OfAgent:
+    """What is true of an agent, but for its motion."""
+
+    agent: int
+    test: Callable[[Inside], bool]
+
+
+@dataclass(frozen=True)
+class Stands:
+    """Whether an agent with a bed stands in one of these docks."""
+
+    agent: int
+    docks: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Sensed:
+    """What is true of a state by what some agents would read and keep there, as their keys (`looking.sensed`)."""
+
+    agents: tuple[int, ...]
+    test: Callable[[tuple[int, ...]], bool]
+
+
+Fact = OfShared | OfAgent | Stands
+"""What one component of a state says."""
+Condition = tuple[tuple[Fact, ...], ...] | Sensed
+"""What is true of a state: all facts of one of these clauses, or what agents sense."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +79,9 @@ class Property:
         from_start: whether only waiting since the first state counts.
         about, concerned: the events, or states, that the property is about; where none comes up, it is vacuous. Without
             both it always is in question.
-        never: whether a state breaks it.
-        breaks: whether a step from one state to another breaks it.
-        since: whether waiting counts from a state on; of liveness only. None: from any, but see `from_start`.
+        never: what breaks it in any state.
+        breaks: what must hold before, and after, a step that breaks it.
+        since: from which states on waiting counts; of liveness only. None: from any, but see `from_start`.
         watch: begins to look at a run of the simulator, where its events do not tell whether it breaks the property.
         seen_as: the events of the simulator (see `sim.columns`) that break it.
         ends_as: the outcomes of a run of the simulator that break it.
@@ -52,14 +90,14 @@ class Property:
     name: str
     sentence: Sentence
     broken_by: frozenset[Move | What] = frozenset()
-    is_wrong: Callable[[State], bool] | None = None
-    waits: Callable[[State], bool] | None = None
+    is_wrong: Condition | None = None
+    waits: Condition | None = None
     from_start: bool = False
     about: frozenset[Move | What] = frozenset()
-    concerned: Callable[[State], bool] | None = None
-    never: Callable[[State], bool] | None = None
-    breaks: Callable[[State, State], bool] | None = None
-    since: Callable[[State], bool] | None = None
+    concerned: Condition | None = None
+    never: Condition | None = None
+    breaks: tuple[Condition, Condition] | None = None
+    since: Condition | None = None
     watch: Callable[[Simulation], Watch] | None = None
     seen_as: tuple[int, ...] = ()
     ends_as: tuple[str, ...] = ()
@@ -68,7 +106,7 @@ class Property:
 def ready_properties(model: Model) -> list[Property]:
     """The properties that fit a mission."""
     found = []
-    if any(len(road.agents) > 1 for road in model.traffic):
+    if any(len(agents) > 1 for agents in model.roads.agents):
         found.append(
             Property(
                 "contact",
@@ -101,7 +139,7 @@ def ready_properties(model: Model) -> list[Property]:
         Property(
             "deadlock",
             Sentence("the mission never comes to a standstill before it is done"),
-            is_wrong=lambda state: not _is_done(model, state),
+            is_wrong=_not_done(model),
             ends_as=("stuck", "failed"),
         )
     )
@@ -110,7 +148,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "delivered",
                 Sentence("in the end every goal is reached"),
-                waits=lambda state: not model.goals_hold(state),
+                waits=_goals_missed(model),
                 from_start=True,
                 ends_as=("stuck", "failed", "time"),
             )
@@ -121,7 +159,7 @@ def ready_properties(model: Model) -> list[Property]:
             Property(
                 "end",
                 Sentence("in the end every program ends"),
-                waits=lambda state: not _all_ended(model, state),
+                waits=_somebody_goes_on(model),
                 from_start=True,
                 ends_as=("stuck", "time"),
             )
@@ -132,17 +170,14 @@ def ready_properties(model: Model) -> list[Property]:
 def _carriers(model: Model) -> list[int]:
     """The agents that can stand in a dock with an arm."""
     arms = {act.dock for part in model.parts for act in part.acts if act.is_arm}
-    return [i for road in model.traffic for i in road.beds] if arms else []
+    return [i for beds in model.roads.beds for i in beds] if arms else []
 
 
 def _served(model: Model, i: int) -> Property:
     """That agent i, where it stands in a dock, is loaded or unloaded, drives on, or ends."""
-    arms = sorted({act.dock for part in model.parts for act in part.acts if act.is_arm})
+    arms = tuple(sorted({act.dock for part in model.parts for act in part.acts if act.is_arm}))
     name = model.parts[i].agent.name
-
-    def stands(state: State) -> bool:
-        return not model.ended(state, i) and any(i in model.standing_in(state, dock) for dock in arms)
-
+    stands: Condition = ((OfAgent(i, lambda inside: not model.has_ended(i, inside)), Stands(i, arms)),)
     return Property(
         f"served-{name}",
         Sentence("{agent} does not wait in a dock for ever", name),
@@ -152,10 +187,19 @@ def _served(model: Model, i: int) -> Property:
     )
 
 
-def _all_ended(model: Model, state: State) -> bool:
-    return all(model.ended(state, i) for i in range(model.count))
+def _goals_missed(model: Model) -> Condition:
+    return ((OfShared(lambda shared: not model.goals_hold(shared)),),)
 
 
-def _is_done(model: Model, state: State) -> bool:
-    """Whether a state that nothing leaves is one that the mission was to come to."""
-    return model.goals_hold(state) if model.goals else _all_ended(model, state)
+def _somebody_goes_on(model: Model) -> Condition:
+    """That the program of an agent has not ended."""
+    return tuple((_goes_on(model, i),) for i in range(model.count))
+
+
+def _goes_on(model: Model, i: int) -> OfAgent:
+    return OfAgent(i, lambda inside: not model.has_ended(i, inside))
+
+
+def _not_done(model: Model) -> Condition:
+    """That a state which nothing leaves is not one that the mission was to come to."""
+    return _goals_missed(model) if model.goals else _somebody_goes_on(model)

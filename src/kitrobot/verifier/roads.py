@@ -12,7 +12,6 @@ import math
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 from kitrobot.sim.contacts import TOUCH_MM
 
@@ -101,16 +100,53 @@ class Gaps:
         return gap <= TOUCHING or self.limits(gap)[1] <= reach_mm
 
 
-@lru_cache(100_000)
+@dataclass(frozen=True)
+class Track:
+    """One robot's road.
+
+    Attributes:
+        zones: the zones of its road.
+        gaps: the classes of the gap to the robot ahead.
+        braking_mm: how far it rolls at most from a reading that lets it brake until it stands.
+        tick_mm: how far it rolls at most from one tick of its own to the next.
+    """
+
+    zones: Zones
+    gaps: Gaps
+    braking_mm: float
+    tick_mm: float
+
+
 def possible(zones: Zones, gaps: Gaps, zone: int, ahead: int) -> tuple[bool, ...]:
     """Of each class, whether the gap from a robot in `zone` to one that is `ahead` zones further can be in it."""
-    least, most = (way - gaps.lengths_mm for way in zones.between(zone, ahead))
+    return _fitting(gaps, *zones.between(zone, ahead))
+
+
+def _fitting(gaps: Gaps, least_way: float, most_way: float) -> tuple[bool, ...]:
+    least, most = least_way - gaps.lengths_mm, most_way - gaps.lengths_mm
     found = []
     for gap in range(gaps.beyond + 1):
         low, high = gaps.limits(gap)
         # A robot that came too near is put back to a gap of 0.
         found.append(max(least, 0.0) <= high and most >= max(low, 0.0))
     return tuple(found)
+
+
+def possible_everywhere(zones: Zones, gaps: Gaps) -> list[bool]:
+    """`possible` of each zone, each number of zones ahead up to a lap, and each class, one after another."""
+    count = len(zones)
+    sizes = [zones.size(zone) for zone in range(count)]
+    found: list[bool] = []
+    for zone in range(count):
+        least = 0.0
+        for ahead in range(count + 1):
+            if ahead == 0 or (zones.closed and ahead == count):
+                found += possible(zones, gaps, zone, ahead)
+                continue
+            if ahead > 1:
+                least += sizes[(zone + ahead - 1) % count]
+            found += _fitting(gaps, least, least + sizes[zone] + sizes[(zone + ahead) % count])
+    return found
 
 
 def zones_of(length_mm: float, closed: bool, cuts: Iterable[float]) -> Zones:

@@ -58,8 +58,6 @@ def say(model: Model, event: Event, after: State) -> Sentence:
 def _place(model: Model, agent: int, state: State) -> str:
     """Where an agent is along its road: the millimetres of its zone."""
     part = model.parts[agent]
-    road = next(road for road in model.traffic if agent in road.agents)
-    number = state[model.roads_at + model.traffic.index(road)]
     assert part.track is not None
-    begin, end = part.track.zones.ends(road.body(number, agent).zone)
+    begin, end = part.track.zones.ends(model.zone(state, agent))
     return f"{model.run.world.roads[part.road].name} {begin:.0f}–{end:.0f} mm"

@@ -1,225 +1,257 @@
-"""All robots on one road: a number for how they move, and what can happen to them next."""
+"""All robots on one road: a number for how they move, and what can happen to them next.
+
+A *conf* is a row of `confs`: the bodies of all robots on a road, and what follows from them. Numbers are given as they
+come up. What is here is in the part of Python that Numba takes; -1 says that there is no room, or no number left
+(`regs[CODE]` says of what), and that it is to be asked again.
+"""
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterator, Sequence
-
-from kitrobot.sim import Simulation
-from kitrobot.sim import columns as c
-from kitrobot.verifier.bodies import FAILED, RUNS, Body
-from kitrobot.verifier.events import MOST_AT_ONCE, Event, TooManyError, progress
-from kitrobot.verifier.motion import Move, moves
-from kitrobot.verifier.parts import Part
+from kitrobot.verifier.bodies import befallen, gap_of, ticked, want_of, way_of, zone_of
+from kitrobot.verifier.columns import (
+    A_BED,
+    A_BEYOND,
+    A_FOLLOWER,
+    A_LATE,
+    A_LEADER,
+    A_SENSES,
+    A_SENSES_AT,
+    A_ZONE_AT,
+    A_ZONES,
+    AGENT,
+    AGENTS,
+    ALL_BITS,
+    C_BACKWARD,
+    C_BEGIN,
+    C_FORWARD,
+    C_MOMENTS,
+    C_MOVE,
+    C_MOVES,
+    C_MUST,
+    C_ROAD,
+    C_STAND,
+    CODE,
+    CONF_WIDTH,
+    CONFS,
+    DOCKS,
+    E_AGENT,
+    E_OTHER,
+    MISS_A,
+    MOVE,
+    MOVES,
+    MULTIPLIER,
+    PLACES,
+    ROAD_FIELD,
+    ROOM_CONFS,
+    ROOM_MOVES,
+    S_VIEW,
+    WIDEN,
+)
+from kitrobot.verifier.motion import BEGIN, WAYS_TO_MOVE, ZONE, ZONE_NUMBERS, move, next_zone
 from kitrobot.verifier.roads import PRESSED
-
-_ONCE = {Move.BEGIN: 1, Move.HALT: 1, Move.ZONE: 2}
-"""What a robot does once at most in a moment: moves of one number exclude each other. It comes once to each gap."""
-_Moment = tuple[tuple[Event, ...], int, int]
-"""What happens to the robots of a road between two ticks: events in order, their progress classes, the number after."""
-_Own = tuple[int, object]
-"""An agent, and what it did of what it does once."""
+from kitrobot.verifier.tables import Row, Tables
 
 
-class Traffic:
-    """The robots on one road.
+def intern_conf(t: Tables, road: int) -> int:
+    """The number of the bodies in `made` on a road."""
+    regs, fixed, confs, made, slots = t.regs, t.fixed, t.confs, t.made, t.conf_slots
+    places, width, docks = fixed[PLACES], fixed[CONF_WIDTH], fixed[DOCKS]
+    bodies = C_STAND + docks + places
+    last = len(slots) - 1
+    at = bodies_hash(made, 0, places, road) & last
+    while slots[at] != 0:
+        row = (slots[at] - 1) * width
+        k = 0 if confs[row + C_ROAD] == road else places + 1
+        while k < places and confs[row + bodies + k] == made[k]:
+            k += 1
+        if k == places:
+            return slots[at] - 1
+        at = at + 1 & last
+    number = regs[CONFS]
+    if (number + 1) * width > len(confs) or 2 * number >= len(slots):
+        regs[CODE] = ROOM_CONFS
+        return -1
+    if number > t.mask[fixed[ROAD_FIELD] + road]:
+        regs[CODE] = WIDEN
+        regs[MISS_A] = fixed[ROAD_FIELD] + road
+        return -1
+    row = number * width
+    confs[row + C_ROAD] = road
+    confs[row + C_MOVES] = -1
+    confs[row + C_MOMENTS] = -1
+    confs[row + C_MUST] = 0
+    confs[row + C_BEGIN] = 0
+    for k in range(places):
+        confs[row + bodies + k] = made[k]
+    for k in range(8 * places):
+        confs[row + bodies + places + k] = -1
+    look(t, row, road)
+    slots[at] = number + 1
+    regs[CONFS] = number + 1
+    return number
 
-    Args:
-        run: the run, before its first step.
-        parts: all agents.
-        road: the number of the road.
-    """
 
-    def __init__(self, run: Simulation, parts: Sequence[Part], road: int) -> None:
-        self.agents = [i for i, part in enumerate(parts) if part.road == road]
-        self.parts = parts
-        self._place = {i: place for place, i in enumerate(self.agents)}
-        self._known: list[tuple[Body, ...]] = []
-        self._numbers: dict[tuple[Body, ...], int] = {}
-        self._moves: dict[int, tuple[tuple[Event, int], ...]] = {}
-        self._moments: dict[int, tuple[_Moment, ...]] = {}
-        self._ticks: dict[tuple[int, int, int, bool], int] = {}
-        self._rolling: dict[int, tuple[int, int]] = {}
-        self._standing: dict[tuple[int, int], tuple[int, ...]] = {}
-        robots = run.state.robots.ints
-        self.beds = [i for i in self.agents if robots[c.BED][parts[i].agent.index]]
-        """Those that can carry a box."""
-        self._dock_zones = [self._zones_of(run, dock, road) for dock in range(len(run.world.docks))]
-        self.first = self._number(tuple(self._first(run, i) for i in self.agents))
+def bodies_hash(table: Row, first: int, places: int, road: int) -> int:
+    """Where to look for the bodies that begin at a place of a table."""
+    h = road + 1
+    for k in range(first, first + places):
+        h = (h ^ table[k]) * MULTIPLIER & ALL_BITS
+        h ^= h >> 29
+    return h
 
-    def body(self, number: int, i: int) -> Body:
-        """How agent i moves."""
-        return self._known[number][self._place[i]]
 
-    def __len__(self) -> int:
-        """How many numbers there are."""
-        return len(self._known)
+def find_again(t: Tables) -> None:
+    """Fills the slots of confs anew."""
+    fixed, confs, slots = t.fixed, t.confs, t.conf_slots
+    last = len(slots) - 1
+    for at in range(last + 1):
+        slots[at] = 0
+    for number in range(t.regs[CONFS]):
+        row = number * fixed[CONF_WIDTH]
+        bodies = row + C_STAND + fixed[DOCKS] + fixed[PLACES]
+        at = bodies_hash(confs, bodies, fixed[PLACES], confs[row + C_ROAD]) & last
+        while slots[at] != 0:
+            at = at + 1 & last
+        slots[at] = number + 1
 
-    def _number(self, bodies: tuple[Body, ...]) -> int:
-        found = self._numbers.get(bodies)
-        if found is None:
-            found = self._numbers[bodies] = len(self._known)
-            self._known.append(bodies)
-        return found
 
-    def _first(self, run: Simulation, i: int) -> Body:
-        part = self.parts[i]
-        at = run.state.robots.floats[c.AT]
-        assert part.track is not None
-        zone, gap = part.track.zones.zone_at(at[i]), part.track.gaps.beyond
-        if part.leader >= 0:
-            way = at[part.leader] - at[i]
-            if way < 0:
-                way += part.track.zones.length_mm
-                is_around = part.track.zones.zone_at(at[part.leader]) == zone
-                gap = part.track.around if is_around else gap
-            if gap != part.track.around:
-                gap = part.track.gaps.class_of(way - part.track.gaps.lengths_mm)
-        return Body(0, 0, zone, gap, False, False, False, False, True)
+def look(t: Tables, row: int, road: int) -> None:
+    """Fills what can be seen of the robots on a road: who gets on, who stands in which dock, what each senses."""
+    fixed, confs, agents, geo = t.fixed, t.confs, t.agents, t.geo
+    places, docks = fixed[PLACES], fixed[DOCKS]
+    views, bodies = row + C_STAND + docks, row + C_STAND + docks + places
+    forward = backward = 0
+    for d in range(docks):
+        confs[row + C_STAND + d] = 0
+    for k in range(places):
+        i = t.road_agents[road * places + k]
+        confs[views + k] = 0
+        if i < 0:
+            continue
+        a = i * AGENT
+        me = confs[bodies + k]
+        way, zone = way_of(me), zone_of(me)
+        if way != 0 and gap_of(me) != PRESSED and agents[a + A_ZONES] > 1 and next_zone(agents, i, zone, way) >= 0:
+            if way > 0:
+                forward |= 1 << i
+            else:
+                backward |= 1 << i
+        at = agents[a + A_ZONE_AT] + zone * (ZONE_NUMBERS + docks)
+        if way == 0 and agents[a + A_BED]:
+            for d in range(docks):
+                if geo[at + ZONE_NUMBERS + d]:
+                    confs[row + C_STAND + d] |= 1 << i
+        confs[views + k] = noticed(t, bodies, i, k, geo[at + 2]) << S_VIEW
+    confs[row + C_FORWARD] = forward
+    confs[row + C_BACKWARD] = backward
 
-    def _zones_of(self, run: Simulation, dock: int, road: int) -> frozenset[int]:
-        """The zones of a dock, where it is on this road."""
-        docks = run.state.docks
-        track = self.parts[self.agents[0]].track
-        if docks.road[dock] != road or track is None:
-            return frozenset()
-        middle, reach = docks.floats[0][dock], docks.floats[1][dock]
-        found = set()
-        for zone in range(len(track.zones)):
-            begin, end = track.zones.ends(zone)
-            away = abs((begin + end) / 2 - middle)
-            away = min(away, track.zones.length_mm - away) if track.zones.closed else away
-            if away <= reach:
-                found.add(zone)
-        return frozenset(found)
 
-    # -- looking
+def noticed(t: Tables, bodies: int, i: int, k: int, zone_class: int) -> int:
+    """What agent i senses of its road: the class of its zone, and a bit for each collision sensor."""
+    agents, geo, confs = t.agents, t.geo, t.confs
+    a = i * AGENT
+    me = confs[bodies + k]
+    ahead, gap = agents[a + A_LEADER] >= 0, gap_of(me)
+    at, own, theirs = agents[a + A_SENSES_AT], agents[a + A_BEYOND] + 2, 0
+    behind = agents[a + A_FOLLOWER]
+    if behind >= 0:
+        follower = t.road_agents[
+            confs[bodies - t.fixed[PLACES] - t.fixed[DOCKS] - C_STAND + C_ROAD] * t.fixed[PLACES] + behind
+        ]
+        theirs = agents[follower * AGENT + A_BEYOND] + 2
+    looks_back = way_of(me) < 0 or (way_of(me) == 0 and want_of(me) < 0)
+    found = zone_class
+    for _ in range(agents[a + A_SENSES]):
+        bit = 0
+        if looks_back:
+            if behind >= 0:
+                bit = geo[at + own + gap_of(confs[bodies + behind])]
+        elif ahead:
+            bit = geo[at + gap]
+        found = found << 1 | bit
+        at += own + theirs
+    return found
 
-    def standing_in(self, number: int, dock: int) -> tuple[int, ...]:
-        """The agents with beds that stand in a dock."""
-        found = self._standing.get((number, dock))
-        if found is None:
-            zones, bodies = self._dock_zones[dock], self._known[number]
-            here = ((i, bodies[self._place[i]]) for i in self.beds)
-            found = tuple(i for i, body in here if body.way == 0 and body.zone in zones)
-            self._standing[number, dock] = found
-        return found
 
-    def notices(self, number: int, i: int, reach_mm: float) -> int:
-        """Whether a collision sensor of agent i, which looks where its robot drives, notices another one."""
-        body, part = self.body(number, i), self.parts[i]
-        if body.way < 0 or (body.way == 0 and body.want < 0):
-            if part.follower < 0:
-                return 0
-            part, body = self.parts[part.follower], self.body(number, part.follower)
-        assert part.track is not None
-        if part.leader < 0 or body.gap > part.track.gaps.beyond:
-            return 0
-        return int(part.track.gaps.reached(body.gap, reach_mm))
+def after_tick(t: Tables, conf: int, k: int, told: int) -> int:
+    """After a tick of the robot at place k; `told` is its direction and 2, times 2, and 1 if it ticks on."""
+    fixed, confs = t.fixed, t.confs
+    places = fixed[PLACES]
+    row = conf * fixed[CONF_WIDTH]
+    bodies = row + C_STAND + fixed[DOCKS] + places
+    at = bodies + places + 8 * k + told
+    if confs[at] < 0:
+        for other in range(places):
+            t.made[other] = confs[bodies + other]
+        t.made[k] = ticked(confs[bodies + k], (told >> 1) - 2, told & 1 == 1)
+        confs[at] = intern_conf(t, confs[row + C_ROAD])
+    return confs[at]
 
-    def begins(self, number: int) -> bool:
-        """Whether a robot, whose commands are not late, is told to roll, stands, and presses on nobody."""
-        return any(
-            event.what is Move.BEGIN and not self.parts[event.agent].is_late and not self._presses(number, event.agent)
-            for event, _ in self.moves(number)
-        )
 
-    def _presses(self, number: int, i: int) -> bool:
-        """Whether agent i presses on the robot before it, in the direction that its wheels were told."""
-        body, follower = self.body(number, i), self.parts[i].follower
-        return (body.gap if body.want > 0 else self.body(number, follower).gap if follower >= 0 else -1) == PRESSED
+def after_harm(t: Tables, conf: int, k: int, down: int) -> int:
+    """After the robot at place k failed, stalled or runs again."""
+    fixed, confs = t.fixed, t.confs
+    row = conf * fixed[CONF_WIDTH]
+    bodies = row + C_STAND + fixed[DOCKS] + fixed[PLACES]
+    for other in range(fixed[PLACES]):
+        t.made[other] = confs[bodies + other]
+    t.made[k] = befallen(confs[bodies + k], down)
+    return intern_conf(t, confs[row + C_ROAD])
 
-    # -- changing
 
-    def after_tick(self, number: int, i: int, want: int, ticks: bool) -> int:
-        """After a tick of agent i that told its wheels a direction (less than -1: nothing); whether it `ticks` on."""
-        key = number, i, want, ticks
-        found = self._ticks.get(key)
-        if found is None:
-            body = self.body(number, i)
-            after = body.told(want) if want >= -1 else body
-            found = self._ticks[key] = self._with(number, i, after._replace(new_zone=False, new_gap=False, ticks=ticks))
-        return found
+def fill_moves(t: Tables, conf: int) -> int:
+    """Finds what robots on a road can do next; how many moves, which are behind one another in `moves`."""
+    regs, fixed, confs, agents, moves = t.regs, t.fixed, t.confs, t.agents, t.moves
+    places = fixed[PLACES]
+    row = conf * fixed[CONF_WIDTH]
+    road = confs[row + C_ROAD]
+    bodies = row + C_STAND + fixed[DOCKS] + places
+    first = regs[MOVES]
+    if (first + places * WAYS_TO_MOVE) * MOVE > len(moves):
+        regs[CODE] = ROOM_MOVES
+        return -1
+    count = begin = must = 0
+    for k in range(places):
+        i = t.road_agents[road * places + k]
+        if i < 0:
+            continue
+        behind = agents[i * AGENT + A_FOLLOWER]
+        ahead = agents[i * AGENT + A_LEADER]
+        for which in range(WAYS_TO_MOVE):
+            for other in range(places):
+                t.made[other] = confs[bodies + other]
+            what = move(t, bodies, k, i, which, t.road_agents[road * places + behind] if behind >= 0 else -1)
+            if what == 0:
+                continue
+            to = intern_conf(t, road)
+            if to < 0:
+                return -1
+            at = (first + count) * MOVE
+            moves[at] = to
+            moves[at + 1] = what | i << E_AGENT
+            if ahead >= 0:
+                moves[at + 1] |= t.road_agents[road * places + ahead] + 1 << E_OTHER
+            moves[at + 2] = 0
+            if what == BEGIN:
+                begin |= 1 << i
+                moves[at + 2] = 1 + fixed[AGENTS] + i
+                if not agents[i * AGENT + A_LATE] and not presses(t, bodies, k, i):
+                    must = 1
+            elif what == ZONE:
+                moves[at + 2] = 1 + 3 * fixed[AGENTS] + i
+            count += 1
+    confs[row + C_MOVE] = first
+    confs[row + C_BEGIN] = begin
+    confs[row + C_MUST] = must
+    confs[row + C_MOVES] = count
+    regs[MOVES] = first + count
+    return count
 
-    def befallen(self, number: int, i: int, down: int) -> int:
-        """After agent i failed, stalled or runs again."""
-        body = self.body(number, i)._replace(ticks=down == RUNS)
-        if down == FAILED:
-            body = body._replace(want=0, held_zone=False, held_gap=False)
-        return self._with(number, i, body)
 
-    def moves(self, number: int) -> tuple[tuple[Event, int], ...]:
-        """What robots can do next, and the numbers after it."""
-        found = self._moves.get(number)
-        if found is None:
-            found = self._moves[number] = tuple(self._moves_from(number))
-        return found
-
-    def moment(self, number: int) -> tuple[_Moment, ...]:
-        """What may happen between two steps of the simulator. No robot waits that can begin to roll."""
-        found = self._moments.get(number)
-        if found is None:
-            found = self._moments[number] = tuple(self._moments_from(number))
-        return found
-
-    def rolling(self, number: int) -> tuple[int, int]:
-        """The agents that get on forward, and those that get on backward, as bits; at the end of a road none does."""
-        found = self._rolling.get(number)
-        if found is None:
-            ways = {1: 0, -1: 0}
-            for i in self.agents:
-                body, track = self.body(number, i), self.parts[i].track
-                assert track is not None
-                if (
-                    body.way
-                    and body.gap != PRESSED
-                    and len(track.zones) > 1
-                    and track.zones.next(body.zone, body.way) >= 0
-                ):
-                    ways[body.way] |= 1 << i
-            found = self._rolling[number] = ways[1], ways[-1]
-        return found
-
-    def _moves_from(self, number: int) -> Iterator[tuple[Event, int]]:
-        bodies = self._known[number]
-        for i in self.agents:
-            part = self.parts[i]
-            leader = bodies[self._place[part.leader]] if part.leader >= 0 else None
-            follower = bodies[self._place[part.follower]] if part.follower >= 0 else None
-            behind = self.parts[part.follower].track if part.follower >= 0 else None
-            assert part.track is not None
-            is_pair = part.leader == part.follower
-            for moved in moves(bodies[self._place[i]], leader, follower, part.track, behind, is_pair):
-                made = list(bodies)
-                made[self._place[i]] = moved.me
-                if moved.leader is not None:
-                    made[self._place[part.leader]] = moved.leader
-                if moved.follower is not None:
-                    made[self._place[part.follower]] = moved.follower
-                yield Event(i, moved.move, part.leader), self._number(tuple(made))
-
-    def _moments_from(self, number: int) -> Iterator[_Moment]:
-        waiting: deque[tuple[int, frozenset[_Own], tuple[Event, ...]]] = deque([(number, frozenset(), ())])
-        seen = {(number, waiting[0][1])}
-        given: set[tuple[int, frozenset[int]]] = set()
-        while waiting:
-            now, used, events = waiting.popleft()
-            # Which of them came into another zone, or began to roll, matters besides.
-            which = now, frozenset(who for who, what in used if what in (_ONCE[Move.BEGIN], _ONCE[Move.ZONE]))
-            if not self.begins(now) and which not in given:
-                given.add(which)
-                yield events, sum({progress(event, len(self.parts)) for event in events}), now
-            for event, after in self.moves(now):
-                assert isinstance(event.what, Move)
-                own = event.agent, _ONCE.get(event.what) or (event.what, self.body(after, event.agent).gap)
-                if own in used or (after, used | {own}) in seen:
-                    continue
-                seen.add((after, used | {own}))
-                waiting.append((after, used | {own}, (*events, event)))
-                if len(seen) > MOST_AT_ONCE:
-                    raise TooManyError
-
-    def _with(self, number: int, i: int, body: Body) -> int:
-        made = list(self._known[number])
-        made[self._place[i]] = body
-        return self._number(tuple(made))
+def presses(t: Tables, bodies: int, k: int, i: int) -> bool:
+    """Whether a robot presses on the one before it, in the direction that its wheels were told."""
+    me = t.confs[bodies + k]
+    if want_of(me) > 0:
+        return gap_of(me) == PRESSED
+    behind = t.agents[i * AGENT + A_FOLLOWER]
+    return behind >= 0 and gap_of(t.confs[bodies + behind]) == PRESSED

@@ -60,6 +60,7 @@ class VerificationOptions:
         seconds: at most so long for all of them; None for no limit.
         confirms: whether broken properties are looked for in the simulator.
         stop: asked now and then whether to break off.
+        memory: at most about so many bytes under each assumption; None for no limit.
     """
 
     properties: tuple[str, ...] = ()
@@ -69,6 +70,7 @@ class VerificationOptions:
     seconds: float | None = 60.0
     confirms: bool = True
     stop: Callable[[], bool] = _never
+    memory: int | None = 2_000_000_000
 
 
 @dataclass(frozen=True)
@@ -124,6 +126,7 @@ class Verification:
                     "complete": column.judged.complete,
                     "properties": [_finding_json(finding, self.tick_ms) for finding in column.findings],
                     "timing_seconds": round(column.judged.seconds, 3),
+                    "memory_bytes": column.judged.memory,
                 }
                 for column in self.columns
             ],
@@ -201,7 +204,7 @@ def verify_runs(
     columns: list[Column] = []
     search = _Search(runs, options, ends)
     for failures, timing in _assumptions(options):
-        model = Model(run, parts, failures)
+        model = Model(run, parts, failures, timing)
         own, left_out = asked_properties(model, asked)
         limits += [words for words in left_out if words not in limits]
         properties = _chosen([*ready_properties(model), *own], options.properties)
@@ -213,7 +216,7 @@ def verify_runs(
             if progress is not None:
                 progress(timing, failures, states, depth)
 
-        judged = judge(model, properties, timing, failures, Budget(options.states, left, options.stop, tell))
+        judged = judge(model, properties, Budget(options.states, left, options.memory, options.stop, tell))
         column = Column(judged, tuple(_told(verdict, model, options) for verdict in judged.verdicts))
         if column_done is not None:
             column_done(column)

@@ -1,0 +1,90 @@
+"""Names of the columns of the model's tables, and of the numbers that exploring keeps beside them.
+
+A state is a key of one or two words of 63 bits, cut into *fields*: field 0 is what is shared (boxes in storehouses,
+shared variables, failures that may still come), then one field for each agent (what it is but for its motion), one for
+each road (the motion of all robots on it), and under *prompt* one of bits: who has a tick to make. A field holds the
+number of a *component*; tables say what each component is.
+"""
+
+from __future__ import annotations
+
+WORD_BITS = 63
+"""Bits of a word that are used, so that CPython's numbers and those of 64 bits are the same."""
+MOST_AGENTS = 62
+"""Agents at most: sets of them are bits of one word."""
+
+# -- numbers that do not change while exploring (`fixed`)
+AGENTS, ROADS, PLACES, DOCKS, HOUSES, TIMING, ACTS, FIELDS, ROAD_FIELD, DUE_FIELD = range(10)
+INSIDE_WIDTH, INSIDE_STRIDE, CONF_WIDTH, SHARED_WIDTH, POOL_WIDTH, USED_BITS, MAY_FAIL, SLOWER = range(10, 18)
+FIXED = 18
+LOCKSTEP, PROMPT, FREE = range(3)
+
+# -- numbers that do (`regs`)
+CODE, CONFS, MOVES, MOMENTS, LOG, NEXTS, TAKEN = range(7)
+"""Why exploring paused, and how many rows there are of each table."""
+MISS_A, MISS_B, MISS_C, SEEK, FOUND = range(7, 12)
+AT, COUNT, EDGES, LEVEL_END, DEPTH, DEAD, MOST, SEEN_KINDS, KEEPS, WORDS = range(12, 22)
+FIRST_OF = 22
+"""From here on: of each kind of event the state out of which it came first."""
+KINDS = 24
+REGS = FIRST_OF + KINDS
+
+# -- why exploring paused
+GOES_ON, ROOM_CONFS, ROOM_MOVES, ROOM_MOMENTS, ROOM_LOG, ROOM_NEXT, ROOM_STATES, ROOM_EDGES, ROOM_DEAD = range(9)
+WIDEN, MISS_REACTION, MISS_SHARED, MISS_DONE, MISS_LOADED, MISS_DOWN, TOO_MANY, CUT = range(9, 17)
+
+# -- a row of `agents`
+(A_ROAD, A_PLACE, A_LEADER, A_FOLLOWER, A_LATE, A_ZONES, A_CLOSED, A_BEYOND, A_ZONE_AT, A_GAP_AT, A_CAN_AT) = range(11)
+A_SENSES_AT, A_SENSES, A_VISIT, A_VISITS, A_ACT, A_ACTS, A_BED = range(11, 18)
+AGENT = 18
+# -- a row of `visits`: a dock, the number of its road (-1), the load that is wanted (2: any)
+VISIT = 3
+# -- a row of `acts`: whether it is an arm, its dock, its storehouse, the number of the dock's road, its capacity
+ACT = 5
+
+# -- a row of `insides`
+I_TICKS, I_LOAD, I_DOWN, I_ENDS, I_ENDED, I_LOADED, I_BEFALLEN = range(7)
+"""Whether it has ticks; its load; what befell it; whether something can end; whether its program has ended; the
+number with the other load; with RUNS, STALLED and FAILED (three)."""
+I_ACT = 10
+"""From here on two for each actuator: what it does (0 nothing, 1 its first procedure …), the number once done."""
+
+# -- a row of `shared`: failures that may still come, boxes in each storehouse, then what each agent sees of it
+G_FAILURES, G_STOCK = range(2)
+NO_WRITE = 0
+"""`writes`: nothing, then for each storehouse a box less and a box more, a failure less, and what ticks write."""
+
+# -- a row of `confs`: the motion of all robots on a road
+(C_ROAD, C_FORWARD, C_BACKWARD, C_BEGIN, C_MUST, C_MOVE, C_MOVES, C_MOMENT, C_MOMENTS) = range(9)
+C_STAND = 9
+"""From here on: who stands in each dock; what each robot senses of the road; how it moves; and after a tick of its own,
+eight for each."""
+MOVE = 3
+"""A row of `moves`: the number after it, the event, its progress class."""
+MOMENT = 6
+"""A row of `moments`: the number after it, who began to roll, who came into a zone, kinds, the first event in `log`,
+how many."""
+OUTCOME = 3
+"""A row of `outcomes`: the agent's number after it, what its wheels were told (`told_column`), what it writes."""
+S_COUNT = 13
+"""A value of `reaction_at`: the first row, above how many there are."""
+TAKEN_WIDTH = 4
+"""A row of `taken`: who ticked, began to roll, came to an end, came into another zone, as bits."""
+LINE = 6
+"""A row of `line` and `harm`: a key (two words), the event that led to it, the row it came from (-1), kinds of events
+so far, and who came to an end."""
+
+# -- the key of a reaction: inside, seen of shared, seen of the road, visits, agent
+S_SHARED, S_VIEW, S_VISITS, S_AGENT = 18, 34, 48, 56
+MOST_INSIDES, MOST_SEEN, MOST_VIEWS, MOST_VISITS = 1 << 18, 1 << 16, 1 << 14, 1 << 8
+S_WRITE = 24
+"""The key of a change of what is shared: the number before it, above the write."""
+
+# -- an event as one number
+E_AGENT, E_OTHER = 6, 16
+E_KIND = 63
+E_MASK = 1023
+
+MULTIPLIER = 0x1E3779B97F4A7C15
+OTHER_MULTIPLIER = 0x2545F4914F6CDD1D
+ALL_BITS = (1 << 63) - 1

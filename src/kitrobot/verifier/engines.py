@@ -1,0 +1,121 @@
+"""What goes through states: the functions of `visiting` and `fairness` as CPython runs them, or compiled by Numba.
+
+Both are one source, and give the same numbers in the same order; so exploring may pass from one to the other.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from kitrobot.verifier import fairness, marking, visiting
+from kitrobot.verifier.tables import Graph, Tables
+
+
+class Engine(NamedTuple):
+    """One way to run it.
+
+    Attributes:
+        advance, expand, rehash, repack: of `visiting`.
+        mark, observe, crossing: of `marking`.
+        search, reach, sample, way: of `fairness`.
+        row: a list of numbers as the functions take it.
+        zeros, bytes, words: so many zeros, of 32 bits, of 8 or of 64.
+        take: the same tables and graph as the functions take them, with room for so many states.
+    """
+
+    advance: Callable[..., int]
+    expand: Callable[..., int]
+    rehash: Callable[..., None]
+    repack: Callable[..., None]
+    mark: Callable[..., int]
+    observe: Callable[..., int]
+    crossing: Callable[..., int]
+    search: Callable[..., int]
+    reach: Callable[..., int]
+    sample: Callable[..., None]
+    way: Callable[..., int]
+    row: Callable[[list[int]], Any]
+    zeros: Callable[[int], Any]
+    bytes: Callable[[int], Any]
+    words: Callable[[int], Any]
+    take: Callable[[Tables, Graph, int], tuple[Tables, Graph]]
+
+
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "advance": visiting.advance,
+    "expand": visiting.expand,
+    "rehash": visiting.rehash,
+    "repack": visiting.repack,
+    "mark": marking.mark,
+    "observe": marking.observe,
+    "crossing": marking.crossing,
+    "search": fairness.search,
+    "reach": fairness.reach,
+    "sample": fairness.sample,
+    "way": fairness.way,
+}
+"""What is called from Python, by name."""
+
+
+def _as_lists(tables: Tables, graph: Graph, most: int) -> tuple[Tables, Graph]:
+    lists = [[int(one) for one in table] for table in tables]
+    kinds = {"x": "q", "y": "q", "taken": "H"}
+    return Tables(*lists), Graph(
+        *(array(kinds.get(name, "i"), [int(one) for one in getattr(graph, name)]) for name in Graph._fields)
+    )
+
+
+PLAIN = Engine(
+    **FUNCTIONS,
+    row=list,
+    zeros=lambda size: array("i", bytes(4 * size)),
+    bytes=bytearray,
+    words=lambda size: array("q", bytes(8 * size)),
+    take=_as_lists,
+)
+
+
+def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
+    """An engine of these functions, which take arrays."""
+    import numpy as np
+
+    def take(tables: Tables, graph: Graph, most: int) -> tuple[Tables, Graph]:
+        kinds: dict[str, Any] = {"x": np.int64, "y": np.int64, "taken": np.uint16}
+        made: list[Any] = []
+        for name in Graph._fields:
+            table = getattr(graph, name)
+            size = len(table)
+            if name in ("x", "parents", "first_edge") or (name == "y" and size):
+                size = max(size, most + 2)
+            elif name in ("targets", "taken"):
+                size = max(size, 4 * most)
+            filled: Any = (np.zeros if name == "slots" else np.empty)(size, kinds.get(name, np.int32))
+            filled[: len(table)] = table
+            made.append(filled)
+        rows: list[Any] = [np.array(table, np.int64) for table in tables]
+        return Tables(*rows), Graph(*made)
+
+    return Engine(
+        **functions,
+        row=lambda numbers: np.array(numbers, np.int64),
+        zeros=lambda size: np.zeros(size, np.int32),
+        bytes=lambda size: np.zeros(size, np.uint8),
+        words=lambda size: np.zeros(size, np.int64),
+        take=take,
+    )
+
+
+WORTH = 50_000
+"""States after which the compiled functions are asked for: seconds of plain work."""
+
+
+def worth(states: int) -> Engine | None:
+    """The compiled engine, where it is worth it for so many states and there."""
+    if states < WORTH:
+        return None
+    from kitrobot.verifier import compiling
+
+    compiling.ask()
+    return compiling.compiled()

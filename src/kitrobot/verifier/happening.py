@@ -1,0 +1,166 @@
+"""What takes longer and comes to its end, and what befalls agents: the states after it.
+
+What is here is in the part of Python that Numba takes; -1 says as in `stepping`.
+"""
+
+from __future__ import annotations
+
+from kitrobot.verifier.bodies import FAILED, RUNS, STALLED
+from kitrobot.verifier.columns import (
+    A_ACT,
+    A_ACTS,
+    A_PLACE,
+    A_ROAD,
+    ACT,
+    AGENT,
+    C_STAND,
+    CODE,
+    CONF_WIDTH,
+    E_AGENT,
+    E_OTHER,
+    FIELDS,
+    G_FAILURES,
+    G_STOCK,
+    HOUSES,
+    I_ACT,
+    I_BEFALLEN,
+    I_DOWN,
+    I_ENDED,
+    I_LOADED,
+    INSIDE_STRIDE,
+    INSIDE_WIDTH,
+    LINE,
+    MISS_A,
+    MISS_B,
+    MISS_DONE,
+    MISS_DOWN,
+    MISS_LOADED,
+    ROAD_FIELD,
+    SHARED_WIDTH,
+    TOO_MANY,
+)
+from kitrobot.verifier.events import (
+    DONE,
+    FAIL,
+    LOADED,
+    NO_BOX,
+    NO_EMPTY_CARRIER,
+    NO_LOADED_CARRIER,
+    RESUME,
+    STALL,
+    UNLOADED,
+)
+from kitrobot.verifier.looking import changed
+from kitrobot.verifier.tables import Tables
+from kitrobot.verifier.traffic import after_harm
+
+
+def ends_of(t: Tables, x: int, y: int, i: int, first: int) -> int:
+    """Writes what of agent i can come to its end, in the state of `now`, into rows of `line`; how many."""
+    fixed, now, insides, line = t.fixed, t.now, t.insides, t.line
+    stride, width = fixed[INSIDE_STRIDE], fixed[INSIDE_WIDTH]
+    row = (i * stride + now[1 + i]) * width
+    found = 0
+    for n in range(t.agents[i * AGENT + A_ACTS]):
+        busy = insides[row + I_ACT + 2 * n]
+        if busy == 0:
+            continue
+        done = insides[row + I_ACT + 2 * n + 1]
+        if done < 0:
+            t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DONE, i, n
+            return -1
+        act = (t.agents[i * AGENT + A_ACT] + n) * ACT
+        carriers = 0
+        if t.acts[act] and t.acts[act + 3] >= 0:
+            dock_row = now[fixed[ROAD_FIELD] + t.acts[act + 3]] * fixed[CONF_WIDTH]
+            carriers = t.confs[dock_row + C_STAND + t.acts[act + 1]]
+        carrier = -1
+        while True:
+            if carriers:
+                carrier += 1
+                while not carriers >> carrier & 1:
+                    carrier += 1
+                carriers &= ~(1 << carrier)
+            event, to, write, nx, ny = DONE | i << E_AGENT, -1, 0, x, y
+            loads = busy == 1
+            if t.acts[act]:
+                stock = t.shared[now[0] * fixed[SHARED_WIDTH] + G_STOCK + t.acts[act + 2]]
+                if carrier < 0 or (now[fixed[FIELDS]] >> carrier & 1 == 1) == loads:
+                    what = NO_EMPTY_CARRIER if loads else NO_LOADED_CARRIER
+                    event = what | i << E_AGENT | t.acts[act + 1] + 1 << E_OTHER
+                elif loads and stock == 0:
+                    event = NO_BOX | i << E_AGENT | t.acts[act + 2] + 1 << E_OTHER
+                elif loads or stock < t.acts[act + 4]:
+                    event = (LOADED if loads else UNLOADED) | i << E_AGENT | carrier + 1 << E_OTHER
+                    to = insides[(carrier * stride + now[1 + carrier]) * width + I_LOADED]
+                    if to < 0:
+                        t.regs[CODE], t.regs[MISS_A] = MISS_LOADED, carrier
+                        return -1
+                    write = 1 + 2 * t.acts[act + 2] + (0 if loads else 1)
+                else:
+                    event = 0
+            if event != 0:
+                if (first + found + 1) * LINE > len(line):
+                    t.regs[CODE] = TOO_MANY
+                    return -1
+                if carrier != i or to < 0:
+                    d = (now[1 + i] ^ done) << t.shift[1 + i]
+                    nx, ny = (nx, ny ^ d) if t.word[1 + i] else (nx ^ d, ny)
+                if to >= 0:
+                    d = (now[1 + carrier] ^ to) << t.shift[1 + carrier]
+                    nx, ny = (nx, ny ^ d) if t.word[1 + carrier] else (nx ^ d, ny)
+                if write:
+                    after = changed(t, now[0], write)
+                    if after < 0:
+                        return -1
+                    nx ^= (now[0] ^ after) << t.shift[0]
+                at = (first + found) * LINE
+                line[at], line[at + 1], line[at + 2], line[at + 3] = nx, ny, event, -1
+                found += 1
+            if not carriers:
+                break
+    return found
+
+
+def harms_of(t: Tables, x: int, y: int, i: int, first: int) -> int:
+    """Writes what may befall agent i, in the state of `now`, into rows of `harm`; how many."""
+    fixed, now, insides = t.fixed, t.now, t.insides
+    row = (i * fixed[INSIDE_STRIDE] + now[1 + i]) * fixed[INSIDE_WIDTH]
+    down = insides[row + I_DOWN]
+    left = t.shared[now[0] * fixed[SHARED_WIDTH] + G_FAILURES]
+    found = 0
+    for n in range(3):
+        if n == 0:
+            to, event, may = RUNS, RESUME, down == STALLED
+        elif n == 1:
+            to, event, may = FAILED, FAIL, left > 0 and down != FAILED and not insides[row + I_ENDED]
+        else:
+            to, event, may = STALLED, STALL, left > 0 and down == RUNS and not insides[row + I_ENDED]
+        if not may:
+            continue
+        if (first + found + 1) * LINE > len(t.harm):
+            t.regs[CODE] = TOO_MANY
+            return -1
+        inside = insides[row + I_BEFALLEN + to]
+        if inside < 0:
+            t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_DOWN, i, to
+            return -1
+        d = (now[1 + i] ^ inside) << t.shift[1 + i]
+        nx, ny = (x, y ^ d) if t.word[1 + i] else (x ^ d, y)
+        if n > 0:
+            after = changed(t, now[0], 1 + 2 * fixed[HOUSES])
+            if after < 0:
+                return -1
+            nx ^= (now[0] ^ after) << t.shift[0]
+        road = t.agents[i * AGENT + A_ROAD]
+        if road >= 0:
+            f = fixed[ROAD_FIELD] + road
+            conf = after_harm(t, now[f], t.agents[i * AGENT + A_PLACE], to)
+            if conf < 0:
+                return -1
+            d = (now[f] ^ conf) << t.shift[f]
+            nx, ny = (nx, ny ^ d) if t.word[f] else (nx ^ d, ny)
+        at = (first + found) * LINE
+        t.harm[at], t.harm[at + 1], t.harm[at + 2], t.harm[at + 3] = nx, ny, event | i << E_AGENT, -1
+        found += 1
+    return found

@@ -1,0 +1,126 @@
+"""A state taken apart, and what its agents can do in it: by look-ups.
+
+A tick is found in `reaction_at` by what the agent is and a few bits of what it senses. What is not in the tables yet is
+asked for: -1 says so (`regs[CODE]`), and that it is to be tried again. What is here is in the part of Python that Numba
+takes.
+"""
+
+from __future__ import annotations
+
+from kitrobot.verifier.columns import (
+    A_BED,
+    A_PLACE,
+    A_ROAD,
+    A_VISIT,
+    A_VISITS,
+    AGENT,
+    AGENTS,
+    ALL_BITS,
+    C_STAND,
+    CODE,
+    CONF_WIDTH,
+    DOCKS,
+    FIELDS,
+    G_STOCK,
+    HOUSES,
+    I_LOAD,
+    INSIDE_STRIDE,
+    INSIDE_WIDTH,
+    MISS_A,
+    MISS_B,
+    MISS_REACTION,
+    MISS_SHARED,
+    MULTIPLIER,
+    OUTCOME,
+    ROAD_FIELD,
+    S_AGENT,
+    S_COUNT,
+    S_VISITS,
+    S_WRITE,
+    SHARED_WIDTH,
+    VISIT,
+)
+from kitrobot.verifier.tables import Tables, find
+from kitrobot.verifier.traffic import after_tick
+
+
+def decode(t: Tables, x: int, y: int) -> None:
+    """Puts the fields of a key into `now`, and behind them who is loaded, as bits."""
+    now, word, shift, mask, agents = t.now, t.word, t.shift, t.mask, t.agents
+    for f in range(t.fixed[FIELDS]):
+        now[f] = (y if word[f] else x) >> shift[f] & mask[f]
+    loaded = 0
+    stride, width = t.fixed[INSIDE_STRIDE], t.fixed[INSIDE_WIDTH]
+    for i in range(t.fixed[AGENTS]):
+        if agents[i * AGENT + A_BED] and t.insides[(i * stride + now[1 + i]) * width + I_LOAD]:
+            loaded |= 1 << i
+    now[t.fixed[FIELDS]] = loaded
+
+
+def sensed(t: Tables, i: int) -> int:
+    """All of the state of `now` that decides what a tick of agent i does, and what it reads and keeps: the key of its
+    reaction.
+    """
+    fixed, now, agents = t.fixed, t.now, t.agents
+    a = i * AGENT
+    key = now[1 + i] | i << S_AGENT | t.shared[now[0] * fixed[SHARED_WIDTH] + G_STOCK + fixed[HOUSES] + i]
+    road = agents[a + A_ROAD]
+    if road >= 0:
+        row = now[fixed[ROAD_FIELD] + road] * fixed[CONF_WIDTH]
+        key |= t.confs[row + C_STAND + fixed[DOCKS] + agents[a + A_PLACE]]
+    for n in range(agents[a + A_VISITS]):
+        v = (agents[a + A_VISIT] + n) * VISIT
+        road = t.visits[v + 1]
+        if road >= 0:
+            there = t.confs[now[fixed[ROAD_FIELD] + road] * fixed[CONF_WIDTH] + C_STAND + t.visits[v]]
+            load = t.visits[v + 2]
+            if load == 1:
+                there &= now[fixed[FIELDS]]
+            elif load == 0:
+                there &= ~now[fixed[FIELDS]]
+            if there:
+                key |= 1 << S_VISITS + n
+    return key
+
+
+def react(t: Tables, i: int) -> int:
+    """What a tick of agent i can bring in the state of `now`: rows of `outcomes` (see `S_COUNT`)."""
+    key = sensed(t, i)
+    keys = t.reaction_keys
+    last = len(keys) - 1
+    at = (key * MULTIPLIER & ALL_BITS) >> 31 & last
+    while keys[at] != key:
+        if keys[at] < 0:
+            t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_REACTION, i, key
+            return -1
+        at = at + 1 & last
+    return t.reaction_at[at]
+
+
+def changed(t: Tables, number: int, write: int) -> int:
+    """The number of what is shared after a write."""
+    key = number << S_WRITE | write
+    at = find(t.change_keys, key)
+    if t.change_keys[at] < 0:
+        t.regs[CODE], t.regs[MISS_A], t.regs[MISS_B] = MISS_SHARED, number, write
+        return -1
+    return t.change_to[at]
+
+
+def stays(t: Tables, i: int) -> int:
+    """Whether a tick of agent i may change nothing in the state of `now`."""
+    got = react(t, i)
+    if got < 0:
+        return -1
+    road = t.agents[i * AGENT + A_ROAD]
+    for o in range(got >> S_COUNT, (got >> S_COUNT) + (got & (1 << S_COUNT) - 1)):
+        if t.outcomes[o * OUTCOME] == t.now[1 + i] and t.outcomes[o * OUTCOME + 2] == 0:
+            if road < 0:
+                return 1
+            conf = t.now[t.fixed[ROAD_FIELD] + road]
+            to = after_tick(t, conf, t.agents[i * AGENT + A_PLACE], t.outcomes[o * OUTCOME + 1])
+            if to < 0:
+                return -1
+            if to == conf:
+                return 1
+    return 0

@@ -1,0 +1,46 @@
+"""Conditions of states, decided for all states at once by what their components are."""
+
+from __future__ import annotations
+
+from kitrobot.verifier.looking import decode, sensed
+from kitrobot.verifier.tables import Graph, Row, Tables
+
+FACT = 3
+"""A row of `facts`: the number of its clause, a field, where its truth begins in `truths`, by the field's number."""
+
+
+def mark(t: Tables, g: Graph, first: int, end: int, two: bool, facts: Row, truths: Row, marks: Row) -> int:
+    """Marks those of the states from `first` to before `end` for which all facts of one clause hold; how many."""
+    count = 0
+    rows = len(facts) // FACT
+    for number in range(first, end):
+        x, y = g.x[number], g.y[number] if two else 0
+        n, holds = 0, False
+        while n < rows and not holds:
+            clause, holds = facts[n * FACT], True
+            while n < rows and facts[n * FACT] == clause:
+                f = facts[n * FACT + 1]
+                value = (y if t.word[f] else x) >> t.shift[f] & t.mask[f]
+                holds = holds and truths[facts[n * FACT + 2] + value] != 0
+                n += 1
+        marks[number] = 1 if holds else 0
+        count += 1 if holds else 0
+    return count
+
+
+def observe(t: Tables, g: Graph, first: int, end: int, two: bool, i: int, keys: Row) -> int:
+    """Writes for each of the states from `first` to before `end` what agent i senses and is (`sensed`); how many."""
+    for number in range(first, end):
+        decode(t, g.x[number], g.y[number] if two else 0)
+        keys[number - first] = sensed(t, i)
+    return end - first
+
+
+def crossing(g: Graph, expanded: int, before: Row, after: Row) -> int:
+    """The first state marked `before` out of which a step leads into one marked `after`; -1 for none."""
+    for state in range(expanded):
+        if before[state]:
+            for e in range(g.first_edge[state], g.first_edge[state + 1]):
+                if after[g.targets[e]]:
+                    return state
+    return -1

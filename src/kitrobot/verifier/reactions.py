@@ -1,0 +1,43 @@
+"""What an agent's inputs read, and what a reaction of its program makes of it."""
+
+from __future__ import annotations
+
+from kitrobot.sim.devices.base import Discrete
+from kitrobot.verifier.bodies import Inside
+from kitrobot.verifier.parts import Part, Sense
+from kitrobot.verifier.programs import Reaction
+
+_AS_BEFORE = -2
+"""What wheels are told that are told nothing."""
+
+
+def idle_actuators(part: Part) -> tuple[int, ...]:
+    """`Inside.busy` of an agent that does nothing."""
+    return (0,) * sum(act.busy >= 0 for act in part.acts)
+
+
+def is_store(sense: Sense) -> bool:
+    """Whether an input reads how many boxes are in a storehouse."""
+    return sense.discrete is Discrete.EXACT and sense.store >= 0
+
+
+def read(inside: Inside, sense: Sense, there: int) -> int | None:
+    """The value of an input; None where it may be any of its choices."""
+    if sense.discrete is Discrete.ANY:
+        return None
+    if sense.discrete is Discrete.BUSY:
+        return 0 if inside.busy[sense.actuator] else 1
+    value = inside.load if sense.discrete is Discrete.EXACT and sense.store < 0 else there
+    return min(max(value, sense.least), sense.most)
+
+
+def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int, Inside]:
+    """What a reaction tells the wheels, and what the agent is after it."""
+    want, busy = _AS_BEFORE, list(inside.busy)
+    for actuator, command, argument in reaction.commands:
+        act = part.acts[actuator]
+        if actuator == part.drive:
+            want = act.ways[command] if argument else 0
+        elif act.busy >= 0 and command in act.later:
+            busy[act.busy] = 1 + act.ways[command]
+    return want, inside._replace(local=reaction.local, busy=tuple(busy))

@@ -1,0 +1,215 @@
+"""States for which a condition holds, and rounds in which a fair run can wait for ever."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from kitrobot.verifier import columns as v
+from kitrobot.verifier import fairness as f
+from kitrobot.verifier.events import TooManyError
+from kitrobot.verifier.exploring import Explored
+from kitrobot.verifier.properties import Condition, Fact, OfAgent, OfShared, Property, Sensed, Stands
+
+_STEPS = 500_000
+"""Steps of a search until it is asked whether to break off; a quarter of a second, or some seconds of CPython."""
+_CHUNK = 20_000
+
+
+def holds_somewhere(made: Explored, condition: Condition) -> bool:
+    """Whether a condition holds in a state that was reached."""
+    return sum(_mark(made, condition)[1]) > 0
+
+
+def first_where(made: Explored, condition: Condition) -> int:
+    """The first state in which a condition holds; -1 for none."""
+    marks, counts = _mark(made, condition)
+    return next((number for number in range(len(made)) if marks[number]), -1) if sum(counts) else -1
+
+
+def first_crossing(made: Explored, before: Condition, after: Condition) -> tuple[int, int]:
+    """The first state in which a condition holds and out of which a step leads into one in which another does, and
+    which of its steps that is; -1, -1 for none.
+    """
+    was, _ = _mark(made, before)
+    now, _ = _mark(made, after)
+    state = int(made.engine.crossing(made.graph, made.expanded, was, now))
+    if state < 0:
+        return -1, -1
+    first, end = int(made.graph.first_edge[state]), int(made.graph.first_edge[state + 1])
+    target = next(int(one) for one in made.graph.targets[first:end] if now[one])
+    wanted = made.state(target)
+    return state, next(n for n, (one, _, _) in enumerate(made.steps(state)) if one == wanted)
+
+
+def first_marked(made: Explored, condition: Condition) -> int:
+    """The first state that nothing leaves and for which a condition holds; -1 for none."""
+    marks, _ = _mark(made, condition)
+    dead = made.graph.dead[: int(made.model.t.regs[v.DEAD])]
+    return next((int(number) for number in dead if marks[int(number)]), -1)
+
+
+def _mark(made: Explored, condition: Condition) -> tuple[Any, list[int]]:
+    """A mark for each state for which a condition holds, and how many there are in each part of the states."""
+    if isinstance(condition, Sensed):
+        return _mark_sensed(made, condition)
+    facts: list[int] = []
+    truths: list[int] = []
+    for clause, all_of in enumerate(condition):
+        for fact in all_of:
+            field, truth = _truth(made, fact)
+            facts += [clause, field, len(truths)]
+            truths += truth
+    engine = made.engine
+    marks = engine.bytes(max(1, len(made)))
+    rows, table, two = engine.row(facts), engine.row(truths), made.model.layout.words == 2
+    counts = []
+    for first in range(0, len(made), _CHUNK):
+        end = min(first + _CHUNK, len(made))
+        counts.append(int(engine.mark(made.model.t, made.graph, first, end, two, rows, table, marks)))
+    return marks, counts
+
+
+def _mark_sensed(made: Explored, condition: Sensed) -> tuple[Any, list[int]]:
+    """The same of what agents sense; where it is stopped, the states that were not looked at are left unmarked."""
+    engine, two, model = made.engine, made.model.layout.words == 2, made.model
+    marks, counts = engine.bytes(max(1, len(made))), []
+    columns = [engine.words(_CHUNK) for _ in condition.agents]
+    known: dict[tuple[int, ...], bool] = {}
+    for first in range(0, len(made), _CHUNK):
+        if made.is_stopped():
+            break
+        end = min(first + _CHUNK, len(made))
+        for i, keys in zip(condition.agents, columns, strict=True):
+            engine.observe(model.t, made.graph, first, end, two, i, keys)
+        count = 0
+        rows = zip(*(keys.tolist() for keys in columns), strict=True)
+        for number, row in zip(range(first, end), rows, strict=False):
+            holds = known.get(row)
+            if holds is None:
+                holds = known[row] = condition.test(row)
+            if holds:
+                marks[number] = 1
+                count += 1
+        counts.append(count)
+    return marks, counts
+
+
+def _truth(made: Explored, fact: Fact) -> tuple[int, list[int]]:
+    """The field that a fact is about, and whether it is true, by the field's number."""
+    model = made.model
+    if isinstance(fact, OfShared):
+        return 0, [int(fact.test(one)) for one in model.shareds()]
+    if isinstance(fact, OfAgent):
+        return 1 + fact.agent, [int(fact.test(one)) for one in model.insides(fact.agent)]
+    assert isinstance(fact, Stands)
+    fixed, road = model.t.fixed, model.roads.of[fact.agent]
+    width = int(fixed[v.CONF_WIDTH])
+    docks = [dock for dock in fact.docks if model.roads.of_dock[dock] == road]
+    truth = []
+    for number in range(int(model.t.regs[v.CONFS])):
+        row = number * width + v.C_STAND
+        truth.append(int(any(int(model.t.confs[row + dock]) >> fact.agent & 1 for dock in docks)))
+    return int(fixed[v.ROAD_FIELD]) + road, truth
+
+
+def fair_round(made: Explored, one: Property) -> tuple[list[int], list[int], bool]:
+    """The states of a run that waits for ever, of a property of liveness: from where waiting counts up to where the
+    round begins, through states that wait; that one and those that follow, up to there again; whether all was looked
+    through.
+    """
+    assert one.waits is not None
+    if not len(made):
+        return [], [], False
+    marks, counts = _mark(made, one.waits)
+    engine, graph = made.engine, made.graph
+    found, before = engine.zeros(len(made) + 1), engine.zeros(len(made) + 1)
+    count = 0
+    since = marks if one.since is None else _mark(made, one.since)[0]
+    if sum(counts):
+        for number in range(1 if one.from_start else len(made)):
+            if marks[number] and since[number]:
+                found[count], marks[number], before[number] = number, 2, -1
+                count += 1
+    count = int(engine.reach(graph, marks, made.expanded, found, count, before))
+    if count == 0:
+        return [], [], True
+    search = _search(made, found, count)
+    code = f.BUSY
+    while True:
+        code = engine.search(made.model.t, made.graph, search, _STEPS)
+        if code == f.FAIR:
+            break
+        if code == f.MISSING:
+            try:
+                made.fill(int(made.model.t.regs[v.CODE]))
+            except TooManyError:
+                return [], [], False
+            continue
+        if code == f.DONE:
+            search = f.next_round(search)
+            if search.numbers[f.ROOTS] == 0:
+                return [], [], True
+        if made.breaks_off():
+            return [], [], False
+    first, top = int(search.numbers[f.FIRST]), int(search.numbers[f.TOP])
+    around = _round(made, search.stack[first:top], search)
+    lead = [around[0]]
+    while int(before[lead[-1]]) >= 0:
+        lead.append(int(before[lead[-1]]))
+    return lead[::-1], around, True
+
+
+def _search(made: Explored, found: Any, count: int) -> f.Search:
+    engine, size = made.engine, len(made) + 1
+    colour = engine.zeros(size)
+    for n in range(count):
+        colour[found[n]] = 1
+    numbers = [0] * f.SEARCH_NUMBERS
+    numbers[f.ROOTS], numbers[f.COLOUR], numbers[f.EXPANDED] = count, 1, made.expanded
+    numbers[f.TWO] = int(made.model.layout.words == 2)
+    rows = [engine.zeros(size) for _ in range(6)]
+    return f.Search(
+        engine.row(numbers), colour, rows[0], rows[1], found, rows[2], rows[3], rows[4], rows[5], engine.row([0] * 8)
+    )
+
+
+def _round(made: Explored, part: Any, search: f.Search) -> list[int]:
+    """A way through a strongly connected part and back that takes every class that is taken in it; the state where it
+    begins alone for one state.
+    """
+    engine, graph = made.engine, made.graph
+    begin = int(min(part))
+    marks = engine.bytes(len(made))
+    for state in part:
+        marks[state] = 1
+    table = made.model.t.taken
+    steps = engine.zeros(2 * max(1, int(made.model.t.regs[v.TAKEN])))
+    for n in range(len(steps)):
+        steps[n] = -1
+    engine.sample(graph, part, marks, steps)
+    sets = []
+    for n in range(len(steps) // 2):
+        if steps[2 * n] >= 0:
+            row = [int(one) for one in table[n * v.TAKEN_WIDTH : (n + 1) * v.TAKEN_WIDTH]]
+            sets.append(
+                (sum(one << k * v.MOST_AGENTS for k, one in enumerate(row)), int(steps[2 * n]), int(steps[2 * n + 1]))
+            )
+    covered, found, at = 0, [begin], begin
+    before, queue = search.low, search.order
+    for taken, state, target in sorted(sets, key=lambda one: -one[0].bit_count()):
+        if taken & ~covered == 0:
+            continue
+        if at != state:
+            found += _way(made, at, state, marks, before, queue)
+        found.append(target)
+        at, covered = target, covered | taken
+    return found if at == begin else [*found, *_way(made, at, begin, marks, before, queue)]
+
+
+def _way(made: Explored, start: int, end: int, marks: Any, before: Any, queue: Any) -> list[int]:
+    """The states of a shortest way, without the start."""
+    made.engine.way(made.graph, start, end, marks, before, queue)
+    found = [end]
+    while int(before[found[-1]]) != start:
+        found.append(int(before[found[-1]]))
+    return found[::-1]

@@ -1,0 +1,202 @@
+"""The ticks of agents, what ends and what befalls them, and from these the steps of *prompt* and *free*.
+
+A step is look-ups: a tick is found in `reaction_at` by what the agent is and a few bits of what it senses, and changes
+the key of the state by XOR. What is not in the tables yet is asked for: -1 says so (`regs[CODE]`), and that it is to be
+tried again. What is here is in the part of Python that Numba takes.
+"""
+
+from __future__ import annotations
+
+from kitrobot.verifier.columns import (
+    A_PLACE,
+    A_ROAD,
+    AGENT,
+    AGENTS,
+    C_MOVE,
+    C_MOVES,
+    C_STAND,
+    CODE,
+    CONF_WIDTH,
+    DOCKS,
+    DUE_FIELD,
+    E_AGENT,
+    E_KIND,
+    I_ENDS,
+    I_TICKS,
+    INSIDE_STRIDE,
+    INSIDE_WIDTH,
+    LINE,
+    MAY_FAIL,
+    MOVE,
+    NEXTS,
+    OUTCOME,
+    PLACES,
+    PROMPT,
+    ROAD_FIELD,
+    ROADS,
+    ROOM_NEXT,
+    S_COUNT,
+    TIMING,
+)
+from kitrobot.verifier.events import FAIL, TICK
+from kitrobot.verifier.happening import ends_of, harms_of
+from kitrobot.verifier.looking import changed, decode, react, stays
+from kitrobot.verifier.tables import Tables
+from kitrobot.verifier.traffic import after_tick, fill_moves
+
+
+def emit(t: Tables, x: int, y: int, event: int, taken: int) -> bool:
+    """Adds a step of one event; False where there is no room."""
+    count = t.regs[NEXTS]
+    if count >= len(t.next_x):
+        t.regs[CODE] = ROOM_NEXT
+        return False
+    t.next_x[count], t.next_y[count], t.next_event[count], t.next_taken[count] = x, y, event, taken
+    t.next_kinds[count] = 1 << (event & E_KIND)
+    t.regs[NEXTS] = count + 1
+    return True
+
+
+def expand_interleaved(t: Tables, x: int, y: int) -> int:
+    """Finds the steps out of a state of *prompt* or *free*; ticks that change nothing are left out."""
+    regs, fixed, now = t.regs, t.fixed, t.now
+    regs[NEXTS] = 0
+    decode(t, x, y)
+    is_prompt = fixed[TIMING] == PROMPT
+    due = now[fixed[DUE_FIELD]] if is_prompt else 0
+    if not tick_each(t, x, y, is_prompt):
+        return -1
+    if due == 0 and not happen(t, x, y):
+        return -1
+    if fixed[MAY_FAIL]:
+        for i in range(fixed[AGENTS]):
+            found = harms_of(t, x, y, i, 0)
+            if found < 0:
+                return -1
+            for n in range(found):
+                if not emit(t, t.harm[n * LINE], t.harm[n * LINE + 1], t.harm[n * LINE + 2], 0):
+                    return -1
+    return make_due(t, x, y, due) if is_prompt else regs[NEXTS]
+
+
+def tick_each(t: Tables, x: int, y: int, keeps: bool) -> bool:
+    """Adds the ticks of all agents, one each; where nothing `keeps` them, without those that change nothing."""
+    fixed, now, agents, insides, outcomes = t.fixed, t.now, t.agents, t.insides, t.outcomes
+    shift, word, confs = t.shift, t.word, t.confs
+    stride, width, conf_width = fixed[INSIDE_STRIDE], fixed[INSIDE_WIDTH], fixed[CONF_WIDTH]
+    ticks_at = C_STAND + fixed[DOCKS] + 2 * fixed[PLACES]
+    for i in range(fixed[AGENTS]):
+        inside = now[1 + i]
+        if not insides[(i * stride + inside) * width + I_TICKS]:
+            continue
+        got = react(t, i)
+        if got < 0:
+            return False
+        road = agents[i * AGENT + A_ROAD]
+        first = got >> S_COUNT
+        for o in range(first, first + (got & (1 << S_COUNT) - 1)):
+            nx, ny = x, y
+            d = inside ^ outcomes[o * OUTCOME]
+            if d:
+                if word[1 + i]:
+                    ny ^= d << shift[1 + i]
+                else:
+                    nx ^= d << shift[1 + i]
+            if road >= 0:
+                f = fixed[ROAD_FIELD] + road
+                told, k = outcomes[o * OUTCOME + 1], agents[i * AGENT + A_PLACE]
+                to = confs[now[f] * conf_width + ticks_at + 8 * k + told]
+                if to < 0:
+                    to = after_tick(t, now[f], k, told)
+                    if to < 0:
+                        return False
+                d = now[f] ^ to
+                if d:
+                    if word[f]:
+                        ny ^= d << shift[f]
+                    else:
+                        nx ^= d << shift[f]
+            if outcomes[o * OUTCOME + 2]:
+                after = changed(t, now[0], outcomes[o * OUTCOME + 2])
+                if after < 0:
+                    return False
+                nx ^= (now[0] ^ after) << shift[0]
+            if (keeps or nx != x or ny != y) and not emit(t, nx, ny, TICK | i << E_AGENT, 1 + i):
+                return False
+    return True
+
+
+def happen(t: Tables, x: int, y: int) -> bool:
+    """Adds the events of the world: what ends, and how robots on roads move."""
+    fixed, now = t.fixed, t.now
+    stride, width = fixed[INSIDE_STRIDE], fixed[INSIDE_WIDTH]
+    for i in range(fixed[AGENTS]):
+        if not t.insides[(i * stride + now[1 + i]) * width + I_ENDS]:
+            continue
+        found = ends_of(t, x, y, i, 0)
+        if found < 0:
+            return False
+        for n in range(found):
+            row = n * LINE
+            if not emit(t, t.line[row], t.line[row + 1], t.line[row + 2], 1 + 2 * fixed[AGENTS] + i):
+                return False
+    for road in range(fixed[ROADS]):
+        f = fixed[ROAD_FIELD] + road
+        conf = now[f]
+        row = conf * fixed[CONF_WIDTH]
+        count = t.confs[row + C_MOVES]
+        if count < 0:
+            count = fill_moves(t, conf)
+            if count < 0:
+                return False
+        first = t.confs[row + C_MOVE]
+        for m in range(first, first + count):
+            d = (conf ^ t.moves[m * MOVE]) << t.shift[f]
+            nx, ny = (x, y ^ d) if t.word[f] else (x ^ d, y)
+            if not emit(t, nx, ny, t.moves[m * MOVE + 1], t.moves[m * MOVE + 2]):
+                return False
+    return True
+
+
+def make_due(t: Tables, x: int, y: int, due: int) -> int:
+    """Puts into each step of *prompt* who has a tick to make then; how many steps there are."""
+    fixed = t.fixed
+    f = fixed[DUE_FIELD]
+    kept = 0
+    for n in range(t.regs[NEXTS]):
+        event, nx, ny = t.next_event[n], t.next_x[n], t.next_y[n]
+        kind = event & E_KIND
+        wanted = t.mask[f]
+        if kind == TICK:
+            wanted = due & ~(1 << t.next_taken[n] - 1)
+        elif kind >= FAIL:
+            wanted = due
+        left = due_in(t, nx, ny, wanted)
+        if left < 0:
+            return -1
+        d = (due ^ left) << t.shift[f]
+        nx, ny = (nx, ny ^ d) if t.word[f] else (nx ^ d, ny)
+        if kind == TICK and nx == x and ny == y:
+            continue
+        t.next_x[kept], t.next_y[kept], t.next_event[kept] = nx, ny, event
+        t.next_taken[kept], t.next_kinds[kept] = t.next_taken[n], t.next_kinds[n]
+        kept += 1
+    t.regs[NEXTS] = kept
+    return kept
+
+
+def due_in(t: Tables, x: int, y: int, wanted: int) -> int:
+    """Of these agents, as bits, those that have a tick to make in a state, which would change something."""
+    if wanted == 0:
+        return 0
+    decode(t, x, y)
+    fixed = t.fixed
+    left = 0
+    for i in range(fixed[AGENTS]):
+        row = (i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH]
+        if wanted >> i & 1 and t.insides[row + I_TICKS]:
+            is_idle = stays(t, i)
+            if is_idle < 0:
+                return -1
+            left |= (1 - is_idle) << i
+    return left

@@ -1,0 +1,106 @@
+"""The tables of a model and the graph that is explored: lists under CPython, arrays under Numba (see `columns`)."""
+
+from __future__ import annotations
+
+from collections.abc import MutableSequence
+from typing import NamedTuple
+
+Row = MutableSequence[int]
+"""Whole numbers: a list, or an array."""
+
+
+class Tables(NamedTuple):
+    """What is known of a model; filled as exploring asks for it.
+
+    Attributes:
+        regs, fixed: numbers that change while exploring, and that do not.
+        shift, mask, word: of each field where it is in a key: the word, how far up, and its bits.
+        agents, geo, visits, acts, road_agents: the mission, its roads and devices.
+        insides: of each agent `INSIDE_STRIDE` rows.
+        shared: a row for each number of what is shared.
+        change_keys, change_to: (number, write) → number after it, by open addressing; a key of -1 is free.
+        reaction_keys, reaction_at: (see `S_SHARED`) → its first row in `outcomes` and how many (see `S_COUNT`).
+        outcomes: what ticks bring.
+        confs, conf_slots: motions on roads, and where to find them by their bodies (number + 1; 0 is free).
+        moves, moments, log: what can follow each.
+        taken, taken_slots: sets of progress classes that steps belong to, by number: ticks, begins, ends, zones.
+        made: the bodies of a road that are being put together.
+        now, seen: the fields of the state that is looked at; the reactions of its agents.
+        pool, pool_slots, given_slots: what `traffic.fill_moments` looks through.
+        line, harm: states between two ticks of lockstep: after ends, and after failures.
+        next_x, next_y, next_taken, next_kinds, next_slots: the steps out of a state: keys, progress, kinds of events.
+        next_event: of steps that are one event that event.
+        events: the events of the step that is sought.
+    """
+
+    regs: Row
+    fixed: Row
+    shift: Row
+    mask: Row
+    word: Row
+    agents: Row
+    geo: Row
+    visits: Row
+    acts: Row
+    road_agents: Row
+    insides: Row
+    shared: Row
+    change_keys: Row
+    change_to: Row
+    reaction_keys: Row
+    reaction_at: Row
+    outcomes: Row
+    confs: Row
+    conf_slots: Row
+    moves: Row
+    moments: Row
+    log: Row
+    taken: Row
+    taken_slots: Row
+    made: Row
+    now: Row
+    seen: Row
+    pool: Row
+    pool_slots: Row
+    given_slots: Row
+    line: Row
+    harm: Row
+    next_x: Row
+    next_y: Row
+    next_taken: Row
+    next_kinds: Row
+    next_slots: Row
+    next_event: Row
+    events: Row
+
+
+class Graph(NamedTuple):
+    """The states that were reached, in the order of their distance from the first.
+
+    Attributes:
+        x, y: their keys; `y` is as long only where there are two words.
+        parents: of each the state from which it was reached first; -1 of the first.
+        slots: open addressing: number + 1; 0 is free.
+        first_edge: steps out of state n are `first_edge[n]` … `first_edge[n + 1]` - 1, where they are kept. Of ticks
+            that change nothing none is kept, but in lockstep.
+        targets, taken: of each step the state after it and its progress classes, by number.
+        dead: states out of which no step leads into another one.
+    """
+
+    x: Row
+    y: Row
+    parents: Row
+    slots: Row
+    first_edge: Row
+    targets: Row
+    taken: Row
+    dead: Row
+
+
+def find(keys: Row, key: int) -> int:
+    """Where a key is in a table of open addressing, or the free place where it is missing."""
+    last = len(keys) - 1
+    at = (key * 0x1E3779B97F4A7C15 & 0x7FFFFFFFFFFFFFFF) >> 31 & last
+    while keys[at] != key and keys[at] >= 0:
+        at = at + 1 & last
+    return at

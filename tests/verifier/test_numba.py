@@ -1,0 +1,69 @@
+"""The compiled functions against the same source run by CPython: states, steps and answers, number by number.
+
+Only in the thorough profile: compiling them takes a minute of processor time where they are not kept yet.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from kitrobot.mission import AskedProperty, Form
+from kitrobot.verifier import (
+    Budget,
+    Model,
+    Timing,
+    asked_properties,
+    compiling,
+    judge,
+    ready_properties,
+    take_apart,
+    variables_asked,
+)
+from kitrobot.verifier.engines import PLAIN, Engine
+from kitrobot.verifier.exploring import Explored, explore
+from tests.effort import THOROUGH
+from tests.sim.building import transport
+from tests.verifier.test_asked import AT_A, LOADED
+
+pytestmark = pytest.mark.skipif(not THOROUGH, reason="compiles for a minute; KITROBOT_THOROUGH=1 does it")
+
+
+@pytest.fixture(scope="module")
+def compiled() -> Engine:
+    pytest.importorskip("numba")
+    return compiling.make()
+
+
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize(
+    ("carriers", "timing", "failures"),
+    [(1, Timing.FREE, 0), (1, Timing.FREE, 1), (2, Timing.PROMPT, 0), (2, Timing.LOCKSTEP, 0), (1, Timing.LOCKSTEP, 1)],
+)
+def test_compiled_and_plain_give_the_same_numbers(
+    compiled: Engine, carriers: int, timing: Timing, failures: int
+) -> None:
+    run = transport(stock=1, carriers=carriers)
+    asked = [
+        AskedProperty("n", Form.NEVER, LOADED),
+        AskedProperty("a", Form.AFTER, LOADED, "any loader (StockA.GreaterThan(3))"),
+        AskedProperty("e", Form.EVENTUALLY, "any store-manager-B (Goal.EqualTo(1))"),
+        AskedProperty("s", Form.STAYS, LOADED, AT_A),
+    ]
+    parts = take_apart(run, variables_asked(run, asked))
+
+    def made(engine: Engine) -> Explored:
+        return explore(Model(run, parts, failures, timing), Budget(30_000), True, engine)
+
+    plain, fast = made(PLAIN), made(compiled)
+    assert [plain.state(n) for n in range(len(plain))] == [fast.state(n) for n in range(len(fast))]
+    edges = int(plain.graph.first_edge[plain.expanded])
+    assert list(plain.graph.targets[:edges]) == list(fast.graph.targets[:edges])
+    assert list(plain.graph.taken[:edges]) == list(fast.graph.taken[:edges])
+    verdicts = []
+    for engine in (PLAIN, compiled):
+        model = Model(run, parts, failures, timing)
+        own, left_out = asked_properties(model, asked)
+        assert left_out == []
+        judged = judge(model, [*ready_properties(model), *own], Budget(30_000), engine)
+        verdicts.append([(one.answer, one.way) for one in judged.verdicts])
+    assert verdicts[0] == verdicts[1]
