@@ -21,11 +21,10 @@ from kitrobot.verifier import (
 )
 from kitrobot.verifier.engines import PLAIN, Engine
 from kitrobot.verifier.exploring import Explored, explore
-from tests.effort import THOROUGH
 from tests.sim.building import transport
 from tests.verifier.test_asked import AT_A, LOADED
 
-pytestmark = pytest.mark.skipif(not THOROUGH, reason="compiles for a minute; KITROBOT_THOROUGH=1 does it")
+pytestmark = pytest.mark.thorough
 
 
 @pytest.fixture(scope="module")
