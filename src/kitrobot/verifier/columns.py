@@ -23,8 +23,9 @@ LOCKSTEP, PROMPT, FREE = range(3)
 CODE, CONFS, MOVES, MOMENTS, LOG, NEXTS, TAKEN = range(7)
 """Why exploring paused, and how many rows there are of each table."""
 MISS_A, MISS_B, MISS_C, SEEK, FOUND = range(7, 12)
-AT, COUNT, EDGES, LEVEL_END, DEPTH, DEAD, MOST, SEEN_KINDS, KEEPS, WORDS = range(12, 22)
-FIRST_OF = 22
+AT, COUNT, EDGES, LEVEL_END, DEPTH, DEAD, MOST, SEEN_KINDS, KEEPS, WORDS, TOUCHED = range(12, 23)
+AFTERS, AFTER_ROWS = range(23, 25)
+FIRST_OF = 25
 """From here on: of each kind of event the state out of which it came first."""
 KINDS = 24
 REGS = FIRST_OF + KINDS
@@ -32,6 +33,7 @@ REGS = FIRST_OF + KINDS
 # -- why exploring paused
 GOES_ON, ROOM_CONFS, ROOM_MOVES, ROOM_MOMENTS, ROOM_LOG, ROOM_NEXT, ROOM_STATES, ROOM_EDGES, ROOM_DEAD = range(9)
 WIDEN, MISS_REACTION, MISS_SHARED, MISS_DONE, MISS_LOADED, MISS_DOWN, TOO_MANY, CUT = range(9, 17)
+ROOM_AFTERS = 17
 
 # -- a row of `agents`
 (A_ROAD, A_PLACE, A_LEADER, A_FOLLOWER, A_LATE, A_ZONES, A_CLOSED, A_BEYOND, A_ZONE_AT, A_GAP_AT, A_CAN_AT) = range(11)
@@ -64,6 +66,9 @@ MOVE = 3
 MOMENT = 6
 """A row of `moments`: the number after it, who began to roll, who came into a zone, kinds, the first event in `log`,
 how many."""
+AFTER_HEAD, AFTER = 4, 5
+"""A row of `after_heads`: a key (two words), its first row in `after`, how many. One of `after`: the key of what may
+follow, who of the slower agents ticked, kinds of what befell agents, and the row of `harm` that says it."""
 OUTCOME = 3
 """A row of `outcomes`: the agent's number after it, what its wheels were told (`told_column`), what it writes."""
 S_COUNT = 13

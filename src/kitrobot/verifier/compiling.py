@@ -28,7 +28,7 @@ _OPTIONS: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": False
 _CALLED: dict[str, Any] = {**_OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 _INLINED = frozenset(
     {"changed", "decode", "emit", "expand_interleaved", "find", "happen", "key_hash", "react", "sensed"}
-    | {"tick_each", "visit"}
+    | {"tick_each", "touch", "visit"}
 )
 """What each state goes through. A call copies the places of all tables, so inlining these makes exploring twice as
 fast; inlining the others too makes compiling take longer and exploring no faster."""

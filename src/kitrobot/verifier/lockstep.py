@@ -6,9 +6,7 @@ What is here is in the part of Python that Numba takes; -1 says as in `stepping`
 from __future__ import annotations
 
 from kitrobot.verifier.columns import (
-    A_PLACE,
-    A_ROAD,
-    AGENT,
+    AFTER,
     AGENTS,
     ALL_BITS,
     C_MOMENT,
@@ -20,35 +18,26 @@ from kitrobot.verifier.columns import (
     E_MASK,
     FOUND,
     I_ENDS,
-    I_TICKS,
     INSIDE_STRIDE,
     INSIDE_WIDTH,
     LINE,
-    MAY_FAIL,
     MOMENT,
     MULTIPLIER,
     NEXTS,
     OTHER_MULTIPLIER,
-    OUTCOME,
     ROAD_FIELD,
     ROADS,
     ROOM_NEXT,
-    S_COUNT,
     SEEK,
-    SLOWER,
     TAKEN,
     TAKEN_WIDTH,
     TOO_MANY,
 )
-from kitrobot.verifier.events import MOST_AT_ONCE
-from kitrobot.verifier.happening import ends_of, harms_of
-from kitrobot.verifier.looking import changed, decode, react
+from kitrobot.verifier.happening import ends_of
+from kitrobot.verifier.looking import decode
 from kitrobot.verifier.moments import fill_moments
 from kitrobot.verifier.tables import Tables
-from kitrobot.verifier.traffic import after_tick
-
-MOST_TRIED = 20_000_000
-"""Ways out of one state that are tried at most, those that come to the same counted apart."""
+from kitrobot.verifier.ticking import MOST_TRIED, after_all
 
 
 def expand_lockstep(t: Tables, x: int, y: int) -> int:
@@ -87,38 +76,40 @@ def move_all(t: Tables, ended: int, tried: int) -> int:
 
     `seen` has, behind the reactions of the agents and their choices, of each road which way is taken.
     """
-    fixed, now, seen = t.fixed, t.now, t.seen
+    fixed, seen = t.fixed, t.seen
     roads, n = fixed[ROADS], fixed[AGENTS]
     chosen = 3 * n
+    was_x, was_y = t.line[ended * LINE], t.line[ended * LINE + 1]
     for road in range(roads):
-        decode(t, t.line[ended * LINE], t.line[ended * LINE + 1])
-        conf = now[fixed[ROAD_FIELD] + road]
+        f = fixed[ROAD_FIELD] + road
+        conf = (was_y if t.word[f] else was_x) >> t.shift[f] & t.mask[f]
         if t.confs[conf * fixed[CONF_WIDTH] + C_MOMENTS] < 0 and fill_moments(t, conf) < 0:
             return -1
         if t.confs[conf * fixed[CONF_WIDTH] + C_MOMENTS] == 0:
             return tried
         seen[chosen + road] = 0
     while True:
-        x, y = t.line[ended * LINE], t.line[ended * LINE + 1]
-        decode(t, x, y)
+        x, y = was_x, was_y
         kinds, begins, zones = t.line[ended * LINE + 4], 0, 0
         for road in range(roads):
             f = fixed[ROAD_FIELD] + road
-            m = (t.confs[now[f] * fixed[CONF_WIDTH] + C_MOMENT] + seen[chosen + road]) * MOMENT
-            d = (now[f] ^ t.moments[m]) << t.shift[f]
+            conf = (was_y if t.word[f] else was_x) >> t.shift[f] & t.mask[f]
+            m = (t.confs[conf * fixed[CONF_WIDTH] + C_MOMENT] + seen[chosen + road]) * MOMENT
+            d = (conf ^ t.moments[m]) << t.shift[f]
             if t.word[f]:
                 y ^= d
             else:
                 x ^= d
             begins, zones, kinds = begins | t.moments[m + 1], zones | t.moments[m + 2], kinds | t.moments[m + 3]
-        tried = befall_all(t, x, y, ended, begins, zones, kinds, tried)
+        tried = give_all(t, x, y, ended, begins, zones, kinds, tried)
         if tried < 0:
             return -1
-        decode(t, t.line[ended * LINE], t.line[ended * LINE + 1])
         road = 0
         while road < roads:
+            f = fixed[ROAD_FIELD] + road
+            conf = (was_y if t.word[f] else was_x) >> t.shift[f] & t.mask[f]
             seen[chosen + road] += 1
-            if seen[chosen + road] < t.confs[now[fixed[ROAD_FIELD] + road] * fixed[CONF_WIDTH] + C_MOMENTS]:
+            if seen[chosen + road] < t.confs[conf * fixed[CONF_WIDTH] + C_MOMENTS]:
                 break
             seen[chosen + road] = 0
             road += 1
@@ -126,110 +117,32 @@ def move_all(t: Tables, ended: int, tried: int) -> int:
             return tried
 
 
-def befall_all(t: Tables, x: int, y: int, ended: int, begins: int, zones: int, kinds: int, tried: int) -> int:
-    """After robots moved: nothing befalls anybody, or something some agents; then all tick."""
-    fixed, harm = t.fixed, t.harm
-    harm[0], harm[1], harm[2], harm[3], harm[4] = x, y, 0, -1, kinds
-    count, at = 1, 0
-    while at < count:
-        nx, ny = harm[at * LINE], harm[at * LINE + 1]
-        if fixed[MAY_FAIL]:
-            decode(t, nx, ny)
-            last = -1 if at == 0 else harm[at * LINE + 2] >> E_AGENT & E_MASK
-            for i in range(last + 1, fixed[AGENTS]):
-                found = harms_of(t, nx, ny, i, count)
-                if found < 0:
-                    return -1
-                for n in range(count, count + found):
-                    harm[n * LINE + 3] = at
-                    harm[n * LINE + 4] = harm[at * LINE + 4] | 1 << (harm[n * LINE + 2] & E_KIND)
-                count += found
-        tried = tick_all(t, nx, ny, ended, at, begins, zones, tried)
-        if tried < 0:
+def give_all(t: Tables, x: int, y: int, ended: int, begins: int, zones: int, kinds: int, tried: int) -> int:
+    """After robots moved: adds what may follow once something befell agents, or nothing, and all ticked."""
+    regs, after = t.regs, t.after
+    head = after_all(t, x, y, regs[SEEK] >= 0)
+    if head < 0:
+        return -1
+    first = t.after_heads[head + 2]
+    count = t.after_heads[head + 3]
+    if tried + count > MOST_TRIED:
+        regs[CODE] = TOO_MANY
+        return -1
+    progress, came = t.line[ended * LINE + 5], kinds
+    for row in range(first * AFTER, (first + count) * AFTER, AFTER):
+        ticks, nx, ny = after[row + 2], after[row], after[row + 1]
+        if not emit_once(t, nx, ny, ticks, begins, progress, zones, came | after[row + 3]):
             return -1
-        at += 1
-    return tried
+        if regs[SEEK] == regs[NEXTS] - 1:
+            tell(t, ended, after[row + 4])
+            return -1
+    return tried + count
 
 
-def tick_all(t: Tables, x: int, y: int, ended: int, harmed: int, begins: int, zones: int, tried: int) -> int:
-    """A tick of all agents; those whose ticks are longer than others' may have none."""
-    fixed, seen, insides = t.fixed, t.seen, t.insides
-    n, slower = fixed[AGENTS], fixed[SLOWER]
-    decode(t, x, y)
-    for i in range(n):
-        seen[i] = 0
-        if insides[(i * fixed[INSIDE_STRIDE] + t.now[1 + i]) * fixed[INSIDE_WIDTH] + I_TICKS]:
-            got = react(t, i)
-            if got < 0:
-                return -1
-            seen[i] = got
-    paused, made = 0, 0
-    while True:
-        for i in range(n):
-            seen[2 * n + i] = 0
-        i = 0
-        while i < n:
-            tried += 1
-            made += 1
-            if tried > MOST_TRIED or made > MOST_AT_ONCE:
-                t.regs[CODE] = TOO_MANY
-                return -1
-            if not tick_once(t, x, y, paused, ended, harmed, begins, zones):
-                return -1
-            i = 0
-            while i < n:
-                seen[2 * n + i] += 1
-                if seen[2 * n + i] < seen[i] & (1 << S_COUNT) - 1 and not paused >> i & 1:
-                    break
-                seen[2 * n + i] = 0
-                i += 1
-        if paused == slower:
-            return tried
-        paused = (paused | ~slower) + 1 & slower
-
-
-def tick_once(t: Tables, x: int, y: int, paused: int, ended: int, harmed: int, begins: int, zones: int) -> bool:
-    """Adds the step in which each agent has the reaction that is chosen; False where something is missing."""
-    fixed, now, seen = t.fixed, t.now, t.seen
-    n = fixed[AGENTS]
-    shared = now[0]
-    for road in range(fixed[ROADS]):
-        seen[3 * n + fixed[ROADS] + road] = now[fixed[ROAD_FIELD] + road]
-    for i in range(n):
-        if seen[i] == 0 or paused >> i & 1:
-            continue
-        o = ((seen[i] >> S_COUNT) + seen[2 * n + i]) * OUTCOME
-        d = (now[1 + i] ^ t.outcomes[o]) << t.shift[1 + i]
-        if t.word[1 + i]:
-            y ^= d
-        else:
-            x ^= d
-        if t.outcomes[o + 2]:
-            shared = changed(t, shared, t.outcomes[o + 2])
-            if shared < 0:
-                return False
-        road = t.agents[i * AGENT + A_ROAD]
-        if road >= 0:
-            at = 3 * n + fixed[ROADS] + road
-            to = after_tick(t, seen[at], t.agents[i * AGENT + A_PLACE], t.outcomes[o + 1])
-            if to < 0:
-                return False
-            seen[at] = to
-    x ^= (now[0] ^ shared) << t.shift[0]
-    for road in range(fixed[ROADS]):
-        f = fixed[ROAD_FIELD] + road
-        d = (now[f] ^ seen[3 * n + fixed[ROADS] + road]) << t.shift[f]
-        if t.word[f]:
-            y ^= d
-        else:
-            x ^= d
-    return emit_once(t, x, y, fixed[SLOWER] & ~paused, ended, harmed, begins, zones)
-
-
-def emit_once(t: Tables, x: int, y: int, ticks: int, ended: int, harmed: int, begins: int, zones: int) -> bool:
+def emit_once(t: Tables, x: int, y: int, ticks: int, begins: int, ends: int, zones: int, kinds: int) -> bool:
     """Adds a step unless there is one to the same state with the same progress; False where there is no room."""
     regs = t.regs
-    taken = intern_taken(t, ticks, begins, t.line[ended * LINE + 5], zones)
+    taken = intern_taken(t, ticks, begins, ends, zones)
     if taken < 0:
         return False
     count = regs[NEXTS]
@@ -246,11 +159,8 @@ def emit_once(t: Tables, x: int, y: int, ticks: int, ended: int, harmed: int, be
         return False
     t.next_slots[at] = count + 1
     t.next_x[count], t.next_y[count], t.next_taken[count], t.next_event[count] = x, y, taken, at
-    t.next_kinds[count] = t.harm[harmed * LINE + 4]
+    t.next_kinds[count] = kinds
     regs[NEXTS] = count + 1
-    if regs[SEEK] == count:
-        tell(t, ended, harmed)
-        return False
     return True
 
 

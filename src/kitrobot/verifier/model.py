@@ -248,6 +248,13 @@ class Model:
                 self._more(name)
             self.t.next_slots[:] = [0] * len(self.t.next_slots)
             regs[v.NEXTS] = 0
+        elif code == v.ROOM_AFTERS:
+            if len(self.t.after) < _MOST_AFTER:
+                for name in ("after_heads", "after_slots", "after"):
+                    self._more(name)
+            elif not regs[v.AFTERS]:
+                raise TooManyError
+            self._forget_after()
         elif code in _ROOM:
             self._more(_ROOM[code])
         else:
@@ -345,6 +352,12 @@ class Model:
         """Writes the layout into the tables."""
         for name in ("shift", "mask", "word"):
             getattr(self.t, name)[: len(self.layout.shift)] = getattr(self.layout, name)
+        self._forget_after()
+
+    def _forget_after(self) -> None:
+        """Empties `after`, whose keys are those of one layout, and which has room for so many states."""
+        self.t.regs[v.AFTERS] = self.t.regs[v.AFTER_ROWS] = 0
+        self.t.after_slots[:] = [0] * len(self.t.after_slots)
 
     def _more(self, name: str) -> None:
         """Doubles a table; its new rows hold what free ones hold."""
@@ -390,4 +403,6 @@ class Model:
         self.t = self.t._replace(insides=new)
 
 
+_MOST_AFTER = 2_000_000
+"""Numbers that are kept of what follows in lockstep; a table that needs more is emptied."""
 _ROOM = {v.ROOM_MOVES: "moves", v.ROOM_MOMENTS: "moments", v.ROOM_LOG: "log"}

@@ -28,6 +28,7 @@ class Tables(NamedTuple):
         now, seen: the fields of the state that is looked at; the reactions of its agents.
         pool, pool_slots, given_slots: what `traffic.fill_moments` looks through.
         line, harm: states between two ticks of lockstep: after ends, and after failures.
+        after_heads, after_slots, after: what may follow in lockstep once robots moved (see `ticking`).
         next_x, next_y, next_taken, next_kinds, next_slots: the steps out of a state: keys, progress, kinds of events.
         next_event: of steps that are one event that event.
         events: the events of the step that is sought.
@@ -65,6 +66,9 @@ class Tables(NamedTuple):
     given_slots: Row
     line: Row
     harm: Row
+    after_heads: Row
+    after_slots: Row
+    after: Row
     next_x: Row
     next_y: Row
     next_taken: Row

@@ -29,11 +29,15 @@ from kitrobot.verifier.columns import (
     ROOM_STATES,
     SEEN_KINDS,
     TIMING,
+    TOUCHED,
     WORDS,
 )
 from kitrobot.verifier.lockstep import expand_lockstep
 from kitrobot.verifier.stepping import expand_interleaved
 from kitrobot.verifier.tables import Graph, Row, Tables
+
+FAR = 200_000
+"""States from which on they do not fit into a processor's caches."""
 
 
 def expand(t: Tables, x: int, y: int) -> int:
@@ -71,6 +75,8 @@ def visit(t: Tables, g: Graph, at: int, steps: int, two: bool) -> int:
         return ROOM_EDGES
     if regs[DEAD] >= len(g.dead):
         return ROOM_DEAD
+    if count > FAR:
+        touch(t, g, steps)
     seen, is_dead = regs[SEEN_KINDS], True
     for n in range(steps):
         x, y, kinds = t.next_x[n], t.next_y[n], t.next_kinds[n]
@@ -110,6 +116,22 @@ def visit(t: Tables, g: Graph, at: int, steps: int, two: bool) -> int:
         regs[DEAD] += 1
     regs[COUNT] = count
     return GOES_ON
+
+
+def touch(t: Tables, g: Graph, steps: int) -> None:
+    """Reads what `visit` will, all steps at once: what lies far apart in memory then comes while other reads wait for
+    theirs, instead of one after another.
+    """
+    slots, known, last = g.slots, g.x, len(g.slots) - 1
+    mixed = 0
+    for n in range(steps):
+        mixed ^= slots[key_hash(t.next_x[n], t.next_y[n]) & last]
+    for n in range(steps):
+        number = slots[key_hash(t.next_x[n], t.next_y[n]) & last] - 1
+        if number >= 0:
+            mixed ^= known[number]
+    # Kept, so that no compiler leaves the reading out.
+    t.regs[TOUCHED] = mixed
 
 
 def key_hash(x: int, y: int) -> int:
