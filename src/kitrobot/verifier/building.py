@@ -80,6 +80,7 @@ def build(
     fixed[v.USED_BITS] = 2 + 2 * (gaps + 2)
     fixed[v.POOL_WIDTH] = P_USED + -(-roads.places * fixed[v.USED_BITS] // USED_PER_WORD)
     fixed[v.MAY_FAIL], fixed[v.SLOWER] = int(may_fail), slower
+    fixed[v.SETTLES] = int(run.team_plan is not None)
     agents, geo, visits, act_rows = _static(run, parts, roads, docks)
     taken: list[int] = [0] * (
         MOST_TAKEN * v.TAKEN_WIDTH if timing is Timing.LOCKSTEP else 5 * v.TAKEN_WIDTH * v.MOST_AGENTS

@@ -15,8 +15,8 @@ MOST_AGENTS = 62
 
 # -- numbers that do not change while exploring (`fixed`)
 AGENTS, ROADS, PLACES, DOCKS, HOUSES, TIMING, ACTS, FIELDS, ROAD_FIELD, DUE_FIELD = range(10)
-INSIDE_WIDTH, INSIDE_STRIDE, CONF_WIDTH, SHARED_WIDTH, POOL_WIDTH, USED_BITS, MAY_FAIL, SLOWER = range(10, 18)
-FIXED = 18
+INSIDE_WIDTH, INSIDE_STRIDE, CONF_WIDTH, SHARED_WIDTH, POOL_WIDTH, USED_BITS, MAY_FAIL, SLOWER, SETTLES = range(10, 19)
+FIXED = 19
 LOCKSTEP, PROMPT, FREE = range(3)
 
 # -- numbers that do (`regs`)
@@ -54,7 +54,8 @@ I_ACT = 10
 # -- a row of `shared`: failures that may still come, boxes in each storehouse, then what each agent sees of it
 G_FAILURES, G_STOCK = range(2)
 NO_WRITE = 0
-"""`writes`: nothing, then for each storehouse a box less and a box more, a failure less, and what ticks write."""
+"""`writes`: nothing, then for each storehouse a box less and a box more, a failure less, that a team settles what
+it can agree on, and what ticks write."""
 
 # -- a row of `confs`: the motion of all robots on a road
 (C_ROAD, C_FORWARD, C_BACKWARD, C_BEGIN, C_MUST, C_MOVE, C_MOVES, C_MOMENT, C_MOMENTS) = range(9)

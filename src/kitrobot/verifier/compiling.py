@@ -53,6 +53,11 @@ def compiled() -> engines.Engine | None:
     return _made
 
 
+def is_kept() -> bool:
+    """Whether the compiled functions are kept on this machine."""
+    return available() and (cache_folder() / READY).is_file()
+
+
 def make() -> engines.Engine:
     """The compiled functions, from the cache or anew; whoever calls this waits for it.
 

@@ -107,15 +107,18 @@ def arrays(functions: dict[str, Callable[..., Any]]) -> Engine:
     )
 
 
-WORTH = 50_000
-"""States after which the compiled functions are asked for: seconds of plain work."""
+WORTH_STATES, WORTH_S = 50_000, 5.0
+"""States, or seconds of plain work, after which the compiled functions are made."""
+LOADED_S = 1.0
+"""Seconds after which they are loaded where they are kept on this machine."""
 
 
-def worth(states: int) -> Engine | None:
-    """The compiled engine, where it is worth it for so many states and there."""
-    if states < WORTH:
+def worth(states: int, seconds: float) -> Engine | None:
+    """The compiled engine, where it is there and worth it after so many states and so many seconds of plain work."""
+    if states < WORTH_STATES and seconds < LOADED_S:
         return None
     from kitrobot.verifier import compiling
 
-    compiling.ask()
+    if states >= WORTH_STATES or seconds >= WORTH_S or compiling.is_kept():
+        compiling.ask()
     return compiling.compiled()

@@ -250,12 +250,13 @@ def _begin(made: Explored, most: int, keeps_steps: bool) -> None:
 
 
 def _explore(made: Explored, budget: Budget, may_change: bool) -> None:
-    batch, told = 256, time.monotonic()
+    batch, begun = 256, time.monotonic()
+    told = begun
     while made.expanded < len(made):
         if made.breaks_off() or (budget.memory is not None and made.memory > budget.memory):
             return
         if may_change and made.engine is engines.PLAIN:
-            better = engines.worth(len(made))
+            better = engines.worth(len(made), time.monotonic() - begun)
             if better is not None:
                 _use(made, better)
         began = time.monotonic()

@@ -16,14 +16,17 @@ from collections.abc import Iterator
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
 from kitrobot.sim.devices.base import Discrete
+from kitrobot.text import Sentence
 from kitrobot.verifier import columns as v
+from kitrobot.verifier.agreeing import Told
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
 from kitrobot.verifier.building import Roads, build, check_size, first_body
 from kitrobot.verifier.events import TooManyError
 from kitrobot.verifier.growing import longer
 from kitrobot.verifier.packing import Layout, Widths
 from kitrobot.verifier.parts import Parts
-from kitrobot.verifier.reactions import after_reaction, idle_actuators, is_store, read
+from kitrobot.verifier.programs import AbstractionError
+from kitrobot.verifier.reactions import after_reaction, idle_actuators, is_shared, read, told_to_team
 from kitrobot.verifier.stepping import due_in
 from kitrobot.verifier.tables import find
 from kitrobot.verifier.timing import Timing
@@ -33,7 +36,10 @@ State = tuple[int, ...]
 """The numbers of a state's components: what is shared, each agent, each road; under *prompt* who has a tick to make."""
 
 Shared = tuple[int, ...]
-"""How many failures may still come, the boxes in each storehouse, the shared variables."""
+"""How many failures may still come, the boxes in each storehouse, the shared variables, what the team agreed on."""
+
+Change = tuple[tuple[tuple[int, int], ...], tuple[Told, ...]]
+"""What a tick makes of what is shared: the variables that it changes, with their values, and what the team is told."""
 
 
 class Model:
@@ -46,12 +52,18 @@ class Model:
         timing: when agents tick.
 
     Raises:
-        AbstractionError: the mission is too large for the numbers of the tables.
+        AbstractionError: the mission is too large for the numbers of the tables, or a team is to go on after failures.
     """
 
     def __init__(self, run: Simulation, parts: Parts, failures: int = 0, timing: Timing = Timing.LOCKSTEP) -> None:
         state = run.state
         self.run = run
+        self.agreement = parts.agreement
+        if self.agreement is not None and failures:
+            raise AbstractionError(
+                Sentence("what a team does about failures has no discrete form yet"),
+                Sentence("check this mission without failures"),
+            )
         self.timing = timing
         self.parts = parts.parts
         self.limits = parts.limits
@@ -70,7 +82,7 @@ class Model:
         self._inside_numbers: list[dict[Inside, int]] = [{} for _ in self.parts]
         self._shareds: list[Shared] = []
         self._shared_numbers: dict[Shared, int] = {}
-        self._writes: dict[tuple[tuple[int, int], ...], int] = {}
+        self._writes: dict[Change, int] = {}
         self._seen: list[dict[tuple[int, ...], int]] = [{} for _ in self.parts]
         self._seen_tuples: list[list[tuple[int, ...]]] = [[] for _ in self.parts]
         self._changes = self._reactions = self._outcomes = 0
@@ -78,6 +90,9 @@ class Model:
         loads, at = state.robots.ints[c.LOAD], [float(one) for one in state.robots.floats[c.AT]]
         # The run may be gone on with before exploring begins.
         self._first_shared = [*(int(one) for one in state.docks.stock), *(int(one) for one in state.shared.ints[0])]
+        self._agreed_at = 1 + len(self._first_shared)
+        if self.agreement is not None:
+            self._first_shared += self.agreement.first
         self._first_insides = [
             Inside(part.table.first, int(loads[part.agent.index]), idle_actuators(part), RUNS) for part in self.parts
         ]
@@ -125,7 +140,7 @@ class Model:
 
     def has_ended(self, i: int, inside: Inside) -> bool:
         """Whether the program of agent i has ended."""
-        return self.parts[i].table.has_ended(inside.local)
+        return self.parts[i].is_over(inside.local)
 
     def goals_hold(self, shared: Shared) -> bool:
         """Whether every storehouse of a goal holds what it is to hold."""
@@ -157,7 +172,7 @@ class Model:
             self._widen_insides()
         known[inside] = number
         self._insides[i].append(inside)
-        ended = self.parts[i].table.has_ended(inside.local)
+        ended = self.parts[i].is_over(inside.local)
         row = (i * fixed[v.INSIDE_STRIDE] + number) * fixed[v.INSIDE_WIDTH]
         insides = self.t.insides
         insides[row + v.I_TICKS] = int(inside.down == RUNS and not ended)
@@ -184,10 +199,16 @@ class Model:
         return number
 
     def _seen_number(self, i: int, shared: Shared) -> int:
-        """The number of what agent i sees of what is shared: its variables, and the storehouses that it senses."""
+        """The number of what agent i sees of what is shared: its variables, and the storehouses and answers that it
+        senses.
+        """
         part = self.parts[i]
-        stocks = (shared[1 + sense.store] for sense in part.senses if is_store(sense))
-        seen = (*(shared[1 + self.houses + n] for n in part.shared), *stocks)
+        sensed = (
+            shared[1 + sense.store if sense.store >= 0 else self._agreed_at + sense.agreed]
+            for sense in part.senses
+            if is_shared(sense)
+        )
+        seen = (*(shared[1 + self.houses + n] for n in part.shared), *sensed)
         number = self._seen[i].get(seen)
         if number is None:
             number = self._seen[i][seen] = len(self._seen[i])
@@ -272,11 +293,12 @@ class Model:
         for reaction in part.table.react(inside.local, sensed, shared, choices):
             want, after = after_reaction(part, inside, reaction)
             number = self.inside_number(i, after)
-            ticks = after.down == RUNS and not part.table.has_ended(after.local)
+            ticks = after.down == RUNS and not part.is_over(after.local)
             changes = [
                 (at, now) for at, was, now in zip(part.shared, shared, reaction.shared, strict=True) if was != now
             ]
-            found[number, 2 * (want + 2) + ticks, self._write_number(tuple(changes))] = None
+            change = tuple(changes), told_to_team(part, reaction)
+            found[number, 2 * (want + 2) + ticks, self._write_number(change)] = None
         first = self._outcomes
         self._outcomes += len(found)
         self._room("outcomes", self._outcomes * v.OUTCOME)
@@ -303,11 +325,13 @@ class Model:
                 yield visits & 1
                 visits >>= 1
             else:
-                yield next(left) if is_store(sense) else 0
+                yield next(left) if is_shared(sense) else 0
 
-    def _write_number(self, changes: tuple[tuple[int, int], ...]) -> int:
-        """The number of a change of shared variables."""
-        return self._writes.setdefault(changes, 2 + 2 * self.houses + len(self._writes)) if changes else v.NO_WRITE
+    def _write_number(self, change: Change) -> int:
+        """The number of a change of what is shared."""
+        if change == ((), ()):
+            return v.NO_WRITE
+        return self._writes.setdefault(change, 3 + 2 * self.houses + len(self._writes))
 
     def _fill_change(self, number: int, write: int) -> None:
         shared = list(self._shareds[number])
@@ -315,10 +339,17 @@ class Model:
             shared[1 + (write - 1) // 2] += 1 if write % 2 == 0 else -1
         elif write == 1 + 2 * self.houses:
             shared[0] -= 1
+        elif write == 2 + 2 * self.houses:
+            assert self.agreement is not None, "only a team settles"
+            shared[self._agreed_at :] = self.agreement.settled(tuple(shared[self._agreed_at :]))
         else:
-            changes = next(one for one, its in self._writes.items() if its == write)
+            changes, told = next(one for one, its in self._writes.items() if its == write)
             for at, value in changes:
                 shared[1 + self.houses + at] = value
+            if self.agreement is not None and told:
+                agreed = self.agreement.after(tuple(shared[self._agreed_at :]), told)
+                settles = self.timing is not Timing.LOCKSTEP
+                shared[self._agreed_at :] = self.agreement.all_settled(agreed) if settles else agreed
         after = self.shared_number(tuple(shared))
         self._changes += 1
         self._put("change_keys", "change_to", self._changes, number << v.S_WRITE | write, after)

@@ -21,7 +21,8 @@ from kitrobot.sim.docks import DOCK_AT, DOCK_REACH
 from kitrobot.sim.event_text import sensor_names
 from kitrobot.sim.state import State
 from kitrobot.text import Sentence
-from kitrobot.verifier.programs import AbstractionError, ProgramTable, greatest_argument, value_classes
+from kitrobot.verifier.agreeing import Agreement
+from kitrobot.verifier.programs import ProgramTable, greatest_argument, value_classes
 from kitrobot.verifier.roads import Gaps, Track, Zones, zones_of
 
 _WAYS = (0, 1, -1)
@@ -45,6 +46,7 @@ class Sense:
         choices: ANY: the values it may have.
         least, most: the range that values are kept in.
         actuator: BUSY: the place in `Inside.busy` of the actuator whose end it tells.
+        agreed: TEAM: the place in `agreeing.Agreed`; -1 where it reads 0.
     """
 
     discrete: Discrete
@@ -57,6 +59,7 @@ class Sense:
     least: int = 0
     most: int = 1
     actuator: int = -1
+    agreed: int = -1
 
 
 @dataclass(frozen=True)
@@ -72,6 +75,7 @@ class Act:
         busy: its place in `Inside.busy`; -1 for one that nothing waits for.
         is_arm: whether it moves boxes.
         dock, store: where it does, by their numbers.
+        agrees: the number in the run of an actuator that takes part in what a team agrees on; -1 for any other.
     """
 
     name: str
@@ -82,6 +86,7 @@ class Act:
     is_arm: bool = False
     dock: int = -1
     store: int = -1
+    agrees: int = -1
 
 
 @dataclass
@@ -99,6 +104,7 @@ class Part:
         leader, follower: the agents ahead and behind on the same road, by their numbers; -1 for none.
         drive: the number of the actuator that moves it along its road; -1 for none.
         is_late: whether commands reach that one late, or may be lost.
+        is_spare: whether it plays no role in its team, so that it does nothing.
     """
 
     agent: Agent
@@ -112,14 +118,20 @@ class Part:
     follower: int = -1
     drive: int = -1
     is_late: bool = False
+    is_spare: bool = False
+
+    def is_over(self, local: int) -> bool:
+        """Whether its program has ended in a local state, or never begins."""
+        return self.is_spare or self.table.has_ended(local)
 
 
 @dataclass
 class Parts:
-    """All agents, and what cannot be abstracted exactly, in sentences."""
+    """All agents, and what cannot be abstracted exactly, in sentences; what their team agrees on, if they are one."""
 
     parts: list[Part]
     limits: list[str] = field(default_factory=list)
+    agreement: Agreement | None = None
 
 
 def take_apart(run: Simulation, kept: Collection[str] = ()) -> Parts:
@@ -132,11 +144,6 @@ def take_apart(run: Simulation, kept: Collection[str] = ()) -> Parts:
     Raises:
         AbstractionError: something in the mission has no discrete form.
     """
-    if run.team_plan is not None:
-        raise AbstractionError(
-            Sentence("the program of a team has no discrete form yet, so this mission cannot be checked"),
-            Sentence("check missions whose agents have programs of their own"),
-        )
     return _Builder(run, kept).build()
 
 
@@ -149,6 +156,10 @@ class _Builder:
         self.rows = sensor_names(run.state, run.members)
         self.tables: dict[str, ProgramTable] = {}
         self.numbers: dict[str, int] = {}
+        self.agreement: Agreement | None = None
+        if run.team_plan is not None:
+            ints, known = run.state.actuators.ints, {device.kind for device in actuators().values() if device.agrees}
+            self.agreement = Agreement(run, [k for k, kind in enumerate(ints[c.A_KIND]) if kind in known])
         for agent in run.members:
             for variable in agent.robot.variables:
                 if variable.shared:
@@ -162,6 +173,8 @@ class _Builder:
             self._limit(Sentence("a robot that fails is taken to stay on its road"))
         if mission.radio is not None:
             self._limit(Sentence("shared variables are taken to reach everybody at once"))
+        if self.agreement is not None:
+            self._limit_team()
         members = self.run.members
         zones = self._zones()
         parts = []
@@ -175,9 +188,16 @@ class _Builder:
             part = Part(agent, table, [], acts, self._shared(agent), road)
             part.drive = next((at for at, act in enumerate(acts) if road >= 0 and act.discrete is Discrete.MOTION), -1)
             part.senses = self._senses(agent, acts, zones.get(road))
+            part.is_spare = self.agreement is not None and not self.agreement.plays(agent.index)
             parts.append(part)
         self._neighbours(parts, zones)
-        return Parts(parts, list(self.limits))
+        return Parts(parts, list(self.limits), self.agreement)
+
+    def _limit_team(self) -> None:
+        if self.run.mission.radio is not None:
+            self._limit(Sentence("what a team agrees on is taken to be known at once"))
+        if any(work.lease for work in self.run.mission.team.works):
+            self._limit(Sentence("units of work are taken to be never free again before they are done"))
 
     def _limit(self, words: Sentence) -> None:
         self.limits[words] = None
@@ -269,8 +289,9 @@ class _Builder:
                 if whose == number:
                     listed = device.procedures.index(procedure) if procedure in device.procedures else 0
                     ways[at] = _WAYS[listed] if device.drives else listed
-            waits = part.name in agent.machine.layout.done
             k = self._row(agent, number)
+            agrees = device.agrees and self.agreement is not None
+            waits = part.name in agent.machine.layout.done and not agrees
             is_arm = device.name == "arm"
             acts.append(
                 Act(
@@ -282,6 +303,7 @@ class _Builder:
                     is_arm,
                     int(self.state.actuators.ints[c.A_DOCK][k]),
                     int(self.state.actuators.ints[c.A_STORE][k]),
+                    k if agrees else -1,
                 )
             )
             busy += waits
@@ -291,7 +313,10 @@ class _Builder:
         found = [self._sense(agent, part, zones) for part in agent.robot.sensors]
         for name in agent.machine.layout.done:
             act = next(act for act in acts if act.name == name)
-            found.append(Sense(Discrete.BUSY, actuator=act.busy))
+            if act.agrees >= 0 and self.agreement is not None:
+                found.append(Sense(Discrete.TEAM, agreed=self.agreement.done(act.agrees)))
+            else:
+                found.append(Sense(Discrete.BUSY, actuator=act.busy))
         return found
 
     def _sense(self, agent: Agent, part: RobotObject, zones: Zones | None) -> Sense:
@@ -309,6 +334,8 @@ class _Builder:
                 )
             cell = agent.machine.layout.sensors[part.name]
             return Sense(Discrete.ANY, choices=value_classes(agent.machine.image, cell, least, most))
+        if discrete is Discrete.TEAM:
+            return Sense(discrete, agreed=self._agreed(agent, part, floats[c.S_P][k]), least=least, most=most)
         if discrete is Discrete.SECTION:
             assert zones is not None
             return Sense(discrete, signs=self._signs(agent, zones, floats[c.S_P][k]), least=least, most=most)
@@ -318,6 +345,14 @@ class _Builder:
             return Sense(discrete, dock=int(ints[c.S_DOCK][k]), load=int(floats[c.S_P][k]))
         is_store = sensors()[part.model].needs == "storehouse"
         return Sense(discrete, store=int(ints[c.S_STORE][k]) if is_store else -1, least=least, most=most)
+
+    def _agreed(self, agent: Agent, part: RobotObject, number: float) -> int:
+        """Where in what is agreed a sensor of the team looks."""
+        if self.agreement is None:
+            return -1
+        if sensors()[part.model].name == "team":
+            return self.agreement.answer(agent.index)
+        return self.agreement.left(int(number))
 
     def _signs(self, agent: Agent, zones: Zones, ahead: float) -> tuple[int, ...]:
         """The sign that a sensor reads in each zone."""

@@ -35,6 +35,7 @@ class Reaction:
     Attributes:
         local: the number of the local state after the tick.
         commands: (actuator, command, first argument) in the order of the actuators; 0 where there is no argument.
+        seconds: of each command its second argument; 0 where there is none.
         shared: the values of the robot's shared variables after the tick, in the order of its XML.
         ended: whether the program has ended.
     """
@@ -43,6 +44,7 @@ class Reaction:
     commands: tuple[tuple[int, int, int], ...]
     shared: tuple[int, ...]
     ended: bool
+    seconds: tuple[int, ...] = ()
 
 
 class ProgramTable:
@@ -152,19 +154,21 @@ class ProgramTable:
             cells[1 + at] = chosen.get(at, 0) if value is None else value
         for cell, value in zip(self.shared, shared, strict=True):
             cells[cell] = value
+        told = self._told(machine)
         commands = tuple(
-            (machine.layout.commands[machine.out[at + 2]][0], machine.out[at + 2], self._argument(at))
-            for at in self._told(machine)
+            (machine.layout.commands[machine.out[at + 2]][0], machine.out[at + 2], self._argument(at, 0)) for at in told
         )
+        seconds = tuple(self._argument(at, 1) for at in told)
         self.ticks += 1
         read = {cell for pc, ran in enumerate(machine.seen) if ran for cell in self._reads[pc]}
         after = tuple(int(cells[cell]) for cell in self.shared)
-        return Reaction(self.current(), commands, after, machine.ended), read
+        return Reaction(self.current(), commands, after, machine.ended, seconds), read
 
-    def _argument(self, at: int) -> int:
+    def _argument(self, at: int, number: int) -> int:
         machine = self.machine
         _, actuator, procedure = machine.layout.commands[machine.out[at + 2]]
-        return int(machine.out[at + 3]) if machine.robot.calls[actuator, procedure][1].parameters else 0
+        has_it = len(machine.robot.calls[actuator, procedure][1].parameters) > number
+        return int(machine.out[at + 3 + number]) if has_it else 0
 
     @staticmethod
     def _told(machine: Machine) -> list[int]:

@@ -154,7 +154,7 @@ def ready_properties(model: Model) -> list[Property]:
             )
         )
     found += [_served(model, i) for i in _carriers(model)]
-    if model.goals and all(part.table.may_end for part in model.parts):
+    if model.goals and all(part.table.may_end or part.is_spare for part in model.parts):
         found.append(
             Property(
                 "end",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.devices.base import Discrete
+from kitrobot.verifier.agreeing import Told
 from kitrobot.verifier.bodies import Inside
 from kitrobot.verifier.parts import Part, Sense
 from kitrobot.verifier.programs import Reaction
@@ -21,6 +22,11 @@ def is_store(sense: Sense) -> bool:
     return sense.discrete is Discrete.EXACT and sense.store >= 0
 
 
+def is_shared(sense: Sense) -> bool:
+    """Whether an input reads something of what is shared."""
+    return is_store(sense) or (sense.discrete is Discrete.TEAM and sense.agreed >= 0)
+
+
 def read(inside: Inside, sense: Sense, there: int) -> int | None:
     """The value of an input; None where it may be any of its choices."""
     if sense.discrete is Discrete.ANY:
@@ -29,6 +35,15 @@ def read(inside: Inside, sense: Sense, there: int) -> int | None:
         return 0 if inside.busy[sense.actuator] else 1
     value = inside.load if sense.discrete is Discrete.EXACT and sense.store < 0 else there
     return min(max(value, sense.least), sense.most)
+
+
+def told_to_team(part: Part, reaction: Reaction) -> tuple[Told, ...]:
+    """What a reaction tells the team: in the order of the actuators."""
+    return tuple(
+        Told(part.acts[actuator].agrees, part.acts[actuator].ways[command], first, second)
+        for (actuator, command, first), second in zip(reaction.commands, reaction.seconds, strict=True)
+        if part.acts[actuator].agrees >= 0
+    )
 
 
 def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int, Inside]:

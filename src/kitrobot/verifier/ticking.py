@@ -22,6 +22,7 @@ from kitrobot.verifier.columns import (
     E_KIND,
     E_MASK,
     G_FAILURES,
+    HOUSES,
     I_DOWN,
     I_TICKS,
     INSIDE_STRIDE,
@@ -35,6 +36,7 @@ from kitrobot.verifier.columns import (
     ROADS,
     ROOM_AFTERS,
     S_COUNT,
+    SETTLES,
     SHARED_WIDTH,
     SLOWER,
     TOO_MANY,
@@ -168,6 +170,10 @@ def tick_once(t: Tables, x: int, y: int, paused: int, harmed: int) -> bool:
             if to < 0:
                 return False
             seen[at] = to
+    if fixed[SETTLES]:
+        shared = changed(t, shared, 2 + 2 * fixed[HOUSES])
+        if shared < 0:
+            return False
     x ^= (now[0] ^ shared) << t.shift[0]
     for road in range(fixed[ROADS]):
         f = fixed[ROAD_FIELD] + road

@@ -138,6 +138,8 @@ class Discrete(Enum):
     """Whether a robot with the wanted load stands in the dock."""
     MOTION = "motion"
     """An actuator that moves its robot."""
+    TEAM = "team"
+    """What the team of the robot agreed on: an answer, or units of a work that are left."""
     BUSY = "busy"
     """An actuator that is done at any time after it began, and in the end."""
     INSTANT = "instant"

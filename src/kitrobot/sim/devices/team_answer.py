@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.sim.columns import S_ROBOT, S_VALUE
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Discrete, Sensor
 from kitrobot.sim.state import State
 from kitrobot.sim.team_columns import T_ANSWER
 
@@ -13,6 +13,7 @@ class TeamAnswer(Sensor):
 
     name = "team"
     settings = (LATENCY, LOST_READINGS)
+    discrete = Discrete.TEAM
 
 
 def sense(first: int, last: int, step: int, state: State) -> None:

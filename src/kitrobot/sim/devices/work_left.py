@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitrobot.primitives import RobotObject
 from kitrobot.sim.columns import S_P, S_VALUE
-from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Sensor, Values
+from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, Discrete, Sensor, Values
 from kitrobot.sim.devices.work import NUMBER
 from kitrobot.sim.state import State
 from kitrobot.sim.team_columns import W_LEFT
@@ -15,6 +15,7 @@ class WorkLeft(Sensor):
 
     name = "work"
     settings = (LATENCY, LOST_READINGS, NUMBER)
+    discrete = Discrete.TEAM
 
     @classmethod
     def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:

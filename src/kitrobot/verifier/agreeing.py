@@ -1,0 +1,150 @@
+"""What a team has agreed on, as a part of what is shared: who waits where, answers, groups, and units of work.
+
+What commands to `Team` and to works do is done by the simulator itself (`sim.meetings`, `sim.work`), on tables apart
+that are put into the state in question before, and read off after. Robots that the team misses are not followed: nobody
+fails here, so whoever plays no role plays none for good.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from kitrobot.sim import Simulation
+from kitrobot.sim import columns as c
+from kitrobot.sim import team_columns as tc
+from kitrobot.sim.devices.base import Command
+from kitrobot.sim.dispatch import start
+from kitrobot.sim.meetings import agree, find_members
+from kitrobot.sim.radio_tables import no_radio
+from kitrobot.sim.state import numbers
+from kitrobot.sim.work import share_out
+
+Agreed = tuple[int, ...]
+"""A state of a team: of each robot where it waits, what it gave and was answered; passes; groups; works."""
+
+
+class Told(NamedTuple):
+    """A command to what agrees: the actuator by its number in the run, the procedure and its arguments."""
+
+    actuator: int
+    procedure: int
+    first: int
+    second: int
+
+
+class Agreement:
+    """The team of a run that is before its first step.
+
+    Args:
+        run: the run.
+        actuators: those that take part in agreeing, by their numbers in the run.
+    """
+
+    def __init__(self, run: Simulation, actuators: Sequence[int]) -> None:
+        state = run.state
+        self._actuators = tuple(actuators)
+        ints = [list(numbers(row)) for row in state.actuators.ints]
+        self._state = replace(
+            state,
+            clock=[0] * len(state.clock),
+            events=[0] * len(state.events),
+            actuators=replace(state.actuators, ints=ints),
+            radio=no_radio(),
+            team=copy.deepcopy(state.team),
+        )
+        self._team = self._state.team
+        self._rows = self._own_rows()
+        self._sizes = [len(row) for row in self._rows]
+        self.first = self._read()
+        """The state before the first step."""
+
+    def plays(self, robot: int) -> bool:
+        """Whether a robot, by its number in the run, plays a role, or is none of the team."""
+        robots = self._team.robots
+        return robots[tc.T_ACTUATOR][robot] < 0 or robots[tc.T_ROLE][robot] >= 0
+
+    def answer(self, robot: int) -> int:
+        """The place in a state of what a robot was answered last."""
+        return self._place(2) + robot
+
+    def left(self, work: int) -> int:
+        """The place in a state of how many units of a work are not done; -1 where there is no such work."""
+        return self._place(4) + work if work < self._sizes[4] else -1
+
+    def done(self, actuator: int) -> int:
+        """The place in a state of whether an actuator has done what it was told."""
+        return self._place(len(self._rows)) + self._actuators.index(actuator)
+
+    def after(self, agreed: Agreed, told: Sequence[Told]) -> Agreed:
+        """After commands, with nothing agreed on yet."""
+        self._write(agreed)
+        for one in told:
+            command = Command(one.procedure, 2, one.first, one.second, one.second)
+            start(one.actuator, command, 0.0, self._state)
+        return self._read()
+
+    def settled(self, agreed: Agreed) -> Agreed:
+        """After one step in which all go on who need not wait any longer."""
+        self._write(agreed)
+        agree(self._state)
+        if len(self._team.holds) > 0:
+            share_out(self._state)
+        return self._read()
+
+    def all_settled(self, agreed: Agreed) -> Agreed:
+        """After as many such steps as change something."""
+        while True:
+            after = self.settled(agreed)
+            if after == agreed:
+                return after
+            agreed = after
+
+    def _place(self, row: int) -> int:
+        return sum(self._sizes[:row])
+
+    def _own_rows(self) -> list[list[int]]:
+        """The rows that change, of which `answer` is the third and `left` the fifth."""
+        team = self._team
+        return [
+            team.robots[tc.T_AT],
+            team.robots[tc.T_GIVEN],
+            team.robots[tc.T_ANSWER],
+            team.points[tc.P_PASSES],
+            team.works[tc.W_LEFT],
+            *team.groups,
+            *team.holds,
+            *team.waits,
+        ]
+
+    def _read(self) -> Agreed:
+        at, given = self._rows[0], self._rows[1]
+        # What somebody gave counts only while it waits.
+        for i in range(len(at)):
+            if at[i] < 0:
+                given[i] = 0
+        done = self._state.actuators.ints[c.A_DONE]
+        return (*(one for row in self._rows for one in row), *(done[k] for k in self._actuators))
+
+    def _write(self, agreed: Agreed) -> None:
+        """Puts a state into the tables, and what follows from it."""
+        state, team = self._state, self._team
+        values: Iterator[int] = iter(agreed)
+        for row in self._rows:
+            for n in range(len(row)):
+                row[n] = next(values)
+        for k, value in zip(self._actuators, values, strict=True):
+            state.actuators.ints[c.A_DONE][k] = value
+        state.clock[c.EVENTS] = 0
+        waiting, at = team.points[tc.P_WAITING], team.robots[tc.T_AT]
+        for p in range(len(waiting)):
+            waiting[p] = sum(point == p for point in at)
+        for w in range(len(team.holds)):
+            team.works[tc.W_TAKEN][w] = sum(one == tc.HAS_UNIT for one in team.holds[w])
+            team.works[tc.W_WAITING][w] = sum(one >= 0 for one in team.waits[w])
+        # These lead substitutes, and nobody needs any.
+        for i in range(len(at)):
+            team.robots[tc.T_SINCE][i], team.robots[tc.T_ANCHOR][i] = 0, -1
+        find_members(team)

@@ -1,0 +1,119 @@
+"""Programs of teams: the simulator does nothing that the model does not allow, and what waits for ever is found."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from kitrobot.lll import parse_team
+from kitrobot.sim import Simulation
+from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier.agreeing import Agreement
+from kitrobot.verifier.engines import PLAIN
+from kitrobot.verifier.exploring import Explored, explore
+from kitrobot.verifier.model import State
+from tests.effort import cases
+from tests.sim.team_building import RunningTeam, random_team_program
+from tests.team_programs.hosting import TooLarge
+from tests.verifier.building import EXAMPLES, answers, judged, prepared
+
+DECLARED = "role scout: ant 2; group all-of-us = {scout}; work Boxes = 1;"
+
+
+def team(body: str) -> RunningTeam:
+    """Two robots of one role that run a team's program."""
+    parsed = parse_team(f"{DECLARED} {body}")
+    assert parsed.diagnostics == []
+    agents = {"scout-0": ("ant", "scout"), "scout-1": ("ant", "scout")}
+    maker: Any = SimpleNamespace(agents=agents, programs={})
+    return RunningTeam(maker, parsed.program, 1)
+
+
+def following(made: Explored, state: State) -> set[State]:
+    """The states after a step."""
+    model = made.model
+    while True:
+        t = model.t
+        found = PLAIN.expand(t, *model.layout.key(state))
+        if found >= 0:
+            return {model.layout.state(int(t.next_x[n]), int(t.next_y[n])) for n in range(found)}
+        made.fill(int(t.regs[0]))
+
+
+def follow(run: Simulation, steps: int) -> int:
+    """Follows a run of a team, and all states of the model in lockstep that fit; gives how much was agreed on."""
+    parts = take_apart(run)
+    model = Model(run, parts)
+    made = explore(model, Budget(1), True, PLAIN)
+    actuators = [k for part in parts.parts for act in part.acts for k in (act.agrees,) if k >= 0]
+    fitting = {made.state(0)}
+    agreed = set()
+    for _ in range(steps):
+        if run.outcome is not None:
+            break
+        run.step()
+        now = Agreement(run, sorted(actuators)).first
+        agreed.add(now)
+        locals_now = []
+        for i, part in enumerate(model.parts):
+            part.table.machine.restore(run.members[i].machine.snapshot())
+            locals_now.append(part.table.current())
+        fitting = {
+            after
+            for state in fitting
+            for after in following(made, state)
+            if [model.inside(i, after[1 + i]).local for i in range(model.count)] == locals_now
+            and model.shareds()[after[0]][-len(now) :] == now
+        }
+        assert fitting, f"step {run.tick}"
+    return len(agreed)
+
+
+@pytest.mark.parametrize("seed", cases([0, 2, 4, 6, 7], [1, 3, 5, *range(8, 200)]))
+def test_a_team_agrees_on_nothing_that_the_model_does_not(seed: int) -> None:
+    maker, program = random_team_program(seed)
+    try:
+        running = RunningTeam(maker, program, seed)
+    except TooLarge:
+        return
+    assert follow(running.run, 120) > 1
+
+
+@pytest.mark.parametrize("timing", list(Timing))
+def test_a_team_whose_members_meet_comes_to_its_end(timing: Timing) -> None:
+    run = team("2*( SeqOfPar scout ( Arm.Do(1); Arm.Do(2); ); ); ParOfSeq scout ( Boxes.Take(); Boxes.Done(); );").run
+    made = judged(run, timing)
+    assert made.complete
+    assert answers(made) == {"deadlock": "holds"}
+
+
+@pytest.mark.parametrize("timing", list(Timing))
+def test_who_keeps_a_unit_for_ever_keeps_the_others_waiting(timing: Timing) -> None:
+    """One waits until all is done before it says that its unit is; the other waits for that unit."""
+    run = team("ParOfSeq scout ( Boxes.Take(); <Boxes.IsEmpty()>( Boxes.Done(); ); );").run
+    made = judged(run, timing)
+    assert made.complete
+    assert answers(made) == {"deadlock": "broken"}
+
+
+@pytest.mark.parametrize("name", ["exchange", "convoy"])
+def test_the_shipped_teams_come_to_their_end(name: str) -> None:
+    made = judged(prepared(EXAMPLES / name / f"{name}.krt").again(), Timing.LOCKSTEP)
+    assert made.complete
+    assert answers(made) == {"deadlock": "holds"}
+
+
+def test_failures_of_a_team_are_refused_in_a_sentence() -> None:
+    run = team("SeqOfPar scout ( Arm.Do(1); );").run
+    with pytest.raises(AbstractionError, match="what a team does about failures"):
+        Model(run, take_apart(run), failures=1)
+
+
+def test_a_shipped_team_on_a_road_is_followed() -> None:
+    run = prepared(EXAMPLES / "transport-team" / "transport-team.krt").again()
+    model = Model(run, take_apart(run))
+    made = judge(model, ready_properties(model), Budget(300))
+    assert made.states == 300
+    assert not any("no discrete form" in str(limit) for limit in model.limits)
