@@ -285,16 +285,16 @@ class TeamRoom:
         agents = [one for one in self.standing.agents if one.address]
         failed = [one.name for one in agents if one.failed]
         if failed:
-            return dict(
-                failed=True,
-                message=Sentence("no robot of the team is started, since this failed: {names}", listed(failed))
+            return {
+                "failed": True,
+                "message": Sentence("no robot of the team is started, since this failed: {names}", listed(failed))
                 if sent
                 else Sentence("nothing was sent, since this failed: {names}", listed(failed)),
-                help=Sentence("what each says stands beside it; mend that, then send again"),
-            )
+                "help": Sentence("what each says stands beside it; mend that, then send again"),
+            }
         if any(one.state != "sent" for one in agents):
-            return dict(message=Sentence("the sending was broken off"), help="")
-        return dict(message=Sentence("all boards have their programs"), help="")
+            return {"message": Sentence("the sending was broken off"), "help": ""}
+        return {"message": Sentence("all boards have their programs"), "help": ""}
 
     # -- the fleet
 
