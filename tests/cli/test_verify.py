@@ -63,7 +63,9 @@ def test_a_check_that_makes_no_sense_is_refused(kitrobot, options: tuple[str, ..
     assert words in said.err
 
 
-def test_the_program_of_a_team_is_not_checked_yet_and_that_is_said(kitrobot) -> None:
-    said = kitrobot("verify", ROOT / "examples" / "transport-team" / "transport-team.krt")
-    assert said.status == 1
-    assert "the program of a team has no discrete form yet" in said.err
+def test_a_team_is_checked_without_failures_and_that_is_said(kitrobot) -> None:
+    convoy = ROOT / "examples" / "convoy" / "convoy.krt"
+    said = kitrobot("verify", convoy, "--timing", "lockstep", "--failures", "1")
+    assert said.status == 0
+    assert "deadlock  holds" in said.out
+    assert "nobody of the team fails" in said.out

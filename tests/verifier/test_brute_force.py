@@ -21,6 +21,7 @@ from kitrobot.sim import Simulation
 from kitrobot.sim.sharing import SHARED_VALUE
 from kitrobot.sim.state import numbers
 from kitrobot.verifier import Budget, Model, Timing, judge, ready_properties, take_apart
+from kitrobot.verifier.exploring import explore
 from tests.effort import examples
 from tests.sim.building import avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program
@@ -126,40 +127,67 @@ def in_lockstep(run: Simulation) -> Standstill | None:
     return standstill(found, looks, lambda state: ends[state])
 
 
-def in_free_timing(run: Simulation) -> Standstill | None:
-    """The same where any robot may tick next, and tells what it wrote at once; None when there are too many states."""
-    machines = [member.machine.twin() for member in run.members]
+DOWNS = ("well", "stalled", "failed")
 
-    def put(state: State) -> None:
-        for machine, snapshot in zip(machines, state, strict=True):
+
+class Free:
+    """Machines of which any may tick next, and tells what it wrote at once; so many may fail for good, or stall and
+    perhaps go on. A state is their snapshots, what befell each, and how many failures may still come.
+    """
+
+    def __init__(self, run: Simulation, failures: int = 0) -> None:
+        self.machines = [member.machine.twin() for member in run.members]
+        self.first = self.seen((0,) * len(self.machines), failures)
+
+    def put(self, state: State) -> None:
+        for machine, snapshot in zip(self.machines, state[:-2], strict=True):
             cells, threads, pars = (list(part) for part in snapshot)
             machine.restore((cells, threads, pars))
 
-    def seen() -> State:
-        for machine in machines:
+    def seen(self, downs: tuple[int, ...], left: int) -> State:
+        for machine in self.machines:
             machine.set_input("Button", 0)
-        return tuple(tuple(map(tuple, machine.snapshot())) for machine in machines)
+        return *(tuple(map(tuple, machine.snapshot())) for machine in self.machines), downs, left
 
-    def after(state: State) -> Iterator[State]:
-        for ticking, pressed in product(machines, (0, 1)):
-            put(state)
-            ticking.set_input("Button", pressed)
-            ticking.tick()
-            for name, value in ticking.variables().items():
-                for machine in machines:
-                    machine.set_variable(name, value)
-            yield seen()
+    def after(self, state: State) -> Iterator[State]:
+        *snapshots, downs, left = state
+        for (n, ticking), pressed in product(enumerate(self.machines), (0, 1)):
+            if DOWNS[downs[n]] == "well":
+                self.put(state)
+                ticking.set_input("Button", pressed)
+                ticking.tick()
+                for name, value in ticking.variables().items():
+                    for machine in self.machines:
+                        machine.set_variable(name, value)
+                yield self.seen(downs, left)
+        for n, ended in enumerate(self.ended(state)):
+            if left and not ended:
+                for what in range(downs[n] + 1, len(DOWNS)):
+                    yield *snapshots, (*downs[:n], what, *downs[n + 1 :]), left - 1
+            if DOWNS[downs[n]] == "stalled":
+                yield *snapshots, (*downs[:n], 0, *downs[n + 1 :]), left
 
-    def ended(state: State) -> bool:
-        put(state)
-        return all(machine.ended for machine in machines)
+    def ended(self, state: State) -> tuple[bool, ...]:
+        self.put(state)
+        return tuple(machine.ended for machine in self.machines)
 
-    found = explored(seen(), after)
+    def looks(self, state: State) -> State:
+        return tuple(
+            (without_temporaries(m, one[0]), one[1:]) for m, one in zip(self.machines, state[:-2], strict=True)
+        )
 
-    def looks(state: State) -> State:
-        return tuple((without_temporaries(m, one[0]), one[1:]) for m, one in zip(machines, state, strict=True))
+    def shown(self, state: State) -> State:
+        """The shared variables, whose programs have ended, what befell whom, and how many failures are left."""
+        ended = self.ended(state)
+        values = self.machines[0].variables()
+        return (int(values["Flag"]), int(values["Count"])), ended, *state[-2:]
 
-    return None if found is None else standstill(found, looks, ended)
+
+def in_free_timing(run: Simulation) -> Standstill | None:
+    """Whether robots that lag as they like can come to stand still; None when there are too many states."""
+    free = Free(run)
+    found = explored(free.first, free.after)
+    return None if found is None else standstill(found, free.looks, lambda state: all(free.ended(state)))
 
 
 @pytest.mark.parametrize(
@@ -182,3 +210,27 @@ def test_random_missions_stand_still_where_brute_force_says_so(
         assert stands.strictly <= broken <= stands.as_seen, (seed, texts)
         said[broken] += stands.strictly == stands.as_seen
     assert min(said.values()) > 5
+
+
+@pytest.mark.parametrize("failures", [0, 1, 2])
+def test_random_missions_with_failures_come_where_brute_force_comes_and_nowhere_else(failures: int) -> None:
+    compared = 0
+    for seed in range(examples(15, 500)):
+        run, texts = random_run(random.Random(seed))
+        free = Free(run, failures)
+        found = explored(free.first, free.after)
+        if found is None:
+            continue
+        model = Model(run, take_apart(run), failures, Timing.FREE)
+        made = explore(model, Budget(10 * MOST_STATES), False)
+        assert made.complete, texts
+        ours = set()
+        for number in range(len(made)):
+            shared, *agents = made.state(number)[: 1 + model.count]
+            left, flag, count = model.shareds()[shared]
+            insides = [model.inside(i, inside) for i, inside in enumerate(agents)]
+            ended = tuple(model.has_ended(i, inside) for i, inside in enumerate(insides))
+            ours.add(((flag, count), ended, tuple(inside.down for inside in insides), left))
+        assert ours == {free.shown(state) for state in found}, (seed, texts)
+        compared += 1
+    assert compared > 5

@@ -14,6 +14,7 @@ import sys
 import threading
 from collections.abc import Callable
 from contextlib import suppress
+from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -91,12 +92,18 @@ def called() -> dict[str, Callable[..., Any]]:
 
 def cache_folder() -> Path:
     """Where the functions are kept, compiled for this machine."""
+    return user_cache() / f"step-check-{_digest()}"
+
+
+@cache
+def _digest() -> str:
+    """What says that compiled functions are those of these sources, and of what compiles them here."""
     digest = hashlib.sha256(Path(__file__).read_bytes())
     for source in sorted(Path(__file__).parent.glob("*.py")):
         digest.update(str(source).encode() + source.read_bytes())
     packages = [f"{package} {version(package)}" for package in ("numba", "llvmlite", "numpy")]
     digest.update(f"{packages} {sys.version} {platform.machine()}".encode())
-    return user_cache() / f"step-check-{digest.hexdigest()[:24]}"
+    return digest.hexdigest()[:24]
 
 
 def _told(folder: Path) -> engines.Engine:

@@ -36,8 +36,8 @@ from kitrobot.verifier.lockstep import expand_lockstep
 from kitrobot.verifier.stepping import expand_interleaved
 from kitrobot.verifier.tables import Graph, Row, Tables
 
-FAR = 200_000
-"""States from which on they do not fit into a processor's caches."""
+FAR = 4_000_000
+"""States from which on waiting for memory takes longer than asking for it twice."""
 
 
 def expand(t: Tables, x: int, y: int) -> int:
