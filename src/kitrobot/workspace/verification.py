@@ -205,9 +205,7 @@ def verify_runs(
     search = _Search(runs, options, ends)
     for failures, timing in _assumptions(options):
         if failures and parts.agreement is not None:
-            limits.append(
-                Sentence("nobody of the team fails: what it does about failures has no discrete form yet")
-            )
+            limits.append(Sentence("nobody of the team fails: what it does about failures has no discrete form yet"))
             break
         model = Model(run, parts, failures, timing)
         own, left_out = asked_properties(model, asked)
