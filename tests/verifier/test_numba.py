@@ -23,6 +23,7 @@ from kitrobot.verifier.engines import PLAIN, Engine
 from kitrobot.verifier.exploring import Explored, explore
 from tests.sim.building import transport
 from tests.verifier.test_asked import AT_A, LOADED
+from tests.verifier.test_teams import team
 
 pytestmark = pytest.mark.thorough
 
@@ -66,3 +67,13 @@ def test_compiled_and_plain_give_the_same_numbers(
         judged = judge(model, [*ready_properties(model), *own], Budget(30_000), engine)
         verdicts.append([(one.answer, one.way) for one in judged.verdicts])
     assert verdicts[0] == verdicts[1]
+
+
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("timing", list(Timing))
+def test_a_team_has_the_same_numbers_too(compiled: Engine, timing: Timing) -> None:
+    run = team("2*( SeqOfPar scout ( Arm.Do(1); Arm.Do(2); ); ); ParOfSeq scout ( Boxes.Take(); Boxes.Done(); );").run
+    plain, fast = (explore(Model(run, take_apart(run), 0, timing), Budget(), True, one) for one in (PLAIN, compiled))
+    assert [plain.state(n) for n in range(len(plain))] == [fast.state(n) for n in range(len(fast))]
+    assert plain.complete
+    assert fast.complete
