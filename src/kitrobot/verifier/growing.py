@@ -5,6 +5,10 @@ from __future__ import annotations
 from array import array
 from typing import Any
 
+from kitrobot.verifier import columns as v
+from kitrobot.verifier.tables import Tables, find
+from kitrobot.verifier.traffic import find_again
+
 
 def longer(table: Any, size: int, free: int = 0) -> Any:
     """A table of this size, which begins with what it held; a list or an array as before."""
@@ -17,3 +21,42 @@ def longer(table: Any, size: int, free: int = 0) -> Any:
     made = np.full(size, free, table.dtype) if free else np.zeros(size, table.dtype)
     made[: len(table)] = table
     return made
+
+
+def put(t: Tables, keys: str, values: str, count: int, key: int, value: int) -> Tables:
+    """Puts a value into a table of open addressing, of which at most half is used."""
+    if 2 * count > len(getattr(t, keys)):
+        old_keys, old = getattr(t, keys), getattr(t, values)
+        size = 2 * len(old_keys)
+        new_keys, new = longer(old_keys[:0], size, -1), longer(old[:0], size, 0)
+        for at, one in enumerate(old_keys):
+            if one >= 0:
+                to = find(new_keys, int(one))
+                new_keys[to], new[to] = one, old[at]
+        t = t._replace(**{keys: new_keys, values: new})
+    at = find(getattr(t, keys), key)
+    getattr(t, keys)[at], getattr(t, values)[at] = key, value
+    return t
+
+
+def widen_insides(t: Tables, agents: int) -> Tables:
+    """Twice as many rows of `insides` for each agent."""
+    fixed, old = t.fixed, t.insides
+    stride, size = int(fixed[v.INSIDE_STRIDE]), int(fixed[v.INSIDE_STRIDE]) * int(fixed[v.INSIDE_WIDTH])
+    new = longer(old[:0], 2 * len(old), -1)
+    for i in range(agents):
+        new[2 * i * size : (2 * i + 1) * size] = old[i * size : (i + 1) * size]
+    fixed[v.INSIDE_STRIDE] = 2 * stride
+    return t._replace(insides=new)
+
+
+def find_confs_again(t: Tables) -> None:
+    """Fills the slots of confs anew."""
+    if isinstance(t.confs, list):
+        find_again(t)
+        return
+    import numpy as np
+
+    # What is beyond 64 bits is dropped, as it is where this is compiled.
+    with np.errstate(over="ignore"):
+        find_again(t)

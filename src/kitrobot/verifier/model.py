@@ -11,26 +11,22 @@ ticks of one moment may be taken in any order, but for shared variables: those o
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from kitrobot.sim import Simulation
 from kitrobot.sim import columns as c
-from kitrobot.sim.devices.base import Discrete
 from kitrobot.text import Sentence
 from kitrobot.verifier import columns as v
 from kitrobot.verifier.agreeing import Told
 from kitrobot.verifier.bodies import FAILED, RUNS, Inside, zone_of
 from kitrobot.verifier.building import Roads, build, check_size, first_body
 from kitrobot.verifier.events import TooManyError
-from kitrobot.verifier.growing import longer
+from kitrobot.verifier.growing import find_confs_again, longer, put, widen_insides
 from kitrobot.verifier.packing import Layout, Widths
 from kitrobot.verifier.parts import Parts
 from kitrobot.verifier.programs import AbstractionError
-from kitrobot.verifier.reactions import after_reaction, idle_actuators, is_shared, read, told_to_team
+from kitrobot.verifier.reactions import after_reaction, around, idle_actuators, is_shared, read, told_to_team
 from kitrobot.verifier.stepping import due_in
-from kitrobot.verifier.tables import find
 from kitrobot.verifier.timing import Timing
-from kitrobot.verifier.traffic import find_again, intern_conf
+from kitrobot.verifier.traffic import intern_conf
 
 State = tuple[int, ...]
 """The numbers of a state's components: what is shared, each agent, each road; under *prompt* who has a tick to make."""
@@ -169,7 +165,7 @@ class Model:
         self._hold(1 + i, number)
         fixed = self.t.fixed
         if number >= fixed[v.INSIDE_STRIDE]:
-            self._widen_insides()
+            self.t = widen_insides(self.t, self.count)
         known[inside] = number
         self._insides[i].append(inside)
         ended = self.parts[i].is_over(inside.local)
@@ -227,7 +223,7 @@ class Model:
         layout = part.agent.machine.layout
         found = [0] * layout.cells
         for at, (sense, there) in enumerate(
-            zip(part.senses, self._around(i, key, seen[len(part.shared) :]), strict=True)
+            zip(part.senses, around(part, self._signs_of(i), key, seen[len(part.shared) :]), strict=True)
         ):
             found[1 + at] = read(inside, sense, there) or 0
         for cell in layout.variables.values():
@@ -261,7 +257,7 @@ class Model:
             while len(slots) < 4 * (len(self.t.confs) // int(self.t.fixed[v.CONF_WIDTH])):
                 self._more("conf_slots")
                 slots = self.t.conf_slots
-            self._find_confs_again()
+            find_confs_again(self.t)
         elif code == v.ROOM_NEXT:
             if len(self.t.next_x) > 1_000_000:
                 raise TooManyError
@@ -285,9 +281,9 @@ class Model:
         part = self.parts[i]
         inside = self._insides[i][key & v.MOST_INSIDES - 1]
         seen = self._seen_tuples[i][key >> v.S_SHARED & v.MOST_SEEN - 1]
-        around = self._around(i, key, seen[len(part.shared) :])
+        outside = around(part, self._signs_of(i), key, seen[len(part.shared) :])
         shared = seen[: len(part.shared)]
-        sensed = tuple(read(inside, sense, there) for sense, there in zip(part.senses, around, strict=True))
+        sensed = tuple(read(inside, sense, there) for sense, there in zip(part.senses, outside, strict=True))
         choices = {at: sense.choices for at, sense in enumerate(part.senses)}
         found: dict[tuple[int, int, int], None] = {}
         for reaction in part.table.react(inside.local, sensed, shared, choices):
@@ -305,27 +301,11 @@ class Model:
         rows = [one for row in found for one in row]
         self.t.outcomes[first * v.OUTCOME : self._outcomes * v.OUTCOME] = rows
         self._reactions += 1
-        self._put("reaction_keys", "reaction_at", self._reactions, key, first << v.S_COUNT | len(found))
+        self.t = put(self.t, "reaction_keys", "reaction_at", self._reactions, key, first << v.S_COUNT | len(found))
 
-    def _around(self, i: int, key: int, stocks: tuple[int, ...]) -> Iterator[int]:
-        """What each input of agent i reads outside of the agent itself; 0 where there is nothing to read."""
-        senses = self.parts[i].senses
-        gaps = sum(sense.discrete is Discrete.GAP for sense in senses)
-        view = key >> v.S_VIEW & v.MOST_VIEWS - 1
-        signs = iter(self.roads.signs[i][view >> gaps] if self.roads.of[i] >= 0 else ())
-        visits = key >> v.S_VISITS & v.MOST_VISITS - 1
-        left = iter(stocks)
-        for sense in senses:
-            if sense.discrete is Discrete.SECTION:
-                yield next(signs)
-            elif sense.discrete is Discrete.GAP:
-                gaps -= 1
-                yield view >> gaps & 1
-            elif sense.discrete is Discrete.VISIT:
-                yield visits & 1
-                visits >>= 1
-            else:
-                yield next(left) if is_shared(sense) else 0
+    def _signs_of(self, i: int) -> list[tuple[int, ...]]:
+        """What the sensors for signs of agent i read in the classes of zones; none on no road."""
+        return self.roads.signs[i] if self.roads.of[i] >= 0 else []
 
     def _write_number(self, change: Change) -> int:
         """The number of a change of what is shared."""
@@ -352,7 +332,7 @@ class Model:
                 shared[self._agreed_at :] = self.agreement.all_settled(agreed) if settles else agreed
         after = self.shared_number(tuple(shared))
         self._changes += 1
-        self._put("change_keys", "change_to", self._changes, number << v.S_WRITE | write, after)
+        self.t = put(self.t, "change_keys", "change_to", self._changes, number << v.S_WRITE | write, after)
 
     def _fill_inside(self, code: int, i: int, which: int) -> None:
         number = int(self.t.now[1 + i])
@@ -396,42 +376,9 @@ class Model:
         free = -1 if name in ("change_keys", "reaction_keys") else 0
         self.t = self.t._replace(**{name: longer(table, 2 * len(table), free)})
 
-    def _find_confs_again(self) -> None:
-        if isinstance(self.t.confs, list):
-            find_again(self.t)
-            return
-        import numpy as np
-
-        # What is beyond 64 bits is dropped, as it is where this is compiled.
-        with np.errstate(over="ignore"):
-            find_again(self.t)
-
     def _room(self, name: str, size: int) -> None:
         while len(getattr(self.t, name)) < size:
             self._more(name)
-
-    def _put(self, keys: str, values: str, count: int, key: int, value: int) -> None:
-        """Puts a value into a table of open addressing, of which at most half is used."""
-        if 2 * count > len(getattr(self.t, keys)):
-            old_keys, old = getattr(self.t, keys), getattr(self.t, values)
-            size = 2 * len(old_keys)
-            new_keys, new = longer(old_keys[:0], size, -1), longer(old[:0], size, 0)
-            for at, one in enumerate(old_keys):
-                if one >= 0:
-                    to = find(new_keys, int(one))
-                    new_keys[to], new[to] = one, old[at]
-            self.t = self.t._replace(**{keys: new_keys, values: new})
-        at = find(getattr(self.t, keys), key)
-        getattr(self.t, keys)[at], getattr(self.t, values)[at] = key, value
-
-    def _widen_insides(self) -> None:
-        fixed, old = self.t.fixed, self.t.insides
-        stride, size = int(fixed[v.INSIDE_STRIDE]), int(fixed[v.INSIDE_STRIDE]) * int(fixed[v.INSIDE_WIDTH])
-        new = longer(old[:0], 2 * len(old), -1)
-        for i in range(self.count):
-            new[2 * i * size : (2 * i + 1) * size] = old[i * size : (i + 1) * size]
-        fixed[v.INSIDE_STRIDE] = 2 * stride
-        self.t = self.t._replace(insides=new)
 
 
 _MOST_AFTER = 2_000_000

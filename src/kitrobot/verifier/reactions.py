@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 from kitrobot.sim.devices.base import Discrete
+from kitrobot.verifier import columns as v
 from kitrobot.verifier.agreeing import Told
 from kitrobot.verifier.bodies import Inside
 from kitrobot.verifier.parts import Part, Sense
@@ -56,3 +59,30 @@ def after_reaction(part: Part, inside: Inside, reaction: Reaction) -> tuple[int,
         elif act.busy >= 0 and command in act.later:
             busy[act.busy] = 1 + act.ways[command]
     return want, inside._replace(local=reaction.local, busy=tuple(busy))
+
+
+def around(part: Part, signs: Sequence[tuple[int, ...]], key: int, shared: tuple[int, ...]) -> Iterator[int]:
+    """What each input of an agent reads outside of the agent itself; 0 where there is nothing to read.
+
+    Args:
+        part: the agent.
+        signs: what its sensors for signs read in the classes of zones; none on no road.
+        key: what it senses (`looking.sensed`).
+        shared: what it senses of what is shared.
+    """
+    gaps = sum(sense.discrete is Discrete.GAP for sense in part.senses)
+    view = key >> v.S_VIEW & v.MOST_VIEWS - 1
+    its_signs = iter(signs[view >> gaps] if signs else ())
+    visits = key >> v.S_VISITS & v.MOST_VISITS - 1
+    left = iter(shared)
+    for sense in part.senses:
+        if sense.discrete is Discrete.SECTION:
+            yield next(its_signs)
+        elif sense.discrete is Discrete.GAP:
+            gaps -= 1
+            yield view >> gaps & 1
+        elif sense.discrete is Discrete.VISIT:
+            yield visits & 1
+            visits >>= 1
+        else:
+            yield next(left) if is_shared(sense) else 0
