@@ -98,6 +98,15 @@ def test_whichever_manager_comes_late_the_other_waits_and_no_box_is_counted_twic
     assert all(agent.active == () for agent in run.agents), run.sentence
 
 
+def test_an_order_that_arrives_after_what_announces_it_is_waited_for() -> None:
+    """As on a network, whose messages overtake each other."""
+    late = [Failure("store-manager-A", 0, FailureKind.STALL), Failure("store-manager-A", 5, FailureKind.REVIVE)]
+    run = transport(1, 2, failures=late)
+    run.step()
+    run.set_variable("store-manager-B", "Counted", 1)
+    assert (finished(run).outcome, run.stock) == ("done", {"A": 0, "B": 2})
+
+
 @pytest.mark.parametrize("stock", [0, 2])
 def test_messages_that_come_late_or_not_at_all_change_nothing(stock: int) -> None:
     run = finished(transport(1, stock, radio=Radio(delay_ms=700, loss=30)))
