@@ -80,6 +80,8 @@ class Studio:
         self.gallery = Gallery()
         self.tutorials = Tutorials(self.folder)
         self.exercises = Exercises(self.folder)
+        self.judging: dict[str, threading.Event] = {}
+        """What stops each judging that is on, by the name that its page gave it."""
         self.programs = KeptPrograms()
         self._lock = threading.Lock()
         self._kept: dict[tuple[Path, ...], _Kept] = {}

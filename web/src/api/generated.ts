@@ -581,11 +581,15 @@ export interface JournalSize {
   bytes: number;
 }
 
-/** A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked. */
+/**
+ * A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked. `judging` is
+ * a name by which it can be stopped.
+ */
 export interface Judge {
   exercise: string;
   mission: Mission;
   seed?: number | null;
+  judging?: string;
 }
 
 /** What came of each goal, in order; `mission` is what was judged: the programs in the exercise's mission. */
@@ -1367,6 +1371,11 @@ export interface StepRequest {
   by?: "tick" | "vertex";
   back?: boolean;
   agent?: string;
+}
+
+/** The name of the judging that is to be broken off. */
+export interface StopJudging {
+  judging: string;
 }
 
 /** End the run. */
