@@ -17,7 +17,10 @@ ROBOT = ("--robot", "mini-robot")
 FORMS = ("krt", "lll", "kri", "kra", "svg", "png", "pdf")
 READS = {
     **{f"check {form}": ("check", f"bad.{form}") for form in FORMS},
-    **{f"check {kind}": ("check", f"bad.{kind}.xml") for kind in ("robot", "constructors", "world", "tutorial", "exercise")},
+    **{
+        f"check {kind}": ("check", f"bad.{kind}.xml")
+        for kind in ("robot", "constructors", "world", "tutorial", "exercise")
+    },
     **{f"convert {form}": ("convert", f"bad.{form}", "out.kra", *ROBOT) for form in FORMS},
     "check robot of a text": ("check", "good.lll", "--robot", "bad.robot.xml"),
     "format": ("format", "bad.lll"),

@@ -60,22 +60,14 @@ def test_what_was_found_before_judging_is_stopped_is_kept_and_nothing_else_is_sa
     """Two runs, then what is checked: stopped before them, between them, before the check, and not at all."""
     ready = ready_exercise(exercise_file("12-no-jam"))
     opened = open_handed_in(ready.start, submission("12-no-jam", {}), SearchPath(FOLDER))
-    pieces, over = 0, 0
 
-    def tell(done: int, _total: int) -> None:
-        nonlocal over
-        over = done
+    def reached(pieces: int) -> list[bool | None]:
+        over: list[int] = []
+        options = JudgingOptions(stop=lambda: len(over) >= pieces, seeds=(1, 2))
+        made = judge(ready.exercise, opened, options, lambda done, _: over.append(done))
+        return [verdict.reached for verdict in made.verdicts]
 
-    def reached() -> list[bool | None]:
-        nonlocal over
-        over = 0
-        options = JudgingOptions(stop=lambda: over >= pieces, seeds=(1, 2))
-        return [verdict.reached for verdict in judge(ready.exercise, opened, options, tell).verdicts]
-
-    found = []
-    for pieces in (0, 1, 2, 9):
-        found.append(reached())
-    assert found == [
+    assert [reached(pieces) for pieces in (0, 1, 2, 9)] == [
         [None, None, None, None, None],
         [None, False, None, None, None],
         [True, False, True, None, None],

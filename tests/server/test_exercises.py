@@ -59,7 +59,9 @@ def test_a_check_that_is_on_is_stopped_and_what_was_found_is_kept(page, folder) 
         f'<holds property="{name}" timing="{timing}" states="1000000"><label>{name}</label></holds>'
         for name, timing in (("deadlock", "lockstep"), ("empty-storehouse", "free"))
     )
-    text = f'<exercise version="1" start="12-no-jam.krt"><label>L</label><parts most="9"><label>P</label></parts>{goals}'
+    text = (
+        f'<exercise version="1" start="12-no-jam.krt"><label>L</label><parts most="9"><label>P</label></parts>{goals}'
+    )
     (folder / "long.exercise.xml").write_text(text + "</exercise>")
     asked = {"exercise": "long.exercise.xml", "mission": mission_of(page, "12-no-jam.krt"), "judging": "mine"}
     with ThreadPoolExecutor(1) as other:

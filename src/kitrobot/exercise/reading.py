@@ -182,11 +182,7 @@ EXERCISE = {
                 about="Where chance begins in one of the runs; without any there is one run, of seed 1.",
             ),
         },
-        {
-            "seconds": optional(
-                decimal(1, LONGEST_S), USUAL_SECONDS, about="The simulated time that each run may take."
-            )
-        },
+        {"seconds": optional(decimal(1, LONGEST_S), USUAL_SECONDS, about="The simulated time that each run may take.")},
         about="An exercise: a mission to begin with, and goals that are decided by running and checking what was made "
         "of it.",
     )

@@ -1,6 +1,6 @@
 """What tutorials and exercises have in common as files: they begin with a mission beside them, and have a name.
 
-    <tutorial version="1" start="first.krt" icon="flag"><label>First steps</label>…</tutorial>
+<tutorial version="1" start="first.krt" icon="flag"><label>First steps</label>…</tutorial>
 """
 
 from __future__ import annotations

@@ -42,8 +42,8 @@ class ExerciseShape(BaseModel):
 
 
 class JudgeShape(BaseModel):
-    """A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked. `judging`
-    is a name by which it can be stopped.
+    """A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked.
+    `judging` is a name by which it can be stopped.
     """
 
     exercise: Annotated[str, Field(max_length=1000)]
