@@ -1,8 +1,8 @@
 """The requests behind exercises: which there are, and judging a mission piece by piece.
 
 The page asks for one piece after another (a seed's run, then what is checked), so it knows how far it is; the piece
-that is on is broken off by the name that the page gave it, and answers with what it found. Each piece is bounded by steps
-(`workspace.judging`). Hidden goals and seeds are not told here.
+that is on is broken off by the name that the page gave it, and answers with what it found. Each piece is bounded by
+steps (`workspace.judging`). Hidden goals and seeds are not told here.
 """
 
 from __future__ import annotations
