@@ -34,7 +34,7 @@ class Size:
     rounds: int
 
 
-FULL = Size(members=(3, 10, 50), rounds=200)
+FULL = Size(members=(3, 10), rounds=200)
 TINY = Size(members=(2,), rounds=3)
 
 

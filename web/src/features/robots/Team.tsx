@@ -161,6 +161,8 @@ export function TeamPart() {
       <p className="robots-note">
         {tooMany ? t("crew.too-many", { most: MOST_AGENTS, count: agents.length }) : t("crew.about")}
       </p>
+      <Status team={team} other={other} />
+      <Acts team={team} boards={boards} ready={you !== "" && !tooMany} />
       {tooMany ? null : (
         <ul className="crew-list">
           {agents.map(({ name }) => (
@@ -168,8 +170,6 @@ export function TeamPart() {
           ))}
         </ul>
       )}
-      <Status team={team} other={other} />
-      <Acts team={team} boards={boards} ready={you !== "" && !tooMany} />
     </section>
   );
 }
