@@ -13,6 +13,16 @@ from tests.verifier.building import EXAMPLES
 
 pytestmark = pytest.mark.browser
 
+HOLD_FRAMES = """() => {
+    window.heldFrames = [];
+    window.soonFrame = window.requestAnimationFrame;
+    window.requestAnimationFrame = (draw) => window.heldFrames.push(draw);
+}"""
+LET_FRAMES_GO = """() => {
+    window.requestAnimationFrame = window.soonFrame;
+    for (const draw of window.heldFrames) draw(performance.now());
+}"""
+
 
 @pytest.fixture
 def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
@@ -27,7 +37,6 @@ def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
     return "greedy/greedy.krt"
 
 
-@pytest.mark.thorough
 def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check_can_be_stopped(
     open_studio, greedy: str
 ) -> None:
@@ -37,9 +46,13 @@ def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check
     studio.at("property-add-never").click()
     field = studio.at("property-first-0")
     field.focus()
+    # What is drawn late moves no caret: the frames that taking a completion asks for come between two letters.
+    studio.page.evaluate(HOLD_FRAMES)
     keys.press("Enter")
     expect(field).to_have_value("any ")
-    keys.type("carrier-1")
+    keys.type("car")
+    studio.page.evaluate(LET_FRAMES_GO)
+    keys.type("rier-1")
     keys.press("Enter")
     keys.type("Cargo.IsPr")
     keys.press("Enter")
