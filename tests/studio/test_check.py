@@ -10,6 +10,7 @@ from playwright.sync_api import expect
 from tests.patience import PATIENCE_S
 from tests.studio.test_reach import find_nothing
 from tests.verifier.building import EXAMPLES
+from tests.workspace.test_drawing_check import WAIT
 
 pytestmark = pytest.mark.browser
 
@@ -84,3 +85,33 @@ def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check
     studio.at("check-play").click()
     expect(studio.at("status")).to_have_attribute("data-status", "paused", timeout=1000 * PATIENCE_S)
     expect(studio.at("status")).to_contain_text("01:05.6")
+
+
+@pytest.fixture
+def stranded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
+    """A carrier that waits for a sign which its road does not have."""
+    path = tmp_path / "made" / "stranded" / "stranded.krt"
+    path.parent.mkdir(parents=True)
+    path.write_text(WAIT, encoding="utf-8")
+    monkeypatch.setitem(open_studio.__globals__, "EXAMPLES", tmp_path / "made")
+    return "stranded/stranded.krt"
+
+
+def test_after_an_edit_what_waits_for_ever_is_among_the_problems_and_a_press_plays_it_until_the_next_edit(
+    open_studio, stranded: str
+) -> None:
+    studio = open_studio(stranded)
+    problems = studio.at("problems")
+    expect(problems).to_contain_text("0")
+    studio.at("vertex-halt").click()
+    studio.page.keyboard.press("Delete")
+    expect(problems).to_contain_text("2", timeout=1000 * PATIENCE_S)
+    expect(studio.at("problem-first")).to_have_attribute("data-severity", "warning")
+    problems.click()
+    expect(studio.at("problem-1")).to_contain_text("carrier-1 can come to wait here for ever", ignore_case=True)
+    expect(studio.at("show-2")).to_have_count(0)
+    studio.at("show-1").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused", timeout=1000 * PATIENCE_S)
+    find_nothing(studio, "problems that a run shows")
+    studio.page.keyboard.press("Control+z")
+    expect(studio.at("problem-first")).to_have_count(0)

@@ -378,6 +378,31 @@ export interface Dock {
   heading_rad: number;
 }
 
+/** What was found: all there is to tell. */
+export interface DrawingCheckMessage {
+  type: "found";
+  findings: DrawingFinding[];
+}
+
+/** Look through this mission; it takes some seconds at most. */
+export interface DrawingCheckStartRequest {
+  type: "start";
+  mission: Mission;
+  path: string;
+  seed: number;
+}
+
+/** Break it off; nothing is told then. */
+export interface DrawingCheckStopRequest {
+  type: "stop";
+}
+
+/** A problem, and the run of the simulator that shows it, if one does. */
+export interface DrawingFinding {
+  problem: Problem;
+  shown: ConfirmingRun | null;
+}
+
 /** What became of the program of a text: rows of the lists of the program that was sent with it. */
 export interface DrawnProgram {
   vertices: (Vertex | [number, number])[];

@@ -1,6 +1,8 @@
 /** English for the check of a mission, which is fetched later. */
 export const CHECK_EN = {
   "work.problems": "Show the problems",
+  "problems.show-run": "Show me",
+  "problems.show-run-of": "Show me: {message}",
   "check.title": "Check",
   "check.close": "Close the check",
   "check.what":

@@ -9,6 +9,7 @@ from pydantic import BaseModel, Field, TypeAdapter
 from kitrobot.server.sentences import Clause, Spoken
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.work import WorkMessage, WorkRefusedMessage
+from kitrobot.verifier import Confirmed
 from kitrobot.workspace.background_check import Answered, Checked, Explored
 from kitrobot.workspace.verification import MOST_FAILURES
 
@@ -149,17 +150,20 @@ def _answer(one: Answered, tick_ms: int) -> CheckedPropertyShape:
         events=[CheckedEventShape(step=step, text=text) for step, text in one.story],
         left_out=one.left_out,
         searched=one.searched,
-        confirmed=None
-        if run is None
-        else ConfirmingRunShape(
-            seed=run.seed,
-            tick=run.tick,
-            seconds=run.tick * tick_ms / 1000,
-            failures=[
-                ConfirmingFailureShape.model_validate(
-                    {"agent": harm.agent, "at_s": harm.tick * tick_ms / 1000, "kind": harm.kind}
-                )
-                for harm in run.harms
-            ],
-        ),
+        confirmed=None if run is None else confirming_run_shape(run, tick_ms),
+    )
+
+
+def confirming_run_shape(run: Confirmed, tick_ms: int) -> ConfirmingRunShape:
+    """A run of the simulator that shows something, as the page plays it."""
+    return ConfirmingRunShape(
+        seed=run.seed,
+        tick=run.tick,
+        seconds=run.tick * tick_ms / 1000,
+        failures=[
+            ConfirmingFailureShape.model_validate(
+                {"agent": harm.agent, "at_s": harm.tick * tick_ms / 1000, "kind": harm.kind}
+            )
+            for harm in run.harms
+        ],
     )

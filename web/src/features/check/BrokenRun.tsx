@@ -5,12 +5,13 @@ import type { CheckedEvent, CheckedProperty, ConfirmingRun } from "../../api/gen
 import { clock, grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
+import { isHeldByRobots } from "../../session/confirming-run";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { type Cell, stretches } from "./table";
 import { assumptionWords } from "./Verdict";
-import { answerAt, isHeldByRobots, play, useCheck } from "./verifying";
+import { answerAt, play, useCheck } from "./verifying";
 
 export function BrokenRun({ cell }: { cell: Cell }) {
   const shown = answerAt(

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 
 import type { CheckedProperty, ConfirmingRun } from "../../api/generated";
 import { plan, shapeOf, stretches } from "./table";
-import { withFailures } from "./verifying";
+import { withFailures } from "../../session/confirming-run";
 
 const BROKEN: CheckedProperty = {
   name: "contact",
