@@ -270,6 +270,8 @@ export interface CheckedProperty {
   left_out: number;
   confirmed: ConfirmingRun | null;
   searched: boolean;
+  scenes: Scene[];
+  guilty: Guilty[];
 }
 
 /** An offer that becomes a slot under that name; numbers with one name become one slot. */
@@ -548,6 +550,15 @@ export interface Group {
   colour: "loop" | "choice" | "parallel" | "action" | "test" | "team";
   label: Record<string, string>;
   constructors: Constructor[];
+}
+
+/** A vertex at which a property is broken, whose robot, what happens there, and whether it goes on for ever. */
+export interface Guilty {
+  agent: string;
+  program: string;
+  vertex: string;
+  sentence: string;
+  repeats: boolean;
 }
 
 /** Let an agent fail for good, miss its ticks or lose its radio, or make it well again. */
@@ -1206,6 +1217,12 @@ export interface Saved {
   locked?: boolean;
 }
 
+/** What a run of the model looks like before a step; the robots are in the order of the mission's agents. */
+export interface Scene {
+  step: number;
+  robots: Stand[];
+}
+
 /** What happens to an agent at so many simulated seconds. */
 export interface ScheduledFailure {
   agent: string;
@@ -1313,6 +1330,14 @@ export interface SpanEntry {
 export interface SpeedRequest {
   type: "speed";
   value: number;
+}
+
+/** A robot in a scene; `at` are the vertices at which its program stands, each with the name of its program. */
+export interface Stand {
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+  at: [string, string][];
 }
 
 /** Where an agent may start. */
