@@ -1,5 +1,5 @@
 /** On a vertex at which a property is broken: a cross at its corner, ∞ and the robot, and a sentence above or beside it. */
-import { useLayoutEffect, useRef, useState } from "react";
+import { type CSSProperties, useEffect, useRef, useState } from "react";
 
 import { grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
@@ -9,8 +9,6 @@ import type { GuiltyMark } from "../../session/guilty";
 import { Icon } from "../../theme";
 import "./guilty.css";
 
-/** Room that the sentence needs between the vertex and the upper edge of the canvas, px. */
-const ROOM = 24;
 const SHOWN_STEPS = 3;
 
 export function GuiltyVertex({ mark }: { mark: GuiltyMark }) {
@@ -42,19 +40,45 @@ export function GuiltyVertex({ mark }: { mark: GuiltyMark }) {
   );
 }
 
-/** It stands above the vertex where there is room when it comes, else beside it. */
+/** How much of it must be in view, in parts: at each it is looked whether it can be brought in. */
+const SHARES = [0.1, 0.25, 0.5, 0.75, 0.9, 1];
+
+/** It stands above the vertex, as far to the left or right as it is in view; beside it where above is no room. */
 function Bubble({ text }: { text: string }) {
   const bubble = useRef<HTMLSpanElement>(null);
   const [side, setSide] = useState<"above" | "before" | "behind">("above");
-  useLayoutEffect(() => {
-    const node = bubble.current?.parentElement?.getBoundingClientRect();
-    const canvas = bubble.current?.closest(".react-flow")?.getBoundingClientRect();
-    const height = bubble.current?.getBoundingClientRect().height ?? 0;
-    if (node === undefined || canvas === undefined || node.top - canvas.top > height + ROOM) return;
-    setSide(node.left - canvas.left > canvas.right - node.right ? "before" : "behind");
-  }, []);
+  const [shift, setShift] = useState(0);
+  useEffect(() => {
+    const shown = bubble.current;
+    const root = shown?.closest(".react-flow");
+    if (side !== "above" || shown == null || root == null) return;
+    const observer = new IntersectionObserver(
+      ([entry]) => {
+        if (entry === undefined || entry.intersectionRatio === 0 || entry.intersectionRatio === 1) return;
+        const canvas = root.getBoundingClientRect();
+        const now = shown.getBoundingClientRect();
+        const node = shown.parentElement?.getBoundingClientRect() ?? now;
+        if (now.top < canvas.top && node.top > canvas.top) {
+          setSide(node.left - canvas.left > canvas.right - node.right ? "before" : "behind");
+        } else {
+          const over = Math.max(0, now.right - canvas.right) - Math.max(0, canvas.left - now.left);
+          setShift((before) => before - (over * shown.offsetWidth) / now.width);
+        }
+      },
+      { root, threshold: SHARES },
+    );
+    observer.observe(shown);
+    return () => observer.disconnect();
+  }, [side]);
   return (
-    <span className="guilty-bubble" data-side={side} ref={bubble} role="note" data-testid="guilty-sentence">
+    <span
+      className="guilty-bubble"
+      data-side={side}
+      style={{ "--shift": `${String(shift)}px` } as CSSProperties}
+      ref={bubble}
+      role="note"
+      data-testid="guilty-sentence"
+    >
       <Icon name="x" size={16} />
       <span>
         <Said text={text} />

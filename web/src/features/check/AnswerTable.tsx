@@ -1,4 +1,6 @@
 /** The table of answers: a grid that keys walk in; a broken one opens its run. */
+import { useEffect } from "react";
+
 import type { CheckedProperty, VerifyColumnMessage } from "../../api/generated";
 import { decimal, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
@@ -62,15 +64,14 @@ export function AnswerTable() {
   };
   const { at, table } = useGridWalk({ row: rows.length, column: plan.length }, choose);
 
+  useEffect(() => {
+    // The table is narrower beside a run. Not returned: newer browsers give a promise.
+    table.ref.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: "nearest", inline: "nearest" });
+  }, [open, table.ref]);
+
   return (
     <div className="check-scroll">
-      <table
-        className="check-table"
-        role="grid"
-        aria-label={t("check.table")}
-        data-testid="check-table"
-        {...table}
-      >
+      <table className="check-table" role="grid" aria-label={t("check.table")} data-testid="check-table" {...table}>
         <thead>
           <tr>
             <th scope="col">{t("check.property")}</th>

@@ -30,7 +30,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   const place = useRef<HTMLElement>(null);
   useEffect(() => {
     // Not returned: newer browsers give a promise.
-    place.current?.scrollIntoView({ block: "nearest" });
+    place.current?.scrollIntoView({ block: "start" });
   }, []);
   const mission = useCheck((check) => check.asked?.mission);
   const wrong = shown?.answer;

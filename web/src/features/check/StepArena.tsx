@@ -98,7 +98,9 @@ export function StepArena({ answer, mission }: { answer: CheckedProperty; missio
           onClick={() => go(at + 1)}
         />
         <span className="check-count" role="status">
-          {scene.step === 0 ? t("check.step-first") : t("check.step-of", { step: grouped(scene.step), steps: grouped(answer.steps) })}
+          {scene.step === 0
+            ? t("check.step-first")
+            : t("check.step-of", { step: grouped(scene.step), steps: grouped(answer.steps) })}
           {repeats ? <Icon name="infinity" size={14} label={t("check.repeats")} /> : null}
         </span>
       </div>
