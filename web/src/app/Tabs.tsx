@@ -138,7 +138,11 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
       </span>
       <Count count={count === 1 || (count === 0 && inTeam) ? undefined : count} sign="×" />
       <Errors there={errors === true} />
-      {guilty ? <Icon name="x" size={14} label={t("guilty.broken")} /> : null}
+      {guilty ? (
+        <span className="guilty-cross">
+          <Icon name="x" size={14} label={t("guilty.broken")} />
+        </span>
+      ) : null}
     </button>
   );
 }

@@ -84,7 +84,6 @@ export const CHECK_EN = {
   "check.step-back": "One step back",
   "check.step-on": "One step on",
   "check.step-play": "Play the steps",
-  "check.step-pause": "Pause",
   "check.step-first": "Before the first step",
   "check.step-of": "Step {step} of {steps}",
   "guilty.broken": "A property is broken here",

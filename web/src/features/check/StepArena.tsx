@@ -82,7 +82,7 @@ export function StepArena({ answer, mission }: { answer: CheckedProperty; missio
         <Tool
           small
           icon={plays ? "pause" : "play"}
-          label={plays ? t("check.step-pause") : t("check.step-play")}
+          label={plays ? t("run.pause") : t("check.step-play")}
           testId="check-steps-play"
           onClick={() => {
             if (!plays && at === last) setAt(0);
