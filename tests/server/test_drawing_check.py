@@ -5,8 +5,10 @@ from __future__ import annotations
 import json
 from typing import Any
 
+import pytest
 from pydantic import TypeAdapter
 
+from kitrobot.server import drawing_checks
 from kitrobot.server.shapes.drawing_check import DrawingCheckMessage
 from tests.server.conftest import SOCKET, TOKEN
 from tests.workspace.test_drawing_check import WAIT
@@ -14,7 +16,10 @@ from tests.workspace.test_drawing_check import WAIT
 MESSAGE: TypeAdapter[Any] = TypeAdapter(DrawingCheckMessage)
 
 
-def test_what_is_found_comes_in_the_readers_language_and_what_is_no_mission_is_refused(page) -> None:
+def test_what_is_found_comes_in_the_readers_language_and_what_is_no_mission_is_refused(
+    page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(drawing_checks, "EXPLORE_S", None)  # However busy the machine is.
     drawn = page.post("/api/mission/read", content=WAIT.encode()).json()["mission"]
     with page.websocket_connect(f"{SOCKET}/api/drawing-check?language=fr&token={TOKEN}") as socket:
 

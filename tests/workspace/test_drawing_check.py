@@ -1,4 +1,4 @@
-"""What is said of a mission while it is drawn: waits and loops without an end, parts that never run, and nothing else."""
+"""What is said of a mission while it is drawn: waits and loops without an end, parts that never run."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def of(text: str, folder: Path) -> PreparedRun:
 def test_a_wait_that_nothing_can_end_is_told_with_a_run_that_shows_it_and_what_never_runs_behind_it(
     tmp_path: Path,
 ) -> None:
-    wait, idle = look_through(of(WAIT, tmp_path), lambda: False)
+    wait, idle = look_through(of(WAIT, tmp_path), lambda: False, None)
     assert (wait.problem.code, wait.problem.program, wait.problem.vertices) == ("waits-for-ever", "drive", ("first",))
     assert str(wait.problem.message) == "`carrier-1` can come to wait here for ever"
     assert wait.shown is not None

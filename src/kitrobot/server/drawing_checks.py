@@ -1,6 +1,6 @@
 """`WS /api/drawing-check`: what a mission that is being drawn may do for ever; asked after an edit, and only told.
 
-Left to others: finding it (`workspace.drawing_check`). The page closes the socket at the next edit, which ends the work.
+Left to others: finding it (`workspace.drawing_check`). The page closes the socket at the next edit, which ends it.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from kitrobot.server.shapes.drawing_check import (
 )
 from kitrobot.text import Sentence
 from kitrobot.workspace import RunOptions
-from kitrobot.workspace.drawing_check import RUN_S, look_through
+from kitrobot.workspace.drawing_check import EXPLORE_S, RUN_S, look_through
 
 drawing_check_routes = APIRouter()
 
@@ -40,4 +40,5 @@ class _DrawingCheck(BackgroundWork):
     def work(self, request: DrawingCheckStartRequest) -> DrawingCheckMessage:
         opened = self.studio.open(mission_from_shape(request.mission), request.path)
         prepared = opened.prepare(RunOptions(request.seed, RUN_S))
-        return drawing_check_message(look_through(prepared, self.stop.is_set), prepared.simulation.tick_ms)
+        found = look_through(prepared, self.stop.is_set, EXPLORE_S)
+        return drawing_check_message(found, prepared.simulation.tick_ms)

@@ -71,7 +71,9 @@ def guilty(model: Model, verdict: Verdict) -> tuple[Guilty, ...]:
     if way.repeats_from >= 0:
         return tuple(_for_ever(model, verdict, way)[:_MOST_GUILTY])
     before = way.states[-2] if len(way.states) > 1 else way.states[-1]
-    event = next((one for one in reversed(way.steps[-1].events) if one.what is not What.TICK), None) if way.steps else None
+    event = (
+        next((one for one in reversed(way.steps[-1].events) if one.what is not What.TICK), None) if way.steps else None
+    )
     condition = verdict.property.never or (verdict.property.breaks or (None,))[0]
     if isinstance(condition, Sensed):
         return _at(model, before, condition.agents, verdict.property.sentence)

@@ -87,9 +87,11 @@ class _Found(NamedTuple):
     idle: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
 
-def look_through(prepared: PreparedRun, stop: Callable[[], bool]) -> list[DrawingFinding]:
+def look_through(
+    prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None = EXPLORE_S
+) -> list[DrawingFinding]:
     """What a mission that is being drawn may do for ever, and what no run comes to; nothing where `stop` says so, or
-    where it is not known in time.
+    where it is not known in time; `explore_s` of None: however long it takes.
 
     Raises:
         VerificationError: the process died.
@@ -98,13 +100,13 @@ def look_through(prepared: PreparedRun, stop: Callable[[], bool]) -> list[Drawin
         return []  # No discrete form: a process would only find that out.
     context = multiprocessing.get_context("spawn")
     mine, its = context.Pipe(duplex=False)
-    process = context.Process(target=_look, args=(prepared.parts(), prepared.options.seed, its), daemon=True)
+    process = context.Process(target=_look, args=(prepared.parts(), prepared.options.seed, explore_s, its), daemon=True)
     process.start()
     its.close()
     until = time.monotonic() + PATIENCE_S
     try:
         while not mine.poll(_LOOK_S):
-            if stop() or time.monotonic() > until:
+            if stop() or (explore_s is not None and time.monotonic() > until):
                 return []
         found: _Found = mine.recv()
     except (EOFError, OSError) as error:
@@ -114,7 +116,10 @@ def look_through(prepared: PreparedRun, stop: Callable[[], bool]) -> list[Drawin
         process.kill()
         process.join()
     known = {(one.program, vertex) for one in prepared.opened.before_setup for vertex in one.vertices}
-    return [*map(_trap, found.traps), *(one for row in found.idle for one in _idle(prepared.opened.mission, *row, known))]
+    return [
+        *map(_trap, found.traps),
+        *(one for row in found.idle for one in _idle(prepared.opened.mission, *row, known)),
+    ]
 
 
 def _trap(one: _Trapped) -> DrawingFinding:
@@ -142,13 +147,13 @@ def _idle(mission: Mission, name: str, vertices: tuple[str, ...], known: set[tup
     return [DrawingFinding(NEVER_REACHED(message, help=help, program=name, vertices=told))]
 
 
-def _look(parts: tuple[Any, ...], seed: int, out: Connection) -> None:
+def _look(parts: tuple[Any, ...], seed: int, explore_s: float | None, out: Connection) -> None:
     """In the process."""
     end_with_parent()
     with suppress(OSError, AttributeError):  # Windows has no nice
         os.nice(19)
     try:
-        found = look(runs_of(parts), seed)
+        found = look(runs_of(parts), seed, explore_s)
     except KitRobotError:
         found = _Found()
     with suppress(OSError):
