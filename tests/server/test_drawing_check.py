@@ -34,7 +34,8 @@ def test_what_is_found_comes_in_the_readers_language_and_what_is_no_mission_is_r
         assert first["shown"]["seed"] == 1
         assert second["problem"]["code"] == "never-reached"
         assert second["shown"] is None
-        for odd in ({"mission": {}}, {"seed": -1}, {"path": 3}):
+        mistakes: list[dict[str, Any]] = [{"mission": {}}, {"seed": -1}, {"path": 3}]
+        for odd in mistakes:
             assert asked(**odd)["type"] == "refused"
         robots = [{"name": "r", "program": "missing", "start": ""}]
         assert asked(mission={**drawn, "agents": robots})["problems"]
