@@ -270,6 +270,8 @@ export interface CheckedProperty {
   left_out: number;
   confirmed: ConfirmingRun | null;
   searched: boolean;
+  scenes: Scene[];
+  guilty: Guilty[];
 }
 
 /** An offer that becomes a slot under that name; numbers with one name become one slot. */
@@ -385,6 +387,31 @@ export interface Dock {
 export interface Drawing {
   keep: number;
   marks: [number, 1 | 2 | 4, number, number, number, number][];
+}
+
+/** What was found: all there is to tell. */
+export interface DrawingCheckMessage {
+  type: "found";
+  findings: DrawingFinding[];
+}
+
+/** Look through this mission; it takes some seconds at most. */
+export interface DrawingCheckStartRequest {
+  type: "start";
+  mission: Mission;
+  path: string;
+  seed: number;
+}
+
+/** Break it off; nothing is told then. */
+export interface DrawingCheckStopRequest {
+  type: "stop";
+}
+
+/** A problem, and the run of the simulator that shows it, if one does. */
+export interface DrawingFinding {
+  problem: Problem;
+  shown: ConfirmingRun | null;
 }
 
 /** What became of the program of a text: rows of the lists of the program that was sent with it. */
@@ -532,6 +559,15 @@ export interface Group {
   colour: "loop" | "choice" | "parallel" | "action" | "test" | "team";
   label: Record<string, string>;
   constructors: Constructor[];
+}
+
+/** A vertex at which a property is broken, whose robot, what happens there, and whether it goes on for ever. */
+export interface Guilty {
+  agent: string;
+  program: string;
+  vertex: string;
+  sentence: string;
+  repeats: boolean;
 }
 
 /** Let an agent fail for good, miss its ticks or lose its radio, or make it well again. */
@@ -1194,6 +1230,12 @@ export interface Saved {
   locked?: boolean;
 }
 
+/** What a run of the model looks like before a step; the robots are in the order of the mission's agents. */
+export interface Scene {
+  step: number;
+  robots: Stand[];
+}
+
 /** What happens to an agent at so many simulated seconds. */
 export interface ScheduledFailure {
   agent: string;
@@ -1301,6 +1343,14 @@ export interface SpanEntry {
 export interface SpeedRequest {
   type: "speed";
   value: number;
+}
+
+/** A robot in a scene; `at` are the vertices at which its program stands, each with the name of its program. */
+export interface Stand {
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+  at: [string, string][];
 }
 
 /** Where an agent may start. */
