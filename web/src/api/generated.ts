@@ -4,6 +4,12 @@
  * Written by `python tools/api_types.py` from the models in `src/kitrobot/server/shapes`: change those instead.
  */
 
+/** A part of a robot, as it is called, and its picture. */
+export interface Ability {
+  icon: string;
+  label: Record<string, string>;
+}
+
 /** The constructor, and its slot, that a branch adds itself to. */
 export interface Adds {
   constructor: string;
@@ -73,6 +79,13 @@ export interface AskedProperty {
   form: "never" | "after" | "eventually" | "stays";
   first: string;
   second?: string;
+}
+
+/** All there is to choose from. Every kit can begin in each of its places without parts, too: the starter `nothing`. */
+export interface Beginnings {
+  kits: Kit[];
+  places: kitrobot__server__shapes__beginning__Place[];
+  starters: Starter[];
 }
 
 /** Break off the sending; the robot keeps the program that it had. */
@@ -594,6 +607,17 @@ export interface Judged {
   mission: Mission;
 }
 
+/** Robots to begin with; `places` are the names of those they fit. `can` and `feels`: their actuators and sensors. */
+export interface Kit {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  robots: string[];
+  can: Ability[];
+  feels: Ability[];
+  places: string[];
+}
+
 /** Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601). */
 export interface Left {
   journal: string;
@@ -747,7 +771,7 @@ export interface Offer {
   kind: "flow" | "condition" | "value" | "number" | "text" | "action";
   name: string;
   label: Record<string, string>;
-  inside: Place | null;
+  inside: kitrobot__server__shapes__part__Place | null;
   is_open: boolean;
   value: string;
   min: number;
@@ -962,12 +986,6 @@ export interface Picture {
   agents: string[];
 }
 
-/** A slot or parameter of a vertex; the slot "" is the vertex itself. */
-export interface Place {
-  vertex: string;
-  slot: string;
-}
-
 /** A world's file as something that can be changed: None when it is not there or has mistakes, which are told. */
 export interface Plan {
   world: OwnWorld | null;
@@ -982,6 +1000,13 @@ export interface Point {
   kind: "part" | "vertex" | "button" | "panel" | "program" | "group";
   name: string;
   inner: string;
+}
+
+/** A starter with its first program, and what its agents do in the first seconds. */
+export interface Preview {
+  starter: string;
+  program: Program;
+  tracks: Track[];
 }
 
 /** A diagnostic; lines and columns count from 1 and are 0 where there is no file. */
@@ -1347,6 +1372,14 @@ export interface StartedMessage {
   another: boolean;
 }
 
+/** A first program; `places` says for each kit that it fits where it can be had. The one without parts has no label. */
+export interface Starter {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  places: Record<string, string[]>;
+}
+
 /**
  * What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only.
  * `problems` are hints on a run that ended before anything could be seen.
@@ -1535,6 +1568,13 @@ export interface TickMessage {
   team: TeamNow | null;
 }
 
+/** The way of an agent: (x mm, y mm, heading rad), one each tenth of a second. */
+export interface Track {
+  agent: string;
+  robot: string;
+  points: [number, number, number][];
+}
+
 /** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */
 export interface Tutorial {
   name: string;
@@ -1701,6 +1741,20 @@ export interface WorldEntry {
 /** The world of a mission: None when its file is not there, or is no world. */
 export interface WorldFile {
   world: World | null;
+}
+
+/** A world to begin in. */
+export interface kitrobot__server__shapes__beginning__Place {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  world: World;
+}
+
+/** A slot or parameter of a vertex; the slot "" is the vertex itself. */
+export interface kitrobot__server__shapes__part__Place {
+  vertex: string;
+  slot: string;
 }
 
 export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsMessage | ErrorMessage;
