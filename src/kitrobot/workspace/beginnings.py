@@ -25,6 +25,9 @@ from kitrobot.workspace.worlds import read_world_file
 from kitrobot.world import EMPTY, World, find_world
 from kitrobot.xml import LONGEST_NAME, NAME, TEXTS, Element, Kind, Reader, Tag, needed, optional, version
 
+VERSION = 1
+"""The newest version of the list that is read."""
+
 NOTHING = "nothing"
 """The starter without parts: start and stop alone. It fits every kit in every place."""
 
@@ -127,7 +130,7 @@ def _starter(element: Element) -> Starter | None:
 BEGINNINGS = {
     "beginnings": Tag(
         None,
-        {"version": version(1)},
+        {"version": version(VERSION)},
         {
             "kit": Tag(
                 _kit, {"name": needed(), "robot": optional(), "mission": optional(_MISSION), "places": optional()}, TEXTS
@@ -139,6 +142,7 @@ BEGINNINGS = {
                 {"for": Tag(_for, {"kit": needed(NAME), "mission": needed(_MISSION), "places": optional()})},
             ),
         },
+        open=lambda root: root.version(VERSION),
     )
 }
 
@@ -248,8 +252,11 @@ class Choices:
         href = next(one.href for one in self.places if one.name == place)
         if starter == NOTHING:
             return replace(self._team(chosen), world_href=href)
-        made = self.mission(starter_mission(self.starters, starter, kit))
-        return replace(_untitled(made), world_href=href)
+        made = _untitled(self.mission(starter_mission(self.starters, starter, kit)))
+        if chosen.robot:
+            # One robot starts where every place has a start.
+            made = replace(made, team=mission_of(made.programs[0]).team)
+        return replace(made, world_href=href)
 
     def _team(self, kit: Kit) -> Mission:
         """The team of a kit, with programs without parts."""

@@ -72,6 +72,7 @@ function NodeShape({ node: { kind, colour, x, y, w, h } }: { node: LayoutNode })
       <polygon className="picture-node" data-colour={colour} points={points.map((at) => at.join(",")).join(" ")} />
     );
   }
+  if (kind === "place") return <rect className="picture-place" x={x} y={y} width={w} height={h} rx={8} />;
   const end = kind === "start" || kind === "stop";
   const flat = kind === "bar" || kind === "barEnd";
   // A bar is thin on its box; here the box would be a slab.

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 import { begin } from "../app/beginning";
+import { api } from "../api/client";
 import { emptyProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
 import type { Mission, MissionFile } from "../model/types";

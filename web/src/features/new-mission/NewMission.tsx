@@ -184,7 +184,7 @@ function Form({ all }: { all: Beginnings }) {
         beginMission(() => beginningsApi.mission(choice.kit, choice.place, choice.starter), name);
       }}
     >
-      <div className="new-rows">
+      <main className="new-rows">
         <h2 id="new-title">{t("new.title")}</h2>
         <p>{t("new.help")}</p>
         <Row number={1} title={t("new.robot")}>
@@ -255,7 +255,7 @@ function Form({ all }: { all: Beginnings }) {
             </Card>
           ))}
         </Row>
-      </div>
+      </main>
       <aside className="new-side" aria-label={t("new.yours")}>
         <div className="new-side-head">
           <h2>{t("new.yours")}</h2>

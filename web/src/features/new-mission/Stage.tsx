@@ -61,7 +61,7 @@ function box(world: World, tracks: readonly Track[], close: boolean): [number, n
   const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
   const [left, right] = [Math.min(...xs), Math.max(...xs)];
   const [low, high] = [Math.min(...ys), Math.max(...ys)];
-  const side = Math.max(right - left, high - low, Math.min(width, height) / 4) * (1 + 2 * MARGIN);
+  const side = Math.max(right - left, high - low, Math.min(width, height) / 8) * (1 + 2 * MARGIN);
   return [(left + right - side) / 2, height - (low + high + side) / 2, side, side];
 }
 
@@ -69,7 +69,7 @@ export function Stage({ world, tracks, still = false, close = false }: StageProp
   const length = Math.max(0, ...tracks.map(({ points }) => points.length));
   const moment = useMoment(length, still);
   const view = box(world, tracks, close);
-  const size = close && tracks.length === 1 ? view[2] * 0.2 : Math.max(135, world.width_mm * ROBOT_PART);
+  const size = close && tracks.length === 1 ? view[2] * 0.24 : Math.max(135, world.width_mm * ROBOT_PART);
   const up = (y: number) => world.height_mm - y;
   return (
     <WorldPicture world={world} agents={[]} view={view}>
