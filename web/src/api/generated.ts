@@ -391,6 +391,15 @@ export interface Dock {
   heading_rad: number;
 }
 
+/**
+ * What pens drew: of the marks that were told before, the first `keep` stay, and `marks` come after them. A line that
+ * has not ended goes on to where its robot is.
+ */
+export interface Drawing {
+  keep: number;
+  marks: [number, 1 | 2 | 4, number, number, number, number][];
+}
+
 /** What became of the program of a text: rows of the lists of the program that was sent with it. */
 export interface DrawnProgram {
   vertices: (Vertex | [number, number])[];
@@ -1145,7 +1154,7 @@ export interface Robot {
 export interface RobotObject {
   name: string;
   category: "actuator" | "sensor" | "variable" | "system";
-  look?: "" | "wheels" | "lights" | "melody" | "pin" | "lamp" | "bar" | "sound" | "number";
+  look?: "" | "wheels" | "lights" | "melody" | "pin" | "lamp" | "bar" | "sound" | "number" | "pen";
   hand?: "" | "button" | "gesture" | "slider";
   icon: string;
   label: Record<string, string>;
@@ -1370,6 +1379,7 @@ export interface StartedMessage {
   fleet: boolean;
   watching: boolean;
   another: boolean;
+  pens: number[];
 }
 
 /** A first program; `places` says for each kit that it fits where it can be had. The one without parts has no label. */
@@ -1552,7 +1562,7 @@ export interface TextEdit {
  * The run as it stands; `agents` holds only those that changed since the last message, and of very many only those that
  * are looked at. `latest` is the furthest tick of this future: less than before when another one has begun. `events`
  * are those since the last message, or with `again` all up to `latest`. `team` is null where it stands as before, or
- * there is none.
+ * there is none, and so is `drawing`.
  */
 export interface TickMessage {
   type: "tick";
@@ -1566,6 +1576,7 @@ export interface TickMessage {
   collisions: number;
   events: RunEvent[];
   team: TeamNow | null;
+  drawing: Drawing | null;
 }
 
 /** The way of an agent: (x mm, y mm, heading rad), one each tenth of a second. */
