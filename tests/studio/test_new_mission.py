@@ -43,7 +43,9 @@ def test_what_does_not_fit_gives_way_and_says_so_and_escape_keeps_what_was_open(
     choose(studio, "new-kit-microbit")
     expect(studio.at("new-place-desk.world.xml")).to_be_checked()
     expect(studio.at("new-place-empty.world.xml")).to_be_disabled()
-    expect(studio.page.locator("label", has=studio.at("new-place-empty.world.xml"))).to_contain_text("Not for this robot")
+    expect(studio.page.locator("label", has=studio.at("new-place-empty.world.xml"))).to_contain_text(
+        "Not for this robot"
+    )
     expect(studio.at("new-starter-heart/heart.krt")).to_be_checked()
     expect(studio.at("new-starter-square/square.krt")).to_have_count(0)
     choose(studio, "new-kit-carriers")

@@ -8,8 +8,8 @@ from kitrobot.server.shapes import MissionFileShape
 from kitrobot.server.shapes.beginning import (
     BeginningsShape,
     PreviewShape,
+    beginning_place_shape,
     kit_shape,
-    place_shape,
     preview_shape,
     starter_shape,
 )
@@ -24,7 +24,7 @@ def beginnings(studio: ThisStudio) -> BeginningsShape:
     choices, catalogue = studio.choices, studio.catalogue("")
     return BeginningsShape(
         kits=[kit_shape(kit, choices, catalogue) for kit in choices.kits],
-        places=[place_shape(place) for place in choices.places],
+        places=[beginning_place_shape(place) for place in choices.places],
         starters=[starter_shape(starter, choices) for starter in choices.starters],
     )
 

@@ -1,8 +1,8 @@
 """What a new mission can begin with: a kit of robots, a place, and a first program that moves.
 
-`shipped/beginnings.xml` names kits, places and starters; what they are called is said by the robots, worlds and missions
-themselves. What fits what follows from them: a kit fits a place that has a start for each of its agents, a starter fits
-the kits for which it has a mission. Left to others: showing it (server, page).
+`shipped/beginnings.xml` names kits, places and starters; what they are called is said by the robots, worlds and
+missions themselves. What fits what follows from them: a kit fits a place that has a start for each of its agents, a
+starter fits the kits for which it has a mission. Left to others: showing it (server, page).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from kitrobot.files.folder import EXAMPLE
 from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Mission, read_mission
 from kitrobot.text import Sentence
-from kitrobot.workspace.opening import NEW_AGENT, NEW_PROGRAM, OpenMission, mission_of
+from kitrobot.workspace.opening import NEW_PROGRAM, OpenMission, mission_of
 from kitrobot.workspace.running import RunOptions, prepare
 from kitrobot.workspace.worlds import read_world_file
 from kitrobot.world import EMPTY, World, find_world
@@ -90,7 +90,9 @@ class Track:
 
 _WORLD = Kind(longest=LONGEST_NAME, fits=re.compile(r"[\w.-]+\.xml").fullmatch, words=Sentence("the name of a world"))
 _MISSION = Kind(
-    longest=LONGEST_NAME, fits=re.compile(r"[\w.-]+(/[\w.-]+)*\.krt").fullmatch, words=Sentence("the path of a .krt")
+    longest=LONGEST_NAME,
+    fits=re.compile(r"[\w-][\w.-]*(/[\w-][\w.-]*)*\.krt").fullmatch,
+    words=Sentence("the path of a .krt"),
 )
 
 
@@ -133,7 +135,9 @@ BEGINNINGS = {
         {"version": version(VERSION)},
         {
             "kit": Tag(
-                _kit, {"name": needed(), "robot": optional(), "mission": optional(_MISSION), "places": optional()}, TEXTS
+                _kit,
+                {"name": needed(), "robot": optional(), "mission": optional(_MISSION), "places": optional()},
+                TEXTS,
             ),
             "place": Tag(_place, {"world": needed(_WORLD)}),
             "starter": Tag(
@@ -166,6 +170,7 @@ def shipped_beginnings() -> Beginnings:
 
 
 # -- what fits
+
 
 @dataclass(frozen=True)
 class FoundPlace:
@@ -305,6 +310,4 @@ def tracks(opened: OpenMission, seconds: float = TRACK_S) -> list[Track]:
         run.advance(TICKS_A_POINT)
         for known, pose in zip(points, run.poses(), strict=True):
             known.append(pose[:3])
-    return [
-        Track(agent.name, agent.robot.name, tuple(known)) for agent, known in zip(run.members, points, strict=True)
-    ]
+    return [Track(agent.name, agent.robot.name, tuple(known)) for agent, known in zip(run.members, points, strict=True)]

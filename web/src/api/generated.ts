@@ -81,10 +81,18 @@ export interface AskedProperty {
   second?: string;
 }
 
-/** All there is to choose from. Every kit can begin in each of its places without parts, too: the starter `nothing`. */
+/** A world to begin in. */
+export interface BeginningPlace {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  world: World;
+}
+
+/** All there is to choose from. The starter `nothing`, without parts, fits every kit in each of its places. */
 export interface Beginnings {
   kits: Kit[];
-  places: kitrobot__server__shapes__beginning__Place[];
+  places: BeginningPlace[];
   starters: Starter[];
 }
 
@@ -616,7 +624,7 @@ export interface Judged {
   mission: Mission;
 }
 
-/** Robots to begin with; `places` are the names of those they fit. `can` and `feels`: their actuators and sensors. */
+/** Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors. */
 export interface Kit {
   name: string;
   label: Record<string, string>;
@@ -780,7 +788,7 @@ export interface Offer {
   kind: "flow" | "condition" | "value" | "number" | "text" | "action";
   name: string;
   label: Record<string, string>;
-  inside: kitrobot__server__shapes__part__Place | null;
+  inside: Place | null;
   is_open: boolean;
   value: string;
   min: number;
@@ -993,6 +1001,12 @@ export interface Picture {
   program: Program;
   world: World | null;
   agents: string[];
+}
+
+/** A slot or parameter of a vertex; the slot "" is the vertex itself. */
+export interface Place {
+  vertex: string;
+  slot: string;
 }
 
 /** A world's file as something that can be changed: None when it is not there or has mistakes, which are told. */
@@ -1382,7 +1396,7 @@ export interface StartedMessage {
   pens: number[];
 }
 
-/** A first program; `places` says for each kit that it fits where it can be had. The one without parts has no label. */
+/** A first program; `places` says for each kit that it fits where it can be had. */
 export interface Starter {
   name: string;
   label: Record<string, string>;
@@ -1752,20 +1766,6 @@ export interface WorldEntry {
 /** The world of a mission: None when its file is not there, or is no world. */
 export interface WorldFile {
   world: World | null;
-}
-
-/** A world to begin in. */
-export interface kitrobot__server__shapes__beginning__Place {
-  name: string;
-  label: Record<string, string>;
-  help: Record<string, string>;
-  world: World;
-}
-
-/** A slot or parameter of a vertex; the slot "" is the vertex itself. */
-export interface kitrobot__server__shapes__part__Place {
-  vertex: string;
-  slot: string;
 }
 
 export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsMessage | ErrorMessage;

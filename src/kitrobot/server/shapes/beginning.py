@@ -21,7 +21,7 @@ class AbilityShape(BaseModel):
 
 
 class KitShape(BaseModel):
-    """Robots to begin with; `places` are the names of those they fit. `can` and `feels`: their actuators and sensors."""
+    """Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors."""
 
     name: str
     label: dict[str, str]
@@ -32,7 +32,7 @@ class KitShape(BaseModel):
     places: list[str]
 
 
-class PlaceShape(BaseModel):
+class BeginningPlaceShape(BaseModel):
     """A world to begin in."""
 
     name: str
@@ -42,7 +42,7 @@ class PlaceShape(BaseModel):
 
 
 class StarterShape(BaseModel):
-    """A first program; `places` says for each kit that it fits where it can be had. The one without parts has no label."""
+    """A first program; `places` says for each kit that it fits where it can be had."""
 
     name: str
     label: dict[str, str]
@@ -51,10 +51,10 @@ class StarterShape(BaseModel):
 
 
 class BeginningsShape(BaseModel):
-    """All there is to choose from. Every kit can begin in each of its places without parts, too: the starter `nothing`."""
+    """All there is to choose from. The starter `nothing`, without parts, fits every kit in each of its places."""
 
     kits: list[KitShape]
-    places: list[PlaceShape]
+    places: list[BeginningPlaceShape]
     starters: list[StarterShape]
 
 
@@ -96,10 +96,12 @@ def _abilities(parts: Iterable[RobotObject]) -> list[AbilityShape]:
     return [AbilityShape(icon=part.icon, label={"": name} | dict(part.label)) for name, part in found.items()]
 
 
-def place_shape(place: FoundPlace) -> PlaceShape:
+def beginning_place_shape(place: FoundPlace) -> BeginningPlaceShape:
     """A place with its world."""
     world = place.world
-    return PlaceShape(name=place.name, label=dict(world.label), help=dict(world.help), world=world_shape(world))
+    return BeginningPlaceShape(
+        name=place.name, label=dict(world.label), help=dict(world.help), world=world_shape(world)
+    )
 
 
 def starter_shape(starter: Starter, choices: Choices) -> StarterShape:

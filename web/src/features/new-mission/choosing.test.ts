@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
 
-import type { Beginnings, Kit, Place, Starter } from "../../api/generated";
+import type { Beginnings, Kit, BeginningPlace, Starter } from "../../api/generated";
 import { fittingFirst, NOTHING, settled, starterFits } from "./choosing";
 
 const words = { label: {}, help: {} };
 const kit = (name: string, ...places: string[]): Kit => ({ name, ...words, robots: [], can: [], feels: [], places });
-const place = (name: string) => ({ name, ...words }) as Place;
+const place = (name: string) => ({ name, ...words }) as BeginningPlace;
 const starter = (name: string, places: Record<string, string[]>): Starter => ({ name, ...words, places });
 
 const ALL: Beginnings = {
@@ -33,7 +33,11 @@ test("where no starter fits there is the one without parts, and it stays when it
 });
 
 test("what is not known is the first there is, and nothing at all changes nothing", () => {
-  expect(settled(ALL, { kit: "", place: "", starter: "" })).toEqual({ kit: "rover", place: "floor", starter: "square" });
+  expect(settled(ALL, { kit: "", place: "", starter: "" })).toEqual({
+    kit: "rover",
+    place: "floor",
+    starter: "square",
+  });
   expect(settled(ALL, { kit: "alone", place: "floor", starter: "" })).toEqual({
     kit: "alone",
     place: "",

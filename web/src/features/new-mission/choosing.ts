@@ -1,5 +1,5 @@
 /** What is chosen for a new mission, and what fits it: a kit of robots, a place for it, a first program for both. */
-import type { Beginnings, Kit, Place, Starter } from "../../api/generated";
+import type { Beginnings, Kit, BeginningPlace, Starter } from "../../api/generated";
 
 /** The starter without parts; it fits everything. */
 export const NOTHING = "nothing";
@@ -41,6 +41,6 @@ export function fittingFirst<T>(all: readonly T[], fits: (one: T) => boolean): T
   return [...all.filter(fits), ...all.filter((one) => !fits(one))];
 }
 
-export function chosenPlace({ places }: Beginnings, { place }: Choice): Place | undefined {
+export function chosenPlace({ places }: Beginnings, { place }: Choice): BeginningPlace | undefined {
   return places.find(({ name }) => name === place);
 }
