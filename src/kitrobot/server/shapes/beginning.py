@@ -98,10 +98,8 @@ def _abilities(parts: Iterable[RobotObject]) -> list[AbilityShape]:
 
 def beginning_place_shape(place: FoundPlace) -> BeginningPlaceShape:
     """A place with its world."""
-    world = place.world
-    return BeginningPlaceShape(
-        name=place.name, label=dict(world.label), help=dict(world.help), world=world_shape(world)
-    )
+    label, help = dict(place.world.label), dict(place.world.help)
+    return BeginningPlaceShape(name=place.name, label=label, help=help, world=world_shape(place.world))
 
 
 def starter_shape(starter: Starter, choices: Choices) -> StarterShape:

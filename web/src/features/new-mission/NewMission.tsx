@@ -4,6 +4,7 @@
  * It is one form: Enter begins from anywhere in it. Its rows are radio groups of the browser's own.
  */
 import { type ReactNode, useEffect, useRef, useState } from "react";
+import { create } from "zustand";
 
 import { beginningsApi } from "../../api/beginnings";
 import type { Ability, Beginnings, Preview } from "../../api/generated";
@@ -22,7 +23,7 @@ import "./new-mission.css";
 const GraphPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.GraphPicture), complain);
 
 /** What was chosen last stays chosen while the page is open. */
-let lastChoice: Choice = { kit: "", place: "", starter: "" };
+const useLastChoice = create<Choice>(() => ({ kit: "", place: "", starter: "" }));
 
 function useBeginnings(): Beginnings | null {
   const [all, setAll] = useState<Beginnings | null>(null);
@@ -141,7 +142,7 @@ export function NewMission() {
 }
 
 function Form({ all }: { all: Beginnings }) {
-  const [choice, setChoice] = useState(() => settled(all, lastChoice));
+  const choice = settled(all, useLastChoice());
   const [name, setName] = useState(t("new.name-first"));
   const form = useRef<HTMLFormElement>(null);
   const previews = usePreviews(choice);
@@ -159,10 +160,8 @@ function Form({ all }: { all: Beginnings }) {
   }, []);
 
   const choose = (wish: Partial<Choice>) => {
-    lastChoice = settled(all, { ...choice, ...wish });
-    setChoice(lastChoice);
+    useLastChoice.setState(settled(all, { ...choice, ...wish }));
   };
-  const robots = fittingFirst(all.kits, () => true);
   const starters = fittingFirst(all.starters, (one) => starterFits(one, choice)).filter(
     (one) => one.places[choice.kit] !== undefined,
   );
@@ -188,7 +187,7 @@ function Form({ all }: { all: Beginnings }) {
         <h2 id="new-title">{t("new.title")}</h2>
         <p>{t("new.help")}</p>
         <Row number={1} title={t("new.robot")}>
-          {robots.map((one) => (
+          {all.kits.map((one) => (
             <Card
               key={one.name}
               row="kit"

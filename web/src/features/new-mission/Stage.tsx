@@ -23,12 +23,10 @@ interface StageProps {
 }
 
 function useMoment(length: number, still: boolean): number {
-  const [moment, setMoment] = useState(length - 1);
+  const [moment, setMoment] = useState(0);
+  const stands = still || length < 2 || matchMedia("(prefers-reduced-motion: reduce)").matches;
   useEffect(() => {
-    if (still || length < 2 || matchMedia("(prefers-reduced-motion: reduce)").matches) {
-      setMoment(length - 1);
-      return;
-    }
+    if (stands) return;
     let frame = 0;
     const began = performance.now();
     const next = (now: number) => {
@@ -38,8 +36,8 @@ function useMoment(length: number, still: boolean): number {
     };
     frame = requestAnimationFrame(next);
     return () => cancelAnimationFrame(frame);
-  }, [length, still]);
-  return moment;
+  }, [length, stands]);
+  return stands ? length - 1 : moment;
 }
 
 type Point = [number, number, number];
