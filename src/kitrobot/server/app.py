@@ -15,6 +15,7 @@ from starlette.exceptions import HTTPException
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import ConflictError, FileError, MissionNameError, ReadOnlyError
 from kitrobot.server import pages
+from kitrobot.server.beginning_routes import beginning_routes
 from kitrobot.server.board_routes import board_routes
 from kitrobot.server.deadlines import Deadlines
 from kitrobot.server.drawing_checks import drawing_check_routes
@@ -68,6 +69,7 @@ ROUTERS = (
     image_routes,
     tutorial_routes,
     exercise_routes,
+    beginning_routes,
     trace_routes,
 )
 """The requests, in the order that they are looked for."""

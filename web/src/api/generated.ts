@@ -4,6 +4,12 @@
  * Written by `python tools/api_types.py` from the models in `src/kitrobot/server/shapes`: change those instead.
  */
 
+/** A part of a robot, as it is called, and its picture. */
+export interface Ability {
+  icon: string;
+  label: Record<string, string>;
+}
+
 /** The constructor, and its slot, that a branch adds itself to. */
 export interface Adds {
   constructor: string;
@@ -73,6 +79,21 @@ export interface AskedProperty {
   form: "never" | "after" | "eventually" | "stays";
   first: string;
   second?: string;
+}
+
+/** A world to begin in. */
+export interface BeginningPlace {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  world: World;
+}
+
+/** All there is to choose from. The starter `nothing`, without parts, fits every kit in each of its places. */
+export interface Beginnings {
+  kits: Kit[];
+  places: BeginningPlace[];
+  starters: Starter[];
 }
 
 /** Break off the sending; the robot keeps the program that it had. */
@@ -643,6 +664,17 @@ export interface Judged {
   mission: Mission;
 }
 
+/** Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors. */
+export interface Kit {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  robots: string[];
+  can: Ability[];
+  feels: Ability[];
+  places: string[];
+}
+
 /** Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601). */
 export interface Left {
   journal: string;
@@ -1033,6 +1065,13 @@ export interface Point {
   inner: string;
 }
 
+/** A starter with its first program, and what its agents do in the first seconds. */
+export interface Preview {
+  starter: string;
+  program: Program;
+  tracks: Track[];
+}
+
 /** A diagnostic; lines and columns count from 1 and are 0 where there is no file. */
 export interface Problem {
   file: string;
@@ -1411,6 +1450,14 @@ export interface StartedMessage {
   pens: number[];
 }
 
+/** A first program; `places` says for each kit that it fits where it can be had. */
+export interface Starter {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  places: Record<string, string[]>;
+}
+
 /**
  * What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only.
  * `problems` are hints on a run that ended before anything could be seen.
@@ -1603,6 +1650,13 @@ export interface TickMessage {
   events: RunEvent[];
   team: TeamNow | null;
   drawing: Drawing | null;
+}
+
+/** The way of an agent: (x mm, y mm, heading rad), one each tenth of a second. */
+export interface Track {
+  agent: string;
+  robot: string;
+  points: [number, number, number][];
 }
 
 /** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */

@@ -1,10 +1,12 @@
 /** English for parts of the page that are fetched later, and their words with them (`moreWords`). */
 import { CHECK_EN } from "./en-later-check";
 import { LATER_TEAM_EN } from "./en-later-team";
+import { NEW_EN } from "./en-later-new";
 
 export const LATER_EN = {
   ...LATER_TEAM_EN,
   ...CHECK_EN,
+  ...NEW_EN,
   "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
   "exercise.broken": "This exercise cannot be used.",
