@@ -97,15 +97,6 @@ export function drawnWorld(own: OwnWorld): World {
       const place = startPlace(own, start);
       return place === null ? [] : [{ name: start.name, x_mm: place.x, y_mm: place.y, heading_rad: place.heading }];
     }),
-    things: [
-      ...(own.boxes ?? []).map((box) => ({ ...box, kind: "box" as const })),
-      ...(own.balls ?? []).map(({ radius_mm, ...ball }) => ({
-        ...ball,
-        kind: "ball" as const,
-        width_mm: 2 * radius_mm,
-        height_mm: 2 * radius_mm,
-      })),
-    ],
   };
   drawn.set(own, world);
   return world;
