@@ -146,6 +146,7 @@ KINDS = {
             "side": optional(_LENGTH, "100", about="Each side is at least so long, in mm."),
             "tolerance": optional(decimal(1, 1000), "30", about="In mm; see the documentation."),
             "agent": _AGENT,
+            "by": optional(one("way", "pen"), "way", about="The driven way, or what the pen drew in one line."),
         },
     ),
     "uses": _tag(

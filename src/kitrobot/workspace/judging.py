@@ -29,8 +29,9 @@ from kitrobot.exercise import (
 from kitrobot.graph import IN, RETURN, START, STOP, Program
 from kitrobot.lll import Call, Hole, Number, Seq, nodes
 from kitrobot.mission import Mission
-from kitrobot.sim import Simulation
+from kitrobot.sim import Simulation, pens_of, strokes_now
 from kitrobot.text import Sentence
+from kitrobot.trace import Drawing
 from kitrobot.verifier import AbstractionError, Answer, Timing
 from kitrobot.workspace.exercises import handed_in
 from kitrobot.workspace.opening import OpenMission, with_mission
@@ -262,6 +263,7 @@ def run_seen(simulation: Simulation, seed: int, with_paths: bool, stop: Callable
     names = [agent.name for agent in simulation.members]
     paths: list[list[PathPoint]] = [[PathPoint(x, y, 0.0)] for x, y, *_ in simulation.poses()]
     contacts: list[Contact] = []
+    drawing = Drawing(pens_of(simulation.members))
     while simulation.outcome is None:
         if simulation.tick % STRETCH == 0 and stop():
             return None
@@ -270,6 +272,7 @@ def run_seen(simulation: Simulation, seed: int, with_paths: bool, stop: Callable
             if event.kind == "collision":
                 contacts.append(Contact(event.agent, event.tick * simulation.tick_ms / 1000, event.text))
         if with_paths:
+            drawing.add(simulation.drawn)
             _follow(simulation, paths)
     if with_paths:
         for path, (x, y, *_) in zip(paths, simulation.poses(), strict=True):
@@ -281,7 +284,17 @@ def run_seen(simulation: Simulation, seed: int, with_paths: bool, stop: Callable
         simulation.seconds,
         tuple(contacts),
         {name: tuple(path) for name, path in zip(names, paths, strict=True)} if with_paths else None,
+        _lines(simulation, drawing) if with_paths else None,
     )
+
+
+def _lines(simulation: Simulation, drawing: Drawing) -> dict[str, tuple[tuple[PathPoint, ...], ...]]:
+    """What each agent's pens drew."""
+    found: dict[str, tuple[tuple[PathPoint, ...], ...]] = {agent.name: () for agent in simulation.members}
+    for stroke in strokes_now(simulation, drawing):
+        name = simulation.members[drawing.pens[stroke.pen].agent].name
+        found[name] += (tuple(PathPoint(x, y, simulation.seconds) for x, y in stroke.points),)
+    return found
 
 
 def _follow(simulation: Simulation, paths: list[list[PathPoint]]) -> None:

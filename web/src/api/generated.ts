@@ -850,6 +850,25 @@ export interface Offered {
   problems: Problem[];
 }
 
+/** A ball that can be pushed, around its middle. */
+export interface OwnBall {
+  x_mm: number;
+  y_mm: number;
+  radius_mm: number;
+  mass_g: number;
+  friction: number;
+}
+
+/** A box that can be pushed, around its middle. */
+export interface OwnBox {
+  x_mm: number;
+  y_mm: number;
+  width_mm: number;
+  height_mm: number;
+  mass_g: number;
+  friction: number;
+}
+
 /** Where stock goes from a storehouse onto a carrier, or back. */
 export interface OwnDock {
   name: string;
@@ -941,6 +960,8 @@ export interface OwnWorld {
   storehouses: OwnStorehouse[];
   docks: OwnDock[];
   starts: OwnStart[];
+  boxes?: OwnBox[];
+  balls?: OwnBall[];
   unknown: string[];
   label: Record<string, string>;
   help: Record<string, string>;
@@ -1631,6 +1652,15 @@ export interface TextEdit {
   text: string;
 }
 
+/** Something that can be pushed, around its middle; of a ball width and height are its diameter. */
+export interface Thing {
+  kind: "box" | "ball";
+  x_mm: number;
+  y_mm: number;
+  width_mm: number;
+  height_mm: number;
+}
+
 /**
  * The run as it stands; `agents` holds only those that changed since the last message, and of very many only those that
  * are looked at. `latest` is the furthest tick of this future: less than before when another one has begun. `events`
@@ -1810,6 +1840,7 @@ export interface World {
   docks: Dock[];
   storehouses: Storehouse[];
   starts: StartPose[];
+  things?: Thing[];
 }
 
 /** A world that a mission can take place in; `href` is what the mission calls it, "" for the empty one. */
