@@ -13,10 +13,10 @@ import { CROWD } from "./crowd-size";
 import { type Boards, drawActors, ringOf, type Seldom } from "./draw-robots";
 import { type Brush, drawWorld, robotUnit, unitOf } from "./draw-world";
 import { contentOf } from "./geometry";
-import type * as PenStrokesChunk from "./pen-strokes";
+import type * as OnFloorChunk from "./on-floor";
 import { lookAt, type Scene, type Seen } from "./scene";
 
-type PenStrokes = typeof PenStrokesChunk;
+type OnFloor = typeof OnFloorChunk;
 
 const WALL_MARGIN = 26;
 /** How far from a robot a hand may be to take it, in px. */
@@ -43,7 +43,7 @@ export class Painter {
   private told: Camera | null = null;
   private seldom: Seldom = { boards: null, crowds: null };
   private fetching = false;
-  private penStrokes: PenStrokes | null = null;
+  private onFloor: OnFloor | null = null;
   private carried: { name: string; x_mm: number; y_mm: number } | null = null;
 
   /** `seenFrom` is told where the eye is, whenever that changes; `margin` is the room around the world in px. */
@@ -246,33 +246,30 @@ export class Painter {
     }
     const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
-    this.drawPens(brush, seen);
+    this.drawOnFloor(brush, seen);
     drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom);
     if (!still) this.paintSoon();
   }
 
-  private drawPens(brush: Brush, seen: readonly Seen[]): void {
-    const { marks, pens } = drawnByPens();
-    if (this.scene?.running !== true || marks.length === 0) return;
-    if (this.penStrokes === null) {
-      if (this.fetching) return;
-      this.fetching = true;
-      void import("./pen-strokes")
-        .then((chunk) => {
-          this.penStrokes = chunk;
-          this.paintSoon();
-        })
-        .catch(() => undefined)
-        .finally(() => {
-          this.fetching = false;
-        });
+  /** Fetches what draws there once there is something; a fetch that failed is tried again. */
+  private drawOnFloor(brush: Brush, seen: readonly Seen[]): void {
+    const scene = this.scene;
+    if (scene === null || (drawnByPens().marks.length === 0 && (scene.world.things ?? []).length === 0)) return;
+    if (this.onFloor !== null) {
+      this.onFloor.drawOnFloor(brush, scene, seen);
       return;
     }
-    const ends = (pen: number): [number, number] | undefined => {
-      const at = seen[pens[pen] ?? -1]?.pose;
-      return at === undefined ? undefined : [at.x_mm, at.y_mm];
-    };
-    this.penStrokes.drawStrokes(brush, this.penStrokes.strokesOf(marks, ends));
+    if (this.fetching) return;
+    this.fetching = true;
+    void import("./on-floor")
+      .then((chunk) => {
+        this.onFloor = chunk;
+        this.paintSoon();
+      })
+      .catch(() => undefined)
+      .finally(() => {
+        this.fetching = false;
+      });
   }
 
   end(): void {
