@@ -67,6 +67,7 @@ class Built:
         loop: names of files that it compiles: the port and the loop; none when they are in flash.
         drivers: names of files by names of drivers.
         wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
+        tends: names of drivers that do something at each tick.
         frozen: what the board runs from its flash.
         member: the name of the file with the code of a member of a team; "" where no program of a team is meant.
     """
@@ -82,6 +83,7 @@ class Built:
     main: bytes
     frozen: Frozen | None = None
     member: str = ""
+    tends: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -137,7 +139,8 @@ class Package:
                 raise missing_driver(driver, self, family)
             modules[driver] = making.add(path, asked) + ".py"
             wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", making.files[modules[driver]]) is not None
-        built = _built(family, making, modules, wants_range)
+        tends = frozenset(name for name, file in modules.items() if b"def tend(" in making.files[file])
+        built = replace(_built(family, making, modules, wants_range), tends=tends)
         if TEAM_DRIVER not in drivers:
             return built
         member = part(ONBOARD / "member.py")
