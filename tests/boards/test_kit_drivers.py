@@ -231,7 +231,7 @@ heard = {}
 def duties():
     for name, what, value in taken():
         if what == "duty":
-            heard[name] = value * 100 // 65534
+            heard[name] = (value * 100 + 32767) // 65535
     return [heard.get(name, 0) for name in (2, 3, 4, 5)]
 found = {}
 def begin():

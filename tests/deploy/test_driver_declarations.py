@@ -145,8 +145,9 @@ def words_of(path: Path) -> set[str]:
     found = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str)}
     found |= {side + word for word in found if word.startswith("-") for side in ("left", "right")}
     for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom) and ".shared." in (node.module or ""):
-            found |= words_of(DRIVERS / "machine" / "shared" / f"{(node.module or '').rpartition('.')[2]}.py")
+        words = (node.module or "").split(".") if isinstance(node, ast.ImportFrom) else []
+        if words[:2] == ["kitrobot_onboard", "drivers"]:
+            found |= words_of(DRIVERS.joinpath(*words[2:]).with_suffix(".py"))
     return found
 
 

@@ -1,4 +1,4 @@
-"""Files of kits, `NAME.board.xml`: what they say, what is wrong with them, and that they are written as they were read."""
+"""Files of kits, `NAME.board.xml`: what they say, what is wrong with them, and that writing gives what was read."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ KitOrBoards = Annotated[
     typer.Option(
         "--board",
         metavar="NAME|FILE.board.xml|AGENT=PORT",
-        help="The kit that the robot is built of; with --team the port of an agent, may be given several times.",
+        help="The kit that the robot is built of, or those of the team; with --team also the port of each agent.",
     ),
 ]
 
@@ -79,7 +79,7 @@ def deploy_program(
     from kitrobot.workspace import load_board_program, send_program
 
     if team:
-        if not board:
+        if not any("=" in one for one in board or []):
             raise typer.BadParameter("--team and --board AGENT=PORT belong together", param_hint="'--team'")
         if to or program or robot:
             words = "with --team the mission says programs and robots, and --board says the ports"
@@ -107,13 +107,17 @@ def deploy_program(
 
 
 def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: bool, as_json: bool) -> None:
-    from kitrobot.workspace import boards_of, open_mission, send_team
+    from kitrobot.workspace import boards_of, find_kit, open_mission, send_team
 
     opened = open_mission(mission)
-    boards = boards_of(list(board), [agent.name for agent in opened.mission.team.agents])
+    kits = [one for one in board if "=" not in one]
+    if len(kits) > 1:
+        raise typer.BadParameter("one kit is meant for all robots of the team", param_hint="'--board'")
+    kit = find_kit(kits[0], mission.parent) if kits else None
+    boards = boards_of([one for one in board if "=" in one], [agent.name for agent in opened.mission.team.agents])
     names = {port: name for name, port in boards.items()}
     with _bars(list(names)) as progress:
-        sent = send_team(opened, boards, progress, replace=replace, fresh=fresh)
+        sent = send_team(opened, boards, progress, replace=replace, fresh=fresh, kit=kit)
     show(opened.before_setup, opened.sources)
     if as_json:
         give(json_text([{**_object(one), "agent": names[one.address]} for one in sent], 2) + "\n")

@@ -18,6 +18,9 @@ INHERITED = ("side", "reach")
 the simulator and for a real part.
 """
 
+_EITHER = frozenset({"pin-in", "pin-out", "music"})
+"""Drivers of what people plug in at a micro:bit's edge: a kit may name one pin for all of them, a program uses one."""
+
 
 @dataclass(frozen=True)
 class PartOnKit:
@@ -167,7 +170,8 @@ def _refuse_pin(
                 Sentence("`{part}` says the pin `{pin}` for two different things", _name(part), pin),
                 Sentence("give one of them another pin"),
             )
-        if not may_join(other[1], other[2], name, setting):
+        either = {one.board.driver or one.devices[0] for one in (other[0], part)} <= _EITHER
+        if not either and not may_join(other[1], other[2], name, setting):
             raise PackageError(
                 Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", _name(other[0]), _name(part), pin),
                 Sentence("give one of them another pin"),

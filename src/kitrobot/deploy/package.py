@@ -15,6 +15,7 @@ import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from pathlib import Path
 from threading import Lock
 
@@ -42,6 +43,9 @@ MODULE, PROGRAM, DIGITS = "kr", "kp", 8
 OWN_SUFFIX = ".driver.py"
 _BUILDING = Lock()
 """Trees of Python are shared, and written to while they are made short."""
+
+_REMEMBERED = 200
+"""Drivers whose declarations are remembered."""
 
 TEAM_DRIVER = "team"
 """The driver of what a robot has of its team; the code of a member comes with it."""
@@ -86,6 +90,11 @@ class Built:
     tends: frozenset[str] = frozenset()
 
 
+@lru_cache(_REMEMBERED)
+def _declared_once(text: str, path: str) -> Declared:
+    return declared(parsed(text, path), path)
+
+
 @dataclass(frozen=True)
 class Package:
     """The package, with the folders in which drivers of the user are looked for, the one that wins last."""
@@ -117,7 +126,7 @@ class Package:
             PackageError: it says that as it should not, or is no Python.
         """
         path = self.driver_file(driver, family)
-        return declared(parsed(read_source(path), str(path)), str(path)) if path is not None else Declared()
+        return _declared_once(read_source(path), str(path)) if path is not None else Declared()
 
     def built(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
         """The package for a kind of board, with these drivers, each with what is asked of it; None: everything. From

@@ -1,9 +1,7 @@
 # A robot on a road, which is a dark line: two sensors look at the ground to the left and to the right of it, and the
 # wheel on the side that sees it goes slower, at each tick. Two motors (see `shared.motors` for their pins).
 
-from machine import Pin
-
-from kitrobot_onboard.drivers.machine.pins import pin
+from kitrobot_onboard.drivers.machine.line import Line
 from kitrobot_onboard.drivers.machine.shared.motors import base_of
 
 SETTINGS = {
@@ -23,6 +21,7 @@ SETTINGS = {
     "right-trim": "10..100 = 100",
     "left-eye": "input",
     "right-eye": "input",
+    "threshold": "1..65535?",
     "dark": "low|high = high",
     "steer": "1..100 = 60",
 }
@@ -32,9 +31,11 @@ PROCEDURES = "Advance Reverse Stop"
 class Road:
     def __init__(self, settings):
         self.base = base_of(settings)
-        self.dark = 0 if settings.get("dark") == "low" else 1
         self.steer = int(settings.get("steer", "60"))
-        self.eyes = [pin(settings[name], Pin.IN) for name in ("left-eye", "right-eye")]
+        dark = settings.get("dark", "high")
+        threshold = settings.get("threshold", "0")
+        eyes = ("left-eye", "right-eye")
+        self.eyes = [Line({"pin": settings[name], "dark": dark, "threshold": threshold}) for name in eyes]
         self.speed = 0
 
     def do(self, procedure, arguments):
@@ -50,7 +51,7 @@ class Road:
         speeds = [self.speed, self.speed]
         if self.speed > 0:  # backward it cannot see where it goes
             for side in (0, 1):
-                if self.eyes[side].value() == self.dark:
+                if self.eyes[side].read():
                     speeds[side] -= self.speed * self.steer // 100
         self.base.want("drive", speeds[0], speeds[1])
 
