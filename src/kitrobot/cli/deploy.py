@@ -79,7 +79,7 @@ def deploy_program(
     from kitrobot.workspace import load_board_program, send_program
 
     if team:
-        if not any("=" in one for one in board or []):
+        if board is None or not any("=" in one for one in board):
             raise typer.BadParameter("--team and --board AGENT=PORT belong together", param_hint="'--team'")
         if to or program or robot:
             words = "with --team the mission says programs and robots, and --board says the ports"
