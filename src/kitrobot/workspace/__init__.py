@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.exercises import Exercises, FoundExercise, handed_in
     from kitrobot.workspace.fleets import FleetPlan, FleetTold, files_for_agents, free_endpoint, run_fleet
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
-    from kitrobot.workspace.kit_files import find_kit, kits_at_hand
+    from kitrobot.workspace.kit_files import find_kit, kit_named, kits_at_hand
     from kitrobot.workspace.kits import ProgramOnKit, mission_on_kit
     from kitrobot.workspace.opening import (
         NoProgramError,
@@ -56,7 +56,7 @@ else:
             "fleets": ("FleetPlan", "FleetTold", "files_for_agents", "free_endpoint", "run_fleet"),
             "inputs": ("Change", "Inputs", "read_inputs"),
             "compile_cache": ("KeptPrograms",),
-            "kit_files": ("find_kit", "kits_at_hand"),
+            "kit_files": ("find_kit", "kit_named", "kits_at_hand"),
             "kits": ("ProgramOnKit", "mission_on_kit"),
             "opening": (
                 "NoProgramError",
@@ -130,6 +130,7 @@ __all__ = [
     "free_endpoint",
     "handed_in",
     "is_trace",
+    "kit_named",
     "kits_at_hand",
     "load_board_program",
     "load_executable",

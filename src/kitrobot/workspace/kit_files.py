@@ -59,11 +59,20 @@ def find_kit(word: str, folder: Path | None = None) -> Kit:
     """
     if word.lower().endswith(".xml") or "/" in word or "\\" in word:
         return read_kit_file(Path(word))
+    return kit_named(word, folder)
+
+
+def kit_named(name: str, folder: Path | None = None) -> Kit:
+    """The kit of that name among those at hand.
+
+    Raises:
+        NoKitError: no kit has that name.
+    """
     kits = kits_at_hand(folder)
-    if word not in kits:
-        help = did_you_mean(word, kits) or Sentence("kits at hand: {names}", Series(COMMA, sorted(kits)))
-        raise NoKitError(Sentence("there is no kit named `{name}`", word), help)
-    return kits[word]
+    if name not in kits:
+        help = did_you_mean(name, kits) or Sentence("kits at hand: {names}", Series(COMMA, sorted(kits)))
+        raise NoKitError(Sentence("there is no kit named `{name}`", name), help)
+    return kits[name]
 
 
 def read_kit_file(path: Path) -> Kit:

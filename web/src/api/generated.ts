@@ -91,6 +91,7 @@ export interface BoardConnectRequest {
   mission: Mission;
   path: string;
   program: string;
+  kit?: string;
 }
 
 /** Why the robot stopped by itself; `vertex` and `line` (of the LLL, from 1) are "" and 0 where nobody knows. */
@@ -186,6 +187,7 @@ export interface BoardSendRequest {
   mission: Mission;
   path: string;
   program: string;
+  kit?: string;
   then: "held" | "free" | "ready";
   replace?: boolean;
   fresh?: boolean;
@@ -594,6 +596,13 @@ export interface Judged {
   mission: Mission;
 }
 
+/** What a robot can be built of. */
+export interface KitEntry {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+}
+
 /** Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601). */
 export interface Left {
   journal: string;
@@ -942,7 +951,7 @@ export interface Parts {
  */
 export interface PartsFile {
   file: string;
-  kind: "robot" | "constructors" | "world";
+  kind: "robot" | "board" | "constructors" | "world";
   names: string[];
   known: boolean;
 }

@@ -1,8 +1,10 @@
 /** English for the rooms of the team and the world, which are fetched later, and their words with them (`moreWords`). */
 import { CHECK_EN } from "./en-later-check";
+import { KITS_EN } from "./en-later-kits";
 
 export const LATER_EN = {
   ...CHECK_EN,
+  ...KITS_EN,
   "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
   "exercise.broken": "This exercise cannot be used.",

@@ -23,6 +23,7 @@ import {
   watchBoard,
 } from "./actions";
 import { isMine, type Place, programFor, useBoards } from "./boards";
+import { KitChoice } from "./KitChoice";
 import { playRecording, saveRecording } from "./recording";
 import type { Board } from "./wire";
 
@@ -340,6 +341,7 @@ export function BoardCard({ place }: { place: Place }) {
       {mine ? (
         <>
           <Program address={address} disabled={board?.phase === "sending"} />
+          <KitChoice address={address} disabled={board?.phase === "sending"} />
           <Acts place={place} />
           <Recorded board={board} />
         </>

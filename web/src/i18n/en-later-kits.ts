@@ -1,0 +1,5 @@
+/** English for what a robot is built of, which is fetched later. */
+export const KITS_EN = {
+  "boards.kit": "Built of",
+  "boards.kit-own": "What its own file says",
+} as const;
