@@ -226,7 +226,8 @@ import sys
 DRV8833 = {"left-forward": "2", "left-backward": "3", "right-forward": "4", "right-backward": "5"}
 TB6612 = {"left-forward": "6", "left-backward": "7", "left-power": "8", "right-forward": "9", "right-backward": "10",
     "right-power": "11"}
-DRV8835 = {"left-turned": "12", "left-power": "13", "right-turned": "14", "right-power": "15", "left-flipped": "yes"}
+DRV8835 = {"bridge": "direction", "left-forward": "13", "left-backward": "12", "right-forward": "15",
+    "right-backward": "14", "left-flipped": "yes"}
 heard = {}
 def duties():
     for name, what, value in taken():

@@ -134,7 +134,7 @@ def refuse_what_is_not_understood(
                 Sentence(
                     "`{part}` does not say its `{setting}`, which the driver `{driver}` needs", part, name, driver
                 ),
-                Sentence('write {setting}="…" into its <board> in the robot’s XML', name),
+                Sentence('write {setting}="…" into its <board> in the robot’s XML, or name a kit (--board)', name),
             )
 
 

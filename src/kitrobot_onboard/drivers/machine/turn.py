@@ -7,14 +7,13 @@ import time
 from kitrobot_onboard.drivers.machine.shared.motors import base_of
 
 SETTINGS = {
-    "left-forward": "shared?",
-    "left-backward": "shared?",
+    "left-forward": "shared",
+    "left-backward": "shared",
     "left-power": "shared?",
-    "left-turned": "shared?",
-    "right-forward": "shared?",
-    "right-backward": "shared?",
+    "right-forward": "shared",
+    "right-backward": "shared",
     "right-power": "shared?",
-    "right-turned": "shared?",
+    "bridge": "inputs|direction = inputs",
     "frequency": "10..100000 = 1000",
     "least": "0..90 = 0",
     "left-flipped": "yes|no = no",

@@ -1,9 +1,9 @@
 # The two motors that drive a robot, shared by the drivers `drive`, `turn`, `wheel` and `road`: each says how it wants
-# the robot to move, and the wheels turn by the sum. A motor's wiring follows from which of its pins are named:
+# the robot to move, and the wheels turn by the sum. How a motor is wired:
 #
-#     forward, backward          two inputs, both with a square wave: DRV8833, L9110, L298N with its bridges on
-#     forward, backward, power   two inputs for the direction, one with a square wave: TB6612, L298N
-#     power, turned              one input for the direction, one with a square wave: DRV8835, DRV8838
+#     forward, backward           two inputs, both with a square wave: DRV8833, L9110, L298N with its bridges on
+#     forward, backward, power    two inputs for the direction, a third with a square wave: TB6612, L298N
+#     bridge="direction"          `forward` has a square wave, `backward` is high for backward: DRV8835, DRV8838
 
 from machine import Pin
 
@@ -17,16 +17,17 @@ SIDES = ("left", "right")
 class Motor:
     def __init__(self, settings, side):
         frequency = int(settings.get("frequency", "1000"))
-        self.waves = self.levels = None
+        names = settings[side + "-forward"], settings[side + "-backward"]
         power = settings.get(side + "-power")
-        names = [settings.get(side + "-forward"), settings.get(side + "-backward")]
-        if power is None:
-            self.waves = [Wave(name, frequency) for name in names]
-        else:
-            if names[0] is None:
-                names = [settings[side + "-turned"]]
+        self.waves = self.levels = None
+        if settings.get("bridge") == "direction":
+            self.levels = [pin(names[1], Pin.OUT)]
+            self.power = Wave(names[0], frequency)
+        elif power is not None:
             self.levels = [pin(name, Pin.OUT) for name in names]
             self.power = Wave(power, frequency)
+        else:
+            self.waves = [Wave(name, frequency) for name in names]
         self.flipped = settings.get(side + "-flipped") == "yes"
         self.trim = int(settings.get(side + "-trim", "100"))
         self.least = int(settings.get("least", "0"))
@@ -82,7 +83,7 @@ bases = {}
 
 def base_of(settings):
     """The base at these pins: the same for all drivers that name them."""
-    key = settings.get("left-power") or settings.get("left-forward")
+    key = settings["left-forward"]
     if key not in bases:
         bases[key] = Base(settings)
     return bases[key]
