@@ -5,14 +5,18 @@
  * two frames, so painting goes on until they stand where the last frame says.
  */
 import type { World } from "../../model/types";
+import { drawnByPens } from "../../session/pen-marks";
 import { posesAt } from "../../session/poses";
 import { type Camera, fit, fitBox, type Room, toScreen, toWorld, zoomAt } from "./camera";
 import { readColours, type Colours } from "./colours";
 import { CROWD } from "./crowd-size";
 import { type Boards, drawActors, ringOf, type Seldom } from "./draw-robots";
-import { drawWorld, robotUnit, unitOf } from "./draw-world";
+import { type Brush, drawWorld, robotUnit, unitOf } from "./draw-world";
 import { contentOf } from "./geometry";
+import type * as PenStrokesChunk from "./pen-strokes";
 import { lookAt, type Scene, type Seen } from "./scene";
+
+type PenStrokes = typeof PenStrokesChunk;
 
 const WALL_MARGIN = 26;
 /** How far from a robot a hand may be to take it, in px. */
@@ -39,6 +43,7 @@ export class Painter {
   private told: Camera | null = null;
   private seldom: Seldom = { boards: null, crowds: null };
   private fetching = false;
+  private penStrokes: PenStrokes | null = null;
   private carried: { name: string; x_mm: number; y_mm: number } | null = null;
 
   /** `seenFrom` is told where the eye is, whenever that changes; `margin` is the room around the world in px. */
@@ -241,8 +246,33 @@ export class Painter {
     }
     const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
+    this.drawPens(brush, seen);
     drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom);
     if (!still) this.paintSoon();
+  }
+
+  private drawPens(brush: Brush, seen: readonly Seen[]): void {
+    const { marks, pens } = drawnByPens();
+    if (this.scene?.running !== true || marks.length === 0) return;
+    if (this.penStrokes === null) {
+      if (this.fetching) return;
+      this.fetching = true;
+      void import("./pen-strokes")
+        .then((chunk) => {
+          this.penStrokes = chunk;
+          this.paintSoon();
+        })
+        .catch(() => undefined)
+        .finally(() => {
+          this.fetching = false;
+        });
+      return;
+    }
+    const ends = (pen: number): [number, number] | undefined => {
+      const at = seen[pens[pen] ?? -1]?.pose;
+      return at === undefined ? undefined : [at.x_mm, at.y_mm];
+    };
+    this.penStrokes.drawStrokes(brush, this.penStrokes.strokesOf(marks, ends));
   }
 
   end(): void {
