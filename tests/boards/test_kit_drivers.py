@@ -204,6 +204,19 @@ arm.do("Load", [])
 arm.stop()
 result = gone, told, arm.done(), taken()[-1]
 """,
+    "pen": """
+pen = make("machine.pen", pin="26", time="40")
+taken()
+pen.do("PenDown", [])
+begun = time.ticks_ms()
+while not pen.done(): pass
+gone = time.ticks_diff(time.ticks_ms(), begun)
+pen.do("Colour", [3])
+idle = pen.done()
+pen.do("PenUp", [])
+pen.stop()
+result = gone, idle, pen.done(), taken()
+""",
     "buzzer": """
 buzzer = make("machine.buzzer", pin="18", loudness="100")
 taken()
@@ -368,6 +381,13 @@ def test_an_arm_goes_to_the_box_and_back_and_has_no_force_after_stop(found: dict
     assert 100 <= gone < 1000
     assert [duty / FULL * 20 for _, _, duty in told] == pytest.approx([1.5, 0.5], abs=0.01)
     assert (done, last) == (True, (20, "duty", 0))
+
+
+def test_a_pen_goes_down_and_up_and_keeps_its_colour(found: dict[str, Any]) -> None:
+    gone, idle, done, told = found["pen"]
+    assert 40 <= gone < 1000
+    assert (idle, done) == (True, True)
+    assert [duty / FULL * 20 for _, _, duty in told] == pytest.approx([1.5, 0.5, 0], abs=0.01)
 
 
 def test_a_buzzer_sounds_for_as_long_as_it_is_told(found: dict[str, Any]) -> None:

@@ -53,7 +53,7 @@ def test_a_kit_says_how_parts_are_wired_and_what_is_missing() -> None:
     assert told[Category.ACTUATOR, "Wheel"] == ("drive", {"left-forward": "2", "rate": "200"})
     assert told[Category.ACTUATOR, "Motor"] == ("turn", {"left-forward": "2", "rate": "200"})
     assert mini.fingerprint == robots["mini-robot"].fingerprint
-    assert {part.name for part in mini.actuators if lacks(kit, part)} == {"Door", "Light", "Switch"}
+    assert {part.name for part in mini.actuators if lacks(kit, part)} == {"Door", "Light", "Pen", "Switch"}
     carrier = on_kit(robots["carrier"], kit)
     assert [part.board.driver for part in carrier.actuators] == ["road", "led"]
 
