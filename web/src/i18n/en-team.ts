@@ -48,7 +48,6 @@ export const TEAM_EN = {
 
   "parts.add-file": "Add parts from a file…",
   "parts.added-robot": "The robot {names} is there now.",
-  "parts.added-board": "The kit {names} is there now.",
   "parts.added-constructors": { one: "{names} is in the palette now.", other: "{names} are in the palette now." },
   "parts.added-world": "The world {names} is there now.",
   "parts.added-broken": "{file} is beside the mission now, but it has mistakes.",
