@@ -19,6 +19,7 @@ from pathlib import Path
 from kitrobot.exercise.reading import EXERCISE
 from kitrobot.mission.reading import MISSION
 from kitrobot.primitives.constructors_xml import CONSTRUCTORS
+from kitrobot.primitives.kit_xml import KIT
 from kitrobot.primitives.robot_xml import ROBOT
 from kitrobot.tutorial.reading import TUTORIAL
 from kitrobot.world.reading import WORLD
@@ -26,6 +27,7 @@ from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes,
 
 FOLDER = Path(__file__).resolve().parents[1] / "src" / "kitrobot" / "primitives" / "schemas"
 TABLES = {
+    "board": KIT,
     "constructors": CONSTRUCTORS,
     "exercise": EXERCISE,
     "mission": MISSION,

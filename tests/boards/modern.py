@@ -33,12 +33,12 @@ def version() -> str:
 
 
 def onboard_files() -> dict[str, bytes]:
-    """All of `kitrobot_onboard`, under that name, and the pins that only remember as `machine`."""
+    """All of `kitrobot_onboard`, under that name, and `machine` and others whose pins only remember."""
     folder = Path(kitrobot_onboard.__file__).parent
     files = {
         f"kitrobot_onboard/{path.relative_to(folder).as_posix()}": path.read_bytes() for path in folder.rglob("*.py")
     }
-    return files | {"machine.py": (HERE.parent / "recording" / "machine.py").read_bytes()}
+    return files | {path.name: path.read_bytes() for path in (HERE.parent / "recording").glob("*.py")}
 
 
 def run(files: dict[str, bytes], name: str, timeout_s: float = 120) -> str:

@@ -79,7 +79,6 @@ def test_every_device_of_a_robot_that_the_simulator_or_a_board_lacks_is_told_at_
     assert said.status == 1
     assert [(one["line"], one["column"], one["code"]) for one in said.json] == [
         (2, 34, "run-device"),
-        (4, 21, "robot-no-driver"),
         (6, 22, "run-device"),
         (8, 33, "robot-not-simulated"),
         (9, 31, "run-device"),

@@ -10,7 +10,7 @@ import pytest
 
 import kitrobot_onboard
 from kitrobot.deploy import FAMILIES, Package, PackageError
-from kitrobot.deploy.declarations import Setting, declared
+from kitrobot.deploy.declarations import Setting, declared, without_declarations
 from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.program_file import Device, ProgramFile
 from kitrobot.primitives import load_catalogue
@@ -139,6 +139,18 @@ def test_declarations_do_not_land_on_a_board() -> None:
         assert b"PROCEDURES" not in content
 
 
+def words_of(path: Path) -> set[str]:
+    """The texts in a driver and the modules that it imports, but for declarations; `-forward` is of two sides."""
+    tree = without_declarations(ast.parse(path.read_text(encoding="utf-8")))
+    found = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+    found |= {side + word for word in found if word.startswith("-") for side in ("left", "right")}
+    for node in ast.walk(tree):
+        words = (node.module or "").split(".") if isinstance(node, ast.ImportFrom) else []
+        if words[:2] == ["kitrobot_onboard", "drivers"]:
+            found |= words_of(DRIVERS.joinpath(*words[2:]).with_suffix(".py"))
+    return found
+
+
 @pytest.mark.parametrize(
     "path",
     sorted(DRIVERS.glob("*/*.py")),
@@ -150,8 +162,9 @@ def test_every_shipped_driver_declares_its_settings(path: Path) -> None:
     if "make" not in text:
         return
     assert says.settings is not None
-    read = set(re.findall(r"settings(?:\.get\(|\[)\"(\w+)\"", text))
-    assert read - {"min", "max"} == set(says.settings), "what it reads is what it declares"
+    read = set(re.findall(r"settings(?:\.get\(|\[)\"([\w-]+)\"", text))
+    assert read - {"min", "max"} <= set(says.settings), "it declares what it reads"
+    assert set(says.settings) <= words_of(path), "it, or what it shares with others, reads what it declares"
     if " do(" in text:
         assert says.procedures
 

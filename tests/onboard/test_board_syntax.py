@@ -26,6 +26,7 @@ ON_BOARD = {
         "microbit",
         "micropython",
         "music",
+        "neopixel",
         "os",
         "random",
         "struct",

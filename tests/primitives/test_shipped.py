@@ -19,6 +19,7 @@ KINDS = {
     ".tutorial.xml": "tutorial",
     ".exercise.xml": "exercise",
     "constructors.xml": "constructors",
+    ".board.xml": "board",
     ".robot.xml": "robot",
     ".world.xml": "world",
     ".krt": "mission",

@@ -260,6 +260,13 @@ def test_a_program_with_mistakes_is_not_sent_and_its_problems_are_told(visit, ro
         assert "`pulse`" in refused["message"]
 
 
+@pytest.mark.parametrize(("kit", "says"), [("pico", "lacks what the program uses"), ("../x", "no kit named")])
+def test_a_program_is_not_sent_to_a_kit_that_lacks_its_parts_or_is_not_there(visit, robot, kit, says) -> None:
+    with visit() as page:
+        page.send("send", robot.address, mission=page.mission, path="pulse.krt", program="pulse", kit=kit, then="held")
+        assert says in page.until("refused")["message"]
+
+
 def test_what_failed_is_said_in_the_readers_language(visit) -> None:
     with visit(language="fr") as page:
         page.give("connect", "COM99")

@@ -23,6 +23,12 @@ CONSTRUCTORS = """<constructors version="1">
 """
 
 
+KIT = (
+    '<board name="tank" version="1"><label xml:lang="fr">Char</label>'
+    '<actuator device="lamp" driver="led" pin="3"/></board>'
+)
+
+
 @pytest.fixture(autouse=True)
 def state(tmp_path, monkeypatch):
     monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
@@ -59,6 +65,7 @@ class TestFiles:
         ("text", "file", "kept", "names"),
         [
             (ROBOT, "rover.xml", "rover.robot.xml", ["rover"]),
+            (KIT, "tank.xml", "tank.board.xml", ["tank"]),
             (WORLD, "yard", "yard.world.xml", ["Yard"]),
             (CONSTRUCTORS, "mine.xml", "mine.xml", ["Twice"]),
             ("\ufeff" + ROBOT, "روبوٹ.xml", "روبوٹ.robot.xml", ["rover"]),
@@ -68,6 +75,12 @@ class TestFiles:
         added = add(page, text, file).json()
         assert (added["file"], added["names"]) == (kept, names)
         assert (folder / kept).is_file()
+
+    def test_a_kit_beside_the_mission_is_offered_with_those_that_come_along(self, page):
+        add(page, KIT, "tank.board.xml")
+        kits = page.get("/api/kits", params={"path": "blink.krt"}).json()
+        assert {"pico", "xrp", "tank"} <= {kit["name"] for kit in kits}
+        assert [kit["label"] for kit in kits if kit["name"] == "tank"] == [{"fr": "Char"}]
 
     @pytest.mark.parametrize("path", ["", "example:transport/transport.krt"])
     def test_parts_of_a_new_mission_and_of_an_example_are_in_the_folder_of_missions(self, page, folder, path):

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from kitrobot.cli.check_kit import check_on_kit
 from kitrobot.cli.output import give, json_text, tell
 from kitrobot.diagnostics import Severity
 
@@ -14,23 +15,34 @@ from kitrobot.diagnostics import Severity
 def check_files(
     files: Annotated[
         list[Path],
-        typer.Argument(metavar="FILE…", help="Missions, LLL texts, images, robots, constructors, worlds."),
+        typer.Argument(metavar="FILE…", help="Missions, LLL texts, images, robots, kits, constructors, worlds."),
     ],
     robot: Annotated[
         str | None,
         typer.Option(metavar="NAME|FILE.robot.xml", help="The robot that the LLL texts are for.", show_default=False),
+    ] = None,
+    board: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME|FILE.board.xml",
+            help="A kit: say part by part what the robots of the missions are on it.",
+            show_default=False,
+        ),
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Give a list of JSON objects.")] = False,
 ) -> None:
     """Show every problem of the files, each with its place and a way out.
 
     Kinds: `.krt`, `.lll`, `.kri`, `.kra`, pictures that carry a mission (`.svg`, `.png`, `.pdf`), and XML of robots,
-    constructors and worlds. Of an `.lll` without `--robot` only the syntax is checked. The exit status is 1 if there is
-    an error, and 0 if there are only warnings and hints.
+    kits, constructors and worlds. Of an `.lll` without `--robot` only the syntax is checked. The exit status is 1 if
+    there is an error, and 0 if there are only warnings and hints. With --board it is 1 when a program cannot be sent.
     """
     from kitrobot.diagnostics import to_json, with_help, written_out
     from kitrobot.workspace import check_file, find_robot
 
+    if board is not None:
+        check_on_kit(files, board, as_json=as_json)
+        return
     meant = find_robot(robot) if robot is not None else None
     reports = [check_file(path, meant) for path in files]
     problems = [problem for report in reports for problem in with_help(report.diagnostics)]

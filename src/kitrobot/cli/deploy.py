@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from kitrobot.cli.agent import Boards
 from kitrobot.cli.json_results import AsJson, of_board
 from kitrobot.cli.output import clean, complain, give, json_text, show, tell
 from kitrobot.text import Sentence, listed
@@ -19,6 +18,15 @@ if TYPE_CHECKING:
     from kitrobot.robots import Sent
 
 _STAGES = {"connect": "connecting", "compare": "comparing", "send": "sending", "start": "starting"}
+
+KitOrBoards = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--board",
+        metavar="NAME|FILE.board.xml|AGENT=PORT",
+        help="The kit that the robot is built of, or those of the team; with --team also the port of each agent.",
+    ),
+]
 
 Addresses = Annotated[
     list[str] | None,
@@ -56,12 +64,13 @@ def deploy_program(
     team: Annotated[
         bool, typer.Option("--team", help="The programs of a team's agents, each to its --board, for `kitrobot team`.")
     ] = False,
-    board: Boards = None,
+    board: KitOrBoards = None,
     as_json: AsJson = False,
 ) -> None:
     """Put a program onto real robots and start it there; from then on it starts by itself when the power comes on.
 
-    With --team every agent's program goes to its board and waits there: `kitrobot team` starts all of them.
+    With --board NAME the robot's parts are wired as a kit's file says, and not as the robot's own. With --team every
+    agent's program goes to its board and waits there: `kitrobot team` starts all of them.
 
     Only what is new is sent, and it is read back. Until all of it is there the robot keeps what it had. The exit status
     is 1 when the program has errors, or when one of the robots could not be brought to run it.
@@ -69,15 +78,18 @@ def deploy_program(
     from kitrobot.robots import chosen_boards
     from kitrobot.workspace import load_board_program, send_program
 
-    if team or board:
-        if not (team and board):
+    if team:
+        if board is None or not any("=" in one for one in board):
             raise typer.BadParameter("--team and --board AGENT=PORT belong together", param_hint="'--team'")
         if to or program or robot:
             words = "with --team the mission says programs and robots, and --board says the ports"
             raise typer.BadParameter(words, param_hint="'--team'")
         _deploy_team(mission, board, replace=replace, fresh=fresh, as_json=as_json)
         return
-    ready = load_board_program(mission, robot=robot, program=program)
+    if board and (len(board) > 1 or "=" in board[0]):
+        words = "without --team it is one kit: a name or a .board.xml; --board AGENT=PORT belongs to --team"
+        raise typer.BadParameter(words, param_hint="'--board'")
+    ready = load_board_program(mission, robot=robot, program=program, kit=board[0] if board else None)
     show(ready.diagnostics, ready.sources)
     addresses = chosen_boards(to or [])
     with _bars(addresses) as progress:
@@ -95,13 +107,17 @@ def deploy_program(
 
 
 def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: bool, as_json: bool) -> None:
-    from kitrobot.workspace import boards_of, open_mission, send_team
+    from kitrobot.workspace import boards_of, find_kit, open_mission, send_team
 
     opened = open_mission(mission)
-    boards = boards_of(list(board), [agent.name for agent in opened.mission.team.agents])
+    kits = [one for one in board if "=" not in one]
+    if len(kits) > 1:
+        raise typer.BadParameter("one kit is meant for all robots of the team", param_hint="'--board'")
+    kit = find_kit(kits[0], mission.parent) if kits else None
+    boards = boards_of([one for one in board if "=" in one], [agent.name for agent in opened.mission.team.agents])
     names = {port: name for name, port in boards.items()}
     with _bars(list(names)) as progress:
-        sent = send_team(opened, boards, progress, replace=replace, fresh=fresh)
+        sent = send_team(opened, boards, progress, replace=replace, fresh=fresh, kit=kit)
     show(opened.before_setup, opened.sources)
     if as_json:
         give(json_text([{**_object(one), "agent": names[one.address]} for one in sent], 2) + "\n")

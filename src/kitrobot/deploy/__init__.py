@@ -12,8 +12,9 @@ from kitrobot.deploy.errors import (
     ResetError,
     SilentError,
 )
-from kitrobot.deploy.fitting import refuse_what_fits_no_board
+from kitrobot.deploy.fitting import refuse_misfits, refuse_what_fits_no_board
 from kitrobot.deploy.installing import Deployed, Progress, deploy
+from kitrobot.deploy.kits import PartOnKit, fitted, kit_problems, look_at_parts, refuse_what_is_missing
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.news import FAULTS, Fault, News, Text
 from kitrobot.deploy.package import FAMILIES, OWN_SUFFIX, Package
@@ -41,6 +42,7 @@ __all__ = [
     "News",
     "Package",
     "PackageError",
+    "PartOnKit",
     "Port",
     "ProgramFile",
     "Progress",
@@ -53,9 +55,14 @@ __all__ = [
     "board_file",
     "connect",
     "deploy",
+    "fitted",
+    "kit_problems",
     "list_ports",
+    "look_at_parts",
     "make_program_file",
     "program_name",
     "read_program_file",
+    "refuse_misfits",
     "refuse_what_fits_no_board",
+    "refuse_what_is_missing",
 ]

@@ -5,9 +5,11 @@ A driver may have, at its top level,
     SETTINGS = {"pin": "pin", "time": "1..60000 = 1000", "active": "high|low = high", "threshold": "1..65535?"}
     PROCEDURES = "Open Close"
 
-A setting is a `pin` (a number or a name), a `text`, a whole number in a range, or one of several words; `= VALUE` is
-the default, `?` marks an optional setting. Both are read without running the driver and are left out of what is
-installed on a board. A driver without declarations gets all settings of the XML, unchecked.
+A setting is a `pin` (a number or a name), a `shared` pin, to which several parts may be wired whose settings have the
+same name (a bus, the motors of two drivers), a pin that is only read and so an `input` of several parts, a `text`, a
+whole number in a range, or one of several words; `= VALUE` is the default, `?` marks an optional setting. Both are read
+without running the driver and are left out of what is installed on a board. A driver without declarations gets all
+settings of the XML, unchecked.
 """
 
 from __future__ import annotations
@@ -24,21 +26,26 @@ ALWAYS = frozenset({"limit"})
 """Settings of actuators that the robot's loop understands itself."""
 
 _NAMES = ("SETTINGS", "PROCEDURES")
+_PINS = ("pin", "shared", "input")
 _KIND = re.compile(
-    r"(?P<kind>pin|text|(?P<least>-?[0-9]{1,9})\.\.(?P<most>-?[0-9]{1,9})|(?P<words>[^\s|?=]+(\|[^\s|?=]+)+))"
+    r"(?P<kind>pin|shared|input|text|(?P<least>-?[0-9]{1,9})\.\.(?P<most>-?[0-9]{1,9})|(?P<words>[^\s|?=]+(\|[^\s|?=]+)+))"
     r"(?P<optional>\s*\?|\s*=\s*\S+)?"
 )
 
 
 @dataclass(frozen=True)
 class Setting:
-    """One setting: a whole number from `least` to `most`, one of `words`, or, without either, any word."""
+    """One setting: a whole number from `least` to `most`, one of `words`, or, without either, any word.
+
+    `joined`: how other parts may be wired to the same pin, `shared`, `input` or "" for not at all.
+    """
 
     is_pin: bool
     needed: bool
     least: int | None = None
     most: int | None = None
     words: tuple[str, ...] = ()
+    joined: str = ""
 
 
 @dataclass(frozen=True)
@@ -127,14 +134,21 @@ def refuse_what_is_not_understood(
                 Sentence(
                     "`{part}` does not say its `{setting}`, which the driver `{driver}` needs", part, name, driver
                 ),
-                Sentence('write {setting}="…" into its <board> in the robot’s XML', name),
+                Sentence('write {setting}="…" into its <board> in the robot’s XML, or name a kit (--board)', name),
             )
 
 
-def pins_of(says: Declared, settings: Mapping[str, str]) -> list[str]:
-    """The pins that a part is wired to."""
+def pins_of(says: Declared, settings: Mapping[str, str]) -> list[tuple[str, str, Setting]]:
+    """The pins that a part is wired to: the name of the setting, the pin, and what the driver says of it."""
     known = says.settings or {}
-    return [value for name, value in settings.items() if name in known and known[name].is_pin]
+    return [(name, value, known[name]) for name, value in settings.items() if name in known and known[name].is_pin]
+
+
+def may_join(name: str, setting: Setting, other: str, other_setting: Setting) -> bool:
+    """Whether two parts may be wired to one pin, by the names and the declarations of their settings."""
+    if setting.joined != other_setting.joined or not setting.joined:
+        return False
+    return setting.joined == "input" or name == other
 
 
 def _refuse_value(part: str, name: str, value: str, known: Setting) -> None:
@@ -176,11 +190,12 @@ def _settings(value: object, path: str, line: int) -> dict[str, Setting]:
             )
         least, most = kind["least"], kind["most"]
         found[name] = Setting(
-            kind["kind"] == "pin",
+            kind["kind"] in _PINS,
             kind["optional"] is None,
             int(least) if least is not None else None,
             int(most) if most is not None else None,
             tuple(kind["words"].split("|")) if kind["words"] else (),
+            kind["kind"] if kind["kind"] in _PINS[1:] else "",
         )
     return found
 

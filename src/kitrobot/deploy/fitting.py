@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kitrobot.deploy.declarations import pins_of, refuse_what_is_not_understood
+from kitrobot.deploy.declarations import Setting, may_join, pins_of, refuse_what_is_not_understood
 from kitrobot.deploy.errors import PackageError
 from kitrobot.deploy.package import FAMILIES, Package
 from kitrobot.deploy.program_file import UNUSED, Device, ProgramFile
@@ -18,7 +18,7 @@ def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
     Raises:
         PackageError: a driver does not understand its settings or its procedures, or two parts share a pin.
     """
-    wired: dict[str, Device] = {}
+    wired: dict[str, tuple[Device, str, Setting]] = {}
     for device in file.devices:
         if device.driver == UNUSED or device.kind == "t":
             continue
@@ -30,18 +30,20 @@ def refuse_misfits(file: ProgramFile, package: Package, family: str) -> None:
         if device.kind == "a":
             procedures = [call.split("/")[0] for call in device.words[1].split(",") if call != "-"]
         refuse_what_is_not_understood(part, device.driver, says, procedures, settings)
-        for pin in pins_of(says, settings):
-            if wired.get(pin) is device:
+        for name, pin, setting in pins_of(says, settings):
+            other, other_name, other_setting = wired.get(pin, (None, "", setting))
+            if other is device:
                 raise PackageError(
                     Sentence("`{part}` says the pin `{pin}` for two different things", part, pin),
                     Sentence("give one of them another pin in the robot’s XML"),
                 )
-            if pin in wired and {wired[pin].driver, device.driver} != _PLAIN:
+            plain = other is not None and {other.driver, device.driver} == _PLAIN
+            if other is not None and not plain and not may_join(other_name, other_setting, name, setting):
                 raise PackageError(
-                    Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", wired[pin].part, part, pin),
+                    Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", other.part, part, pin),
                     Sentence("give one of them another pin in the robot’s XML, or use only one of them in a program"),
                 )
-            wired[pin] = device
+            wired[pin] = device, name, setting
 
 
 def refuse_what_fits_no_board(file: ProgramFile, package: Package) -> None:

@@ -20,7 +20,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from kitrobot.deploy.builtin_names import GLOBALS, LETTERS, LOCALS
 
-DRIVER_FACE = frozenset({"make", "do", "done", "stop", "read", "show"})
+DRIVER_FACE = frozenset({"make", "do", "done", "stop", "read", "show", "tend"})
 """What a driver offers, and what users write."""
 
 _FOREIGN = frozenset(

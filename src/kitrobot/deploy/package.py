@@ -15,6 +15,7 @@ import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from pathlib import Path
 from threading import Lock
 
@@ -43,6 +44,9 @@ OWN_SUFFIX = ".driver.py"
 _BUILDING = Lock()
 """Trees of Python are shared, and written to while they are made short."""
 
+_REMEMBERED = 200
+"""Drivers whose declarations are remembered."""
+
 TEAM_DRIVER = "team"
 """The driver of what a robot has of its team; the code of a member comes with it."""
 FAMILIES: Mapping[str, Sequence[str]] = {"microbit": ("microbit", "any"), "machine": ("machine", "any")}
@@ -67,6 +71,7 @@ class Built:
         loop: names of files that it compiles: the port and the loop; none when they are in flash.
         drivers: names of files by names of drivers.
         wants_range: of each driver, whether it reads the settings `min` and `max`, which every sensor has.
+        tends: names of drivers that do something at each tick.
         frozen: what the board runs from its flash.
         member: the name of the file with the code of a member of a team; "" where no program of a team is meant.
     """
@@ -82,6 +87,12 @@ class Built:
     main: bytes
     frozen: Frozen | None = None
     member: str = ""
+    tends: frozenset[str] = frozenset()
+
+
+@lru_cache(_REMEMBERED)
+def _declared_once(text: str, path: str) -> Declared:
+    return declared(parsed(text, path), path)
 
 
 @dataclass(frozen=True)
@@ -115,7 +126,7 @@ class Package:
             PackageError: it says that as it should not, or is no Python.
         """
         path = self.driver_file(driver, family)
-        return declared(parsed(read_source(path), str(path)), str(path)) if path is not None else Declared()
+        return _declared_once(read_source(path), str(path)) if path is not None else Declared()
 
     def built(self, family: str, drivers: Mapping[str, Asked | None]) -> Built:
         """The package for a kind of board, with these drivers, each with what is asked of it; None: everything. From
@@ -137,7 +148,8 @@ class Package:
                 raise missing_driver(driver, self, family)
             modules[driver] = making.add(path, asked) + ".py"
             wants_range[driver] = re.search(rb"""["']m(in|ax)["']""", making.files[modules[driver]]) is not None
-        built = _built(family, making, modules, wants_range)
+        tends = frozenset(name for name, file in modules.items() if b"def tend(" in making.files[file])
+        built = replace(_built(family, making, modules, wants_range), tends=tends)
         if TEAM_DRIVER not in drivers:
             return built
         member = part(ONBOARD / "member.py")

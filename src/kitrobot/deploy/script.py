@@ -19,6 +19,9 @@ from kitrobot.image import Image
 from kitrobot_onboard import state
 from kitrobot_onboard.image import load
 
+_TEND = f"lambda robot,left,made=$robot[{state.ACTUATORS}][-1][0]:made.tend() or left"
+"""What is called in each gap, as those who tell news: the driver that was made last does something, in no time."""
+
 
 def board_file(program: ProgramFile | None, built: Built) -> bytes:
     """The program file for a board with this package. Without a program it has the loop, and nothing to do."""
@@ -61,6 +64,8 @@ def _devices(devices: Sequence[Device], built: Built) -> Iterator[tuple[int, lis
             where, add = f"s{cell} {device.driver} ", "$add_sensor"
             kept = f"{cell},{least},{most}"
         made = f"{add}($robot,$space['make']({_literal(settings)}),({kept}))"
+        if device.kind == "a" and device.driver in built.tends:
+            made += f";$robot[{state.TELL}].append({_TEND})"
         lines.setdefault(device.driver, []).append((f"$where={_literal(where)};", made))
     for driver, made_of_it in lines.items():
         name = built.drivers[driver]

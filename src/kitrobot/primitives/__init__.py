@@ -6,6 +6,8 @@ from kitrobot.primitives.catalogue import SHIPPED, Catalogue, config_folder, loa
 from kitrobot.primitives.constructors import Constructor, ConstructorTable, Group, Role, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.crew import Crew, CrewProgram, declaring, team_robot
+from kitrobot.primitives.kit import Kit, KitPart, Source, Tried, lacks, on_kit
+from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit, write_kit
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.match_template import Bound, fill_with, unfill, unfill_all, unfill_row
 from kitrobot.primitives.own_xml import (
@@ -39,6 +41,7 @@ from kitrobot.primitives.templates import Shape, holes, shape
 
 __all__ = [
     "IDENTIFIER",
+    "KIT_SUFFIX",
     "LARGEST_VALUE",
     "LEVEL",
     "LONGEST_SETTING",
@@ -58,6 +61,8 @@ __all__ = [
     "CrewProgram",
     "Group",
     "Kind",
+    "Kit",
+    "KitPart",
     "Level",
     "Method",
     "OwnVariable",
@@ -68,16 +73,21 @@ __all__ = [
     "Shape",
     "Slot",
     "SlotKind",
+    "Source",
     "Template",
     "Texts",
+    "Tried",
     "ValueType",
     "config_folder",
     "declaring",
     "fill_with",
     "has_team",
     "holes",
+    "lacks",
     "load_catalogue",
+    "on_kit",
     "read_constructors",
+    "read_kit",
     "read_own",
     "read_robot",
     "read_template",
@@ -90,5 +100,6 @@ __all__ = [
     "work_object",
     "write_constructor",
     "write_constructors",
+    "write_kit",
     "write_variable",
 ]

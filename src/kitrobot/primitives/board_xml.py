@@ -1,4 +1,4 @@
-"""`<board>` of a robot's actuator or sensor → `Board`: what the driver of the real robot is told.
+"""`<board>` of a robot's actuator or sensor, and the parts of a kit → `Board`: what the driver of a real robot is told.
 
 What it says travels to small boards in a line whose words are parted by spaces, so nothing that would break such a line
 is let through. Left to others: which drivers there are, and which settings one understands (drivers).
@@ -21,7 +21,8 @@ def _fits(text: str) -> bool:
     return 0 < len(text) <= LONGEST_SETTING and text.isprintable() and not _BREAKING & set(text)
 
 
-def _board(element: Element) -> Board:
+def driver_told(element: Element, ours: frozenset[str] = frozenset({"driver"})) -> Board:
+    """What an element tells a driver: its `driver`, and every attribute that is none of `ours` as a setting."""
     driver = element.attributes.get("driver")
     if driver is not None and not (_DRIVER.fullmatch(driver) and len(driver) <= LONGEST_SETTING):
         expected = Sentence("1 to {longest} of the letters a to z, digits, _ and -, a letter first", LONGEST_SETTING)
@@ -29,10 +30,12 @@ def _board(element: Element) -> Board:
     settings = {
         name: value
         for name, value in element.attributes.items()
-        if name != "driver" and not name.startswith(("xmlns", "xsi:"))
+        if name not in ours and not name.startswith(("xmlns", "xsi:"))
     }
     if len(settings) > MOST_SETTINGS:
-        message = Sentence("expected at most {most} settings on <board>, found {count}", MOST_SETTINGS, len(settings))
+        message = Sentence(
+            "expected at most {most} settings on <{element}>, found {count}", MOST_SETTINGS, element.name, len(settings)
+        )
         element.report(rules.BOARD, message)
     for name, value in settings.items():
         if not _fits(name):
@@ -56,7 +59,7 @@ def _board(element: Element) -> Board:
 
 _DRIVER_NAME = Kind(longest=LONGEST_SETTING, pattern=r"[A-Za-z][A-Za-z0-9_\-]*")
 BOARD = Tag(
-    _board,
+    driver_told,
     {"driver": optional(_DRIVER_NAME, about="The driver; without it the device.")},
     free_attributes=True,
     about="At most one: what the real robot's driver is told, pins and the like. Attributes beside driver are its "

@@ -13,13 +13,16 @@ from kitrobot.deploy import (
     PackageError,
     ProgramFile,
     board_file,
+    fitted,
     make_program_file,
     program_name,
+    refuse_misfits,
     refuse_what_fits_no_board,
+    refuse_what_is_missing,
 )
 from kitrobot.diagnostics import Diagnostic, Source
 from kitrobot.image import verify
-from kitrobot.primitives import Robot, config_folder
+from kitrobot.primitives import Kit, Robot, config_folder
 from kitrobot.robots.carried import Carried
 from kitrobot.robots.names import BoardNames, names_of
 from kitrobot.robots.session import Known
@@ -74,21 +77,28 @@ def program_of(
     folder: Path | None = None,
     *,
     member: bool = False,
+    kit: Kit | None = None,
 ) -> BoardProgram:
     """A program that was compiled without errors, ready to be sent; `folder`: where a user's own drivers may lie;
-    `member`: it is to be one of a team.
+    `member`: it is to be one of a team; `kit`: how its robot is wired, None as its XML says.
 
     Raises:
-        KitRobotError: a driver is missing, or the program fits no board.
+        KitRobotError: a driver is missing, the kit lacks a part, or the program fits no board.
     """
     assert compiled.image is not None
     verify(compiled.image)
-    file = make_program_file(compiled.image, robot, member=member)
     package = Package((config_folder(), *([folder] if folder is not None else [])))
-    missing = package.missing(file.drivers)
+    if kit is not None:
+        refuse_what_is_missing(robot, kit, compiled.image)
+        robot = fitted(robot, kit, package)
+    file = make_program_file(compiled.image, robot, member=member)
+    missing = package.missing(file.drivers, kit.family if kit is not None else None)
     if missing:
         raise no_driver(robot, missing[0], package)
-    refuse_what_fits_no_board(file, package)
+    if kit is not None:
+        refuse_misfits(file, package, kit.family)
+    else:
+        refuse_what_fits_no_board(file, package)
     return BoardProgram(names_of(name, robot, compiled), file, package, diagnostics, sources)
 
 

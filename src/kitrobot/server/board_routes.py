@@ -170,10 +170,11 @@ class BoardSession:
                 room.team.cancel()
 
     def _program(self, request: BoardConnectRequest | BoardSendRequest) -> BoardProgram:
-        from kitrobot.workspace import board_program
+        from kitrobot.workspace import board_program, kit_named
 
         folder = self._studio.folder.folders_of(request.path)[0]
-        return board_program(self._opened(request), request.program, folder)
+        kit = kit_named(request.kit, folder) if request.kit else None
+        return board_program(self._opened(request), request.program, folder, kit)
 
     def _opened(self, request: BoardConnectRequest | BoardSendRequest | TeamSendRequest) -> OpenMission:
         return self._studio.open(mission_from_shape(request.mission), request.path)

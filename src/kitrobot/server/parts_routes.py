@@ -12,6 +12,7 @@ from kitrobot.server.shapes import ConflictShape, TextShape, problem_shapes, wor
 from kitrobot.server.shapes.own import OwnVariableShape, own_variable
 from kitrobot.server.shapes.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.server.shapes.parts import (
+    KitEntryShape,
     PartsFileShape,
     PartsShape,
     PlanShape,
@@ -23,6 +24,7 @@ from kitrobot.workspace import (
     FoundWorld,
     WantedVariable,
     add_parts,
+    kits_at_hand,
     make_variable,
     read_world_file,
     worlds_at_hand,
@@ -79,13 +81,20 @@ def worlds(studio: ThisStudio, path: Name) -> list[WorldEntryShape]:
     return [_world(found) for found in worlds_at_hand(studio.folder.folders_of(path)[::-1])]
 
 
+@parts_routes.get("/kits")
+def kits(studio: ThisStudio, path: Name) -> list[KitEntryShape]:
+    """The kits that a robot can be built of, by their names."""
+    found = kits_at_hand(studio.folder.folders_of(path)[0])
+    return [KitEntryShape(name=name, label=dict(kit.label), help=dict(kit.help)) for name, kit in sorted(found.items())]
+
+
 @parts_routes.post("/parts")
 def parts(
     studio: ThisStudio, data: Annotated[bytes, Depends(_body)], path: Name, file: Name, over: Name = ""
 ) -> PartsFileShape:
-    """Puts a file with a robot, constructors or a world beside a mission."""
+    """Puts a file with a robot, a kit, constructors or a world beside a mission."""
     added = add_parts(studio.folder, path, file, data, over)
-    kind = cast('Literal["robot", "constructors", "world"]', added.kind)
+    kind = cast('Literal["robot", "board", "constructors", "world"]', added.kind)
     return PartsFileShape(file=added.file, kind=kind, names=list(added.names), known=added.known)
 
 

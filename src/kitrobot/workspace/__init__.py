@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from kitrobot.workspace.exercises import Exercises, FoundExercise, handed_in
     from kitrobot.workspace.fleets import FleetPlan, FleetTold, files_for_agents, free_endpoint, run_fleet
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
+    from kitrobot.workspace.kit_files import find_kit, kit_named, kits_at_hand
+    from kitrobot.workspace.kits import ProgramOnKit, mission_on_kit
     from kitrobot.workspace.opening import (
         NoProgramError,
         OpenMission,
@@ -55,6 +57,8 @@ else:
             "fleets": ("FleetPlan", "FleetTold", "files_for_agents", "free_endpoint", "run_fleet"),
             "inputs": ("Change", "Inputs", "read_inputs"),
             "compile_cache": ("KeptPrograms",),
+            "kit_files": ("find_kit", "kit_named", "kits_at_hand"),
+            "kits": ("ProgramOnKit", "mission_on_kit"),
             "opening": (
                 "NoProgramError",
                 "OpenMission",
@@ -106,6 +110,7 @@ __all__ = [
     "OpenTrace",
     "PartsFileError",
     "PreparedRun",
+    "ProgramOnKit",
     "ProgramReport",
     "Report",
     "Run",
@@ -128,14 +133,18 @@ __all__ = [
     "convert",
     "execute",
     "files_for_agents",
+    "find_kit",
     "find_robot",
     "free_endpoint",
     "handed_in",
     "is_trace",
+    "kit_named",
+    "kits_at_hand",
     "load_board_program",
     "load_executable",
     "look_at_boards",
     "make_variable",
+    "mission_on_kit",
     "new_mission",
     "open_mission",
     "open_trace",

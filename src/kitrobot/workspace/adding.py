@@ -1,4 +1,4 @@
-"""Files that a person puts beside a mission: a robot, constructors, a world.
+"""Files that a person puts beside a mission: a robot, a kit, constructors, a world.
 
 What is taken in can be read as XML of its kind; mistakes inside are told by whoever reads it there, with file and line,
 and can be mended there. What cannot be read at all, or is of another kind, is refused and nothing changes.
@@ -12,7 +12,7 @@ from pathlib import PurePosixPath
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import ConflictError, MissionFolder, MissionNameError, replace_file, revision_of
-from kitrobot.primitives import read_constructors, read_robot
+from kitrobot.primitives import KIT_SUFFIX, read_constructors, read_kit, read_robot
 from kitrobot.text import Sentence
 from kitrobot.workspace.checking import first_element
 from kitrobot.world import read_world
@@ -20,7 +20,7 @@ from kitrobot.world import read_world
 LARGEST_PARTS_BYTES = 4 * 1024 * 1024
 """Far more than any robot; a film given by mistake is refused."""
 
-_ENDINGS = {"robot": ".robot.xml", "constructors": ".xml", "world": ".world.xml"}
+_ENDINGS = {"robot": ".robot.xml", "board": KIT_SUFFIX, "constructors": ".xml", "world": ".world.xml"}
 _UNREADABLE = ("xml-not-well-formed", "xml-encoding", "xml-forbidden", "xml-too-deep", "xml-too-large")
 _OTHER_KINDS = {"kitrobot": Sentence("a mission"), "tutorial": Sentence("a tutorial")}
 
@@ -50,7 +50,7 @@ def add_parts(folder: MissionFolder, mission: str, file: str, data: bytes, over:
         over: the revision of the file that may be replaced, "" when none may.
 
     Raises:
-        PartsFileError: it holds no robot, no constructors and no world, or cannot be read.
+        PartsFileError: it holds no robot, kit, constructors or world, or cannot be read.
         MissionNameError: it has a name that no file may have.
         ConflictError: there is a file of that name with something else in it.
         FileError: it could not be written.
@@ -66,7 +66,7 @@ def add_parts(folder: MissionFolder, mission: str, file: str, data: bytes, over:
         )
     kind, names = _looked_through(shown, data)
     wanted = shown if shown.lower().endswith(".xml") else f"{shown}.xml"
-    if kind in ("robot", "world") and not wanted.lower().endswith(_ENDINGS[kind]):
+    if kind != "constructors" and not wanted.lower().endswith(_ENDINGS[kind]):
         wanted = wanted[: -len(".xml")] + _ENDINGS[kind]
     hold = folder.hold_beside(mission, wanted, over)
     try:
@@ -86,6 +86,9 @@ def _looked_through(file: str, data: bytes) -> tuple[str, tuple[str, ...]]:
     if kind == "robot":
         robot, problems = read_robot(data, file)
         names = [robot.name] if robot is not None else []
+    elif kind == "board":
+        kit, problems = read_kit(data, file)
+        names = [kit.name] if kit is not None else []
     elif kind == "world":
         world, problems = read_world(data, file)
         names = [world.name] if world is not None else []
@@ -111,5 +114,5 @@ def _refusal(file: str, kind: str) -> PartsFileError:
     found = Sentence("begins with <{element}>", kind[:40]) if kind else Sentence("is no XML")
     return PartsFileError(
         Sentence("`{file}` {found}, so it holds no parts", file[:80], found),
-        Sentence("files of parts begin with <robot>, <constructors> or <world>"),
+        Sentence("files of parts begin with <robot>, <board>, <constructors> or <world>"),
     )

@@ -1,5 +1,5 @@
-"""Every problem of a file, whatever its kind: missions, LLL texts, images, listings, and XML of robots, constructors,
-worlds, tutorials, exercises.
+"""Every problem of a file, whatever its kind: missions, LLL texts, images, listings, and XML of robots, kits,
+constructors, worlds, tutorials, exercises.
 
 The kind is told by the ending or, for XML, by the first element. A file that cannot be read is a problem like the
 others, so looking at many files goes on after it.
@@ -16,10 +16,11 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError
 from kitrobot.exercise import read_exercise
 from kitrobot.files import FileError, decode, read_bytes
 from kitrobot.lll import parse_any
-from kitrobot.primitives import Robot, load_catalogue, read_constructors, read_robot
+from kitrobot.primitives import KIT_SUFFIX, Robot, load_catalogue, read_constructors, read_kit, read_robot
 from kitrobot.text import Sentence
 from kitrobot.tutorial import read_tutorial
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
+from kitrobot.workspace.kit_files import wiring_problems
 from kitrobot.workspace.opening import open_mission
 from kitrobot.workspace.robot_devices import robot_problems
 from kitrobot.world import read_world
@@ -29,7 +30,7 @@ UNKNOWN_KIND = rule(
     Severity.ERROR,
     "A file is of no kind that is known here",
     "Known are `.krt`, `.lll`, `.kri`, `.kra`, pictures that carry a mission (`.svg`, `.png`, `.pdf`), and XML whose"
-    " first element is <robot>, <constructors>, <world>, <tutorial>, <exercise> or <kitrobot>.",
+    " first element is <robot>, <board>, <constructors>, <world>, <tutorial>, <exercise> or <kitrobot>.",
 )
 UNUSABLE = rule(
     "image-unusable",
@@ -45,7 +46,7 @@ _FIRST_ELEMENT = re.compile(
 _BEGINNING = 100_000
 """Characters among which the first element is looked for."""
 
-_READERS = ("robot", "world", "constructors", "tutorial", "exercise")
+_READERS = ("robot", "board", "world", "constructors", "tutorial", "exercise")
 _LINE = re.compile(r"^.*?:([0-9]+): (.*)$", re.DOTALL)
 
 
@@ -161,6 +162,9 @@ def _xml(path: Path) -> FileReport:
     if kind == "robot" or (kind not in _READERS and lower.endswith(".robot.xml")):
         robot, found = read_robot(data, name)
         found += robot_problems(robot, path.parent) if robot is not None else []
+    elif kind == "board" or (kind not in _READERS and lower.endswith(KIT_SUFFIX)):
+        kit, found = read_kit(data, name)
+        found += wiring_problems(kit, path.parent) if kit is not None else []
     elif kind == "world" or (kind not in _READERS and lower.endswith(".world.xml")):
         _, found = read_world(data, name)
     elif kind == "tutorial" or (kind not in _READERS and lower.endswith(".tutorial.xml")):
@@ -172,7 +176,8 @@ def _xml(path: Path) -> FileReport:
         found += _among_others(path, found)
     else:
         message = Sentence(
-            "expected <robot>, <constructors>, <world>, <tutorial>, <exercise> or <kitrobot>, found <{kind}>", kind[:40]
+            "expected <robot>, <board>, <constructors>, <world>, <tutorial>, <exercise> or <kitrobot>, found <{kind}>",
+            kind[:40],
         )
         found = [UNKNOWN_KIND(message, source.place(first.start(1), first.end(1)))]
     return FileReport(path, tuple(found), (source,))

@@ -10,7 +10,7 @@ from kitrobot import robots
 from kitrobot.compiler import Compiled, compile_program, compile_text, robot_of
 from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError, Source
 from kitrobot.files import Form, form_of, is_picture, read_text
-from kitrobot.primitives import Robot
+from kitrobot.primitives import Kit, Robot
 from kitrobot.robots import (
     BoardProgram,
     Progress,
@@ -24,6 +24,7 @@ from kitrobot.robots import (
 from kitrobot.text import Sentence
 from kitrobot.workspace.executables import NoRobotError
 from kitrobot.workspace.kept_programs import keep_program, kept_names
+from kitrobot.workspace.kit_files import find_kit
 from kitrobot.workspace.opening import OpenMission, open_mission
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.traces import parts_of
@@ -36,21 +37,25 @@ class NoHostError(KitRobotError):
 _FORMS = (Form.TEXT, Form.MISSION)
 
 
-def load_board_program(path: Path, *, robot: str | None = None, program: str | None = None) -> BoardProgram:
+def load_board_program(
+    path: Path, *, robot: str | None = None, program: str | None = None, kit: str | None = None
+) -> BoardProgram:
     """A program of a file, made ready to be sent.
 
     Args:
         path: a `.krt`, a picture that carries one, or an `.lll`.
         robot: the robot's name or file; needed unless a mission names it.
         program: which program of a mission with several.
+        kit: the name or the file of the kit that its robot is built of; None as the robot's XML says.
 
     Raises:
         ProblemsError: the program has errors, with all that is to be said of it.
         KitRobotError: a file cannot be read, the robot or the program is not there, a driver is missing.
     """
     form = Form.MISSION if is_picture(path.name) else form_of(path, _FORMS)
+    built_of = find_kit(kit, path.parent) if kit is not None else None
     if form is Form.MISSION:
-        return board_program(open_mission(path, robot=robot), program, path.parent)
+        return board_program(open_mission(path, robot=robot), program, path.parent, built_of)
     if robot is None:
         raise NoRobotError(
             Sentence("`{path}` does not say which robot it is for", path),
@@ -60,11 +65,14 @@ def load_board_program(path: Path, *, robot: str | None = None, program: str | N
     source = Source(str(path), read_text(path))
     compiled = compile_text(source.text, meant, source.name)
     found = (*compiled.diagnostics, *warn_of_sharing(path.stem, meant, compiled))
-    return ready_program(path.stem, meant, compiled, found, (source,), path.parent)
+    return ready_program(path.stem, meant, compiled, found, (source,), path.parent, kit=built_of)
 
 
-def board_program(opened: OpenMission, program: str | None = None, folder: Path | None = None) -> BoardProgram:
-    """A program of an open mission, made ready to be sent; `folder`: where drivers of the user's own may lie.
+def board_program(
+    opened: OpenMission, program: str | None = None, folder: Path | None = None, kit: Kit | None = None
+) -> BoardProgram:
+    """A program of an open mission, made ready to be sent; `folder`: where drivers of the user's own may lie; `kit`:
+    what its robot is built of, None as its XML says.
 
     Raises:
         ProblemsError: the program has errors, with all that is to be said of it.
@@ -84,7 +92,7 @@ def board_program(opened: OpenMission, program: str | None = None, folder: Path 
     shared = warn_of_sharing(meant.name, robot, compiled)
     found = tuple(opened.placed([*opened.diagnostics, *compiled.diagnostics, *shared]))
     beside = folder or (opened.path.parent if opened.path is not None else None)
-    ready = ready_program(meant.name, robot, compiled, found, opened.sources, beside)
+    ready = ready_program(meant.name, robot, compiled, found, opened.sources, beside, kit=kit)
     if opened.world is None:
         return ready  # a recording would embed the world
     return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
@@ -99,8 +107,9 @@ def ready_program(
     folder: Path | None,
     *,
     member: bool = False,
+    kit: Kit | None = None,
 ) -> BoardProgram:
-    """A program that was compiled, made ready to be sent; `member`: as that of a member of a team.
+    """A program that was compiled, made ready to be sent; `member`: as that of a member of a team; `kit`: on which.
 
     Raises:
         ProblemsError: it has errors.
@@ -110,7 +119,7 @@ def ready_program(
         raise ProblemsError(
             Sentence("the program `{program}` has errors", name), Sentence("mend them, then send it"), found, sources
         )
-    return program_of(name, robot, compiled, found, sources, folder, member=member)
+    return program_of(name, robot, compiled, found, sources, folder, member=member, kit=kit)
 
 
 def send_program(

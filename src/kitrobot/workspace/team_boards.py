@@ -9,7 +9,7 @@ from pathlib import Path
 from kitrobot import robots
 from kitrobot.compiler import Compiled, robot_of
 from kitrobot.diagnostics import KitRobotError, ProblemsError
-from kitrobot.primitives import Robot, with_team
+from kitrobot.primitives import Kit, Robot, with_team
 from kitrobot.robots import BoardProgram, Progress, Sent, carried_by
 from kitrobot.text import Sentence, did_you_mean, listed
 from kitrobot.workspace.kept_programs import keep_program
@@ -22,13 +22,14 @@ class BoardsError(KitRobotError):
     """It cannot be so said which agent has which board."""
 
 
-def agent_program(opened: OpenMission, name: str, folder: Path | None = None) -> BoardProgram:
+def agent_program(opened: OpenMission, name: str, folder: Path | None = None, kit: Kit | None = None) -> BoardProgram:
     """What an agent of a mission runs, made ready for a board that is a member of its team.
 
     Args:
         opened: the mission.
         name: of the agent.
         folder: where drivers of the user's own may lie; None: beside the mission.
+        kit: what its robot is built of; None: as the robot's XML says.
 
     Raises:
         BoardsError: the mission has no such agent.
@@ -53,7 +54,7 @@ def agent_program(opened: OpenMission, name: str, folder: Path | None = None) ->
         robot = robot_of(program, opened.catalogue)
         compiled = opened.compiled.get(program.name)
     beside = folder or (opened.path.parent if opened.path is not None else None)
-    ready = ready_program(program.name, robot, compiled, found, opened.all_sources, beside, member=True)
+    ready = ready_program(program.name, robot, compiled, found, opened.all_sources, beside, member=True, kit=kit)
     if opened.world is None or compiled is None:
         return ready
     return replace(ready, carried=carried_by(opened.mission, opened.world, parts_of(opened), robot, compiled))
@@ -66,6 +67,7 @@ def send_team(
     *,
     replace: bool = False,
     fresh: bool = False,
+    kit: Kit | None = None,
 ) -> list[Sent]:
     """Puts the programs of agents onto their boards, which then wait for `kitrobot team`; none of them is started.
 
@@ -75,11 +77,12 @@ def send_team(
         progress: is told how far it is.
         replace: as of `deploy.deploy`.
         fresh: as of `deploy.deploy`.
+        kit: what all their robots are built of; None: as the robots' XML says.
 
     Raises:
         KitRobotError: what can be said before anything is sent.
     """
-    programs = {port: agent_program(opened, name) for name, port in boards.items()}
+    programs = {port: agent_program(opened, name, kit=kit) for name, port in boards.items()}
     sent = robots.send_programs(programs, progress, replace=replace, fresh=fresh)
     for one in sent:
         if one.deployed is not None:

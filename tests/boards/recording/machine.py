@@ -4,7 +4,9 @@
 log = []  # (pin, what, value), in order
 levels = {}  # pin: what it reads, 0 or 1
 volts = {}  # pin: what it reads as analogue, 0 to 65535
-widths = {}  # pin: microseconds of the next answer; none comes where nothing stands
+widths = {}  # pin: microseconds of the next answer, None for none at all; a long one comes where nothing stands
+registers = {}  # of what is on an I2C bus: {address: {register: bytes}}; nothing else answers
+watchers = {}  # pin: what is called when it changes
 NAMES = ("LED",)
 PINS = 30
 
@@ -13,6 +15,8 @@ class Pin:
     IN = 0
     OUT = 1
     PULL_UP = 2
+    IRQ_RISING = 1
+    IRQ_FALLING = 2
 
     def __init__(self, name, mode=None, pull=None):
         if name not in NAMES and not (isinstance(name, int) and 0 <= name < PINS):
@@ -29,6 +33,27 @@ class Pin:
             return levels.get(self.name, 0)
         levels[self.name] = level
         log.append((self.name, "value", level))
+
+    def irq(self, handler, trigger):
+        watchers[self.name] = handler
+
+
+class I2C:
+    def __init__(self, number, sda=None, scl=None, freq=400000):
+        self.number = number
+
+    def here(self, address):
+        if address not in registers:
+            raise OSError(19)
+        return registers[address]
+
+    def readfrom_mem(self, address, register, count):
+        data = self.here(address).get(register, b"")
+        return (data + bytes(count))[:count]
+
+    def writeto_mem(self, address, register, data):
+        self.here(address)
+        log.append((address, register, bytes(data)))
 
 
 class PWM:
@@ -72,5 +97,5 @@ class ADC:
 
 def time_pulse_us(pin, level, timeout=1000000):
     log.append((pin.name, "wait", timeout))
-    width = widths.get(pin.name)
+    width = widths.get(pin.name, 1000000)
     return -2 if width is None else width if width <= timeout else -1

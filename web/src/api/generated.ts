@@ -112,6 +112,7 @@ export interface BoardConnectRequest {
   mission: Mission;
   path: string;
   program: string;
+  kit?: string;
 }
 
 /** Why the robot stopped by itself; `vertex` and `line` (of the LLL, from 1) are "" and 0 where nobody knows. */
@@ -207,6 +208,7 @@ export interface BoardSendRequest {
   mission: Mission;
   path: string;
   program: string;
+  kit?: string;
   then: "held" | "free" | "ready";
   replace?: boolean;
   fresh?: boolean;
@@ -675,6 +677,13 @@ export interface Kit {
   places: string[];
 }
 
+/** What a robot can be built of. */
+export interface KitEntry {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+}
+
 /** Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601). */
 export interface Left {
   journal: string;
@@ -1044,7 +1053,7 @@ export interface Parts {
  */
 export interface PartsFile {
   file: string;
-  kind: "robot" | "constructors" | "world";
+  kind: "robot" | "board" | "constructors" | "world";
   names: string[];
   known: boolean;
 }

@@ -1,7 +1,7 @@
 /** Routes of parts: the files beside a mission, and new or changed variables. */
 import type { OwnVariable, OwnWorld, WorldEntry } from "../model/types";
 import { ask } from "./client";
-import type { Parts, PartsFile, Plan, Text, VariableAsk, WorldFile } from "./generated";
+import type { KitEntry, Parts, PartsFile, Plan, Text, VariableAsk, WorldFile } from "./generated";
 
 /** A new or changed variable; `was`: the name of the one that it replaces, "" for a new one. */
 export type WantedVariable = Required<Omit<VariableAsk, "path" | "variables">>;
@@ -15,6 +15,7 @@ export const partsApi = {
   plan: (path: string, href: string) => ask<Plan>(`world/plan?${at(path)}&href=${encodeURIComponent(href)}`),
   worldText: async (world: OwnWorld) => (await ask<Text>("world/text", { method: "POST", json: world })).text,
   worlds: (path: string) => ask<WorldEntry[]>(`worlds?${at(path)}`),
+  kits: (path: string) => ask<KitEntry[]>(`kits?${at(path)}`),
   /** `over`: the revision of the file that may be replaced; else a file with something else in it is a refusal, 409. */
   add: (path: string, file: string, bytes: ArrayBuffer, over = "") =>
     ask<PartsFile>(`parts?${at(path)}&file=${encodeURIComponent(file)}&over=${over}`, { method: "POST", bytes }),

@@ -2,11 +2,13 @@
 import { CHECK_EN } from "./en-later-check";
 import { LATER_TEAM_EN } from "./en-later-team";
 import { NEW_EN } from "./en-later-new";
+import { KITS_EN } from "./en-later-kits";
 
 export const LATER_EN = {
   ...LATER_TEAM_EN,
   ...CHECK_EN,
   ...NEW_EN,
+  ...KITS_EN,
   "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
   "exercise.broken": "This exercise cannot be used.",

@@ -52,6 +52,8 @@ class BoardConnectRequest(BaseModel):
     mission: MissionShape
     path: str
     program: Name
+    kit: Name = ""
+    """What the robot is built of; "" as its own file says."""
 
 
 class BoardSendRequest(BaseModel):
@@ -62,6 +64,9 @@ class BoardSendRequest(BaseModel):
     mission: MissionShape
     path: str
     program: Name
+    kit: Name = ""
+    """What the robot is built of; "" as its own file says."""
+
     then: Literal["held", "free", "ready"]
     replace: bool = False
     """Whether a program of somebody else on it may be overwritten."""

@@ -46,6 +46,14 @@ class WorldEntryShape(BaseModel):
     problems: list[ProblemShape]
 
 
+class KitEntryShape(BaseModel):
+    """What a robot can be built of."""
+
+    name: str
+    label: dict[str, str]
+    help: dict[str, str]
+
+
 class PartsFileShape(BaseModel):
     """A file that was put beside a mission: its name there, and the names that it brings along.
 
@@ -53,7 +61,7 @@ class PartsFileShape(BaseModel):
     """
 
     file: str
-    kind: Literal["robot", "constructors", "world"]
+    kind: Literal["robot", "board", "constructors", "world"]
     names: list[str]
     known: bool
 

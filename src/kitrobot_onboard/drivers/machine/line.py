@@ -5,7 +5,7 @@ from machine import ADC, Pin
 
 from kitrobot_onboard.drivers.machine.pins import pin
 
-SETTINGS = {"pin": "pin", "threshold": "1..65535?", "dark": "low|high = high"}
+SETTINGS = {"pin": "input", "threshold": "1..65535?", "dark": "low|high = high"}
 
 
 class Line:

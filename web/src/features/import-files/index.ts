@@ -1,12 +1,12 @@
 /** Files that a person drops or chooses. What takes them in is fetched when there are some. */
-import { t } from "../../i18n/words";
+import { moreWords, t } from "../../i18n/words";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { menuItem } from "../../ui/menu-model";
 import type * as taking from "./take";
 
 function take(act: (loaded: typeof taking) => unknown): void {
-  import("./take").then(act, complain);
+  Promise.all([import("./take"), moreWords()]).then(([loaded]) => act(loaded), complain);
 }
 
 export const importFiles: Feature = {

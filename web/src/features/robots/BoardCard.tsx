@@ -24,6 +24,7 @@ import {
 } from "./actions";
 import { isMine, type Place, programFor, useBoards } from "./boards";
 import { Act, Sending, TroubleBox, WayOut } from "./parts";
+import { KitChoice } from "./KitChoice";
 import { playRecording, saveRecording } from "./recording";
 import type { Board } from "./wire";
 
@@ -292,6 +293,7 @@ export function BoardCard({ place }: { place: Place }) {
       {mine ? (
         <>
           <Program address={address} disabled={board?.phase === "sending"} />
+          <KitChoice address={address} disabled={board?.phase === "sending"} />
           <Acts place={place} />
           <Recorded board={board} />
         </>

@@ -3,7 +3,7 @@ import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
 import { reveal } from "../../session/actions";
 import { useWatch } from "../../session/watching";
-import { type Given, isMine, networkAddress, placesOf, programFor, useBoards, without } from "./boards";
+import { type Given, isMine, kitFor, networkAddress, placesOf, programFor, useBoards, without } from "./boards";
 import { send } from "./socket";
 import { agentAt, keepShown } from "./shown";
 import type { Board } from "./wire";
@@ -12,7 +12,9 @@ import type { Board } from "./wire";
 function given(address: string): Given {
   const { mission, file, activeProgram } = useStudio.getState();
   const names = mission.programs.map(({ name }) => name);
-  return { path: file.path, program: programFor(useBoards.getState(), address, names, activeProgram), mission };
+  const state = useBoards.getState();
+  const program = programFor(state, address, names, activeProgram);
+  return { path: file.path, program, kit: kitFor(state, address), mission };
 }
 
 function give(address: string): Given {
@@ -54,7 +56,7 @@ export function isCurrent(address: string): boolean {
   const now = given(address);
   const [drawn, sent] = [now.mission, was.mission];
   const same = (["programs", "constructors", "variables"] as const).every((part) => drawn[part] === sent[part]);
-  return same && now.program === board.program && now.path === was.path;
+  return same && now.program === board.program && now.path === was.path && now.kit === was.kit;
 }
 
 /** Runs what is drawn here on that robot: sends it first, unless the robot has it. */
@@ -102,6 +104,11 @@ export function identify(address: string): void {
 
 export function chooseProgram(address: string, program: string): void {
   useBoards.setState((state) => ({ chosen: { ...without(state.chosen, address), [address]: program } }));
+}
+
+/** What the robot there is built of; the next robot is taken for one of the same kit. */
+export function chooseKit(address: string, kit: string): void {
+  useBoards.setState((state) => ({ kits: { ...without(without(state.kits, address), ""), [address]: kit, "": kit } }));
 }
 
 /** Adds an address on the network and greets the robot there; false when it is no address. */

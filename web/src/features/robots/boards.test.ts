@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { applyMessage, type BoardsState, networkAddress, placesOf, programFor, readKept } from "./boards";
+import { applyMessage, type BoardsState, kitFor, networkAddress, placesOf, programFor, readKept } from "./boards";
 import { systemOf } from "./EmptyRobots";
 import { recordingName } from "./recording";
 import { runOf, shownBoards } from "./shown";
@@ -37,6 +37,7 @@ const STATE: BoardsState = {
   refused: {},
   given: {},
   chosen: {},
+  kits: {},
   typed: [],
   bodies: {},
   team: null,
@@ -72,10 +73,11 @@ describe("addresses on the network", () => {
   });
 
   it("remembers only what makes sense", () => {
-    expect(readKept(null)).toEqual({ chosen: {}, typed: [], bodies: {} });
-    expect(readKept("{")).toEqual({ chosen: {}, typed: [], bodies: {} });
+    expect(readKept(null)).toEqual({ chosen: {}, kits: {}, typed: [], bodies: {} });
+    expect(readKept("{")).toEqual({ chosen: {}, kits: {}, typed: [], bodies: {} });
     expect(readKept('{"chosen": {"a": "b", "c": 1}, "typed": ["socket://a:1", "spy://x", 3]}')).toEqual({
       chosen: { a: "b" },
+      kits: {},
       typed: ["socket://a:1"],
       bodies: {},
     });
@@ -102,7 +104,7 @@ describe("what the server tells", () => {
   it("keeps a robot as a whole, until it is gone", () => {
     const there = { ...STATE, ...applyMessage(STATE, BOARD) };
     expect(there.boards).toEqual({ "/dev/ttyACM0": BOARD });
-    const given = { ...there, given: { "/dev/ttyACM0": { path: "", program: "heart", mission: null as never } } };
+    const given = { ...there, given: { "/dev/ttyACM0": { path: "", program: "heart", kit: "", mission: null as never } } };
     const gone = { ...given, ...applyMessage(given, { type: "gone", address: "/dev/ttyACM0" }) };
     expect([gone.boards, gone.given]).toEqual([{}, {}]);
   });
@@ -125,6 +127,13 @@ describe("the list", () => {
     ]);
   });
 
+  it("is built of what was chosen for it, else of what was chosen last, else of what its own file says", () => {
+    expect(kitFor({ kits: {} }, "a")).toBe("");
+    expect(kitFor({ kits: { a: "xrp", "": "pico" } }, "a")).toBe("xrp");
+    expect(kitFor({ kits: { a: "xrp", "": "pico" } }, "b")).toBe("pico");
+    expect(kitFor({ kits: { a: "", "": "pico" } }, "a")).toBe("");
+  });
+
   it("offers the chosen program, else the one on the robot, else the open one", () => {
     const state = { chosen: {}, boards: { a: board({ program: "heart" }) } };
     expect(programFor({ ...state, chosen: { a: "dice" } }, "a", ["dice", "heart", "open"], "open")).toBe("dice");
@@ -135,7 +144,7 @@ describe("the list", () => {
 });
 
 describe("robots as a run", () => {
-  const given = { "/dev/ttyACM0": { path: "m.krt", program: "heart", mission: null as never } };
+  const given = { "/dev/ttyACM0": { path: "m.krt", program: "heart", kit: "", mission: null as never } };
 
   it("shows those that this page holds, with a program of the mission that is open", () => {
     const shown = (more: Partial<Board>, path = "m.krt") =>
@@ -147,7 +156,7 @@ describe("robots as a run", () => {
 
   it("is of those with the same programs as the one that runs and was given them last", () => {
     const [old, now] = [{ programs: [] }, { programs: [] }];
-    const give = (mission: object) => ({ path: "m.krt", program: "heart", mission: mission as Mission });
+    const give = (mission: object) => ({ path: "m.krt", program: "heart", kit: "", mission: mission as Mission });
     const boards = {
       a: board({ address: "a" }),
       b: board({ address: "b", state: "ready" }),

@@ -14,6 +14,8 @@ import type { Board, BoardsMessage, Port, Team } from "./wire";
 export interface Given {
   path: string;
   program: string;
+  /** What the robot is built of; "" as its own file says. */
+  kit: string;
   mission: Mission;
 }
 
@@ -36,6 +38,8 @@ export interface BoardsState {
   given: Record<string, Given>;
   /** address → program that is to go there. */
   chosen: Record<string, string>;
+  /** address → kit that the robot there is built of, "" for what was chosen last. */
+  kits: Record<string, string>;
   /** Addresses on the network. */
   typed: string[];
   /** Agent of a mission, as `bodyKey` names it → address of the board that is its body. */
@@ -57,7 +61,7 @@ export function networkAddress(text: string): string | null {
   return port >= 1 && port <= 65535 && whole.length <= MOST_ADDRESS ? whole : null;
 }
 
-type Kept = Pick<BoardsState, "chosen" | "typed" | "bodies">;
+type Kept = Pick<BoardsState, "chosen" | "kits" | "typed" | "bodies">;
 
 /** The last entries of what was remembered that are texts. */
 function texts(found: unknown): Record<string, string> {
@@ -68,7 +72,7 @@ function texts(found: unknown): Record<string, string> {
 
 /** What was remembered, as far as it makes sense. */
 export function readKept(text: string | null): Kept {
-  const kept: Kept = { chosen: {}, typed: [], bodies: {} };
+  const kept: Kept = { chosen: {}, kits: {}, typed: [], bodies: {} };
   let found: unknown;
   try {
     found = JSON.parse(text ?? "null");
@@ -76,8 +80,9 @@ export function readKept(text: string | null): Kept {
     return kept;
   }
   if (typeof found !== "object" || found === null) return kept;
-  const { chosen, typed, bodies } = found as { chosen?: unknown; typed?: unknown; bodies?: unknown };
+  const { chosen, kits, typed, bodies } = found as { chosen?: unknown; kits?: unknown; typed?: unknown; bodies?: unknown };
   kept.chosen = texts(chosen);
+  kept.kits = texts(kits);
   kept.bodies = texts(bodies);
   if (Array.isArray(typed)) {
     kept.typed = typed
@@ -110,10 +115,10 @@ export const useBoards = create<BoardsState>(() => ({
   ...readKept(stored()),
 }));
 
-useBoards.subscribe(({ chosen, typed, bodies }, before) => {
-  if (chosen === before.chosen && typed === before.typed && bodies === before.bodies) return;
+useBoards.subscribe(({ chosen, kits, typed, bodies }, before) => {
+  if (chosen === before.chosen && kits === before.kits && typed === before.typed && bodies === before.bodies) return;
   try {
-    localStorage.setItem(KEY, JSON.stringify({ chosen, typed, bodies }));
+    localStorage.setItem(KEY, JSON.stringify({ chosen, kits, typed, bodies }));
   } catch {
     // It then holds until the page is closed.
   }
@@ -179,6 +184,11 @@ export function programFor(
 ): string {
   const wanted = [chosen[address], boards[address]?.program, open];
   return wanted.find((one) => one !== undefined && programs.includes(one)) ?? programs[0] ?? "";
+}
+
+/** The kit that a robot is built of: what was chosen for it, else what was chosen last for another; "" for none. */
+export function kitFor({ kits }: Pick<BoardsState, "kits">, address: string): string {
+  return kits[address] ?? kits[""] ?? "";
 }
 
 /** Whether this page talks with it, so that it may do more than stop it. */

@@ -1,0 +1,89 @@
+"""`kitrobot check --board`: what the robots of missions are on a kit, part by part."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from kitrobot.cli.output import clean, error_object, give, json_text, tell
+from kitrobot.text import Sentence
+
+if TYPE_CHECKING:
+    from kitrobot.deploy import PartOnKit
+    from kitrobot.primitives import Kit
+    from kitrobot.workspace import ProgramOnKit
+
+
+def check_on_kit(files: Sequence[Path], board: str, *, as_json: bool) -> None:
+    """Says of each program of the missions what becomes of its robot's parts. Ends with 1 when one cannot be sent."""
+    from kitrobot.workspace import find_kit, mission_on_kit, open_mission
+
+    rows: list[dict[str, Any]] = []
+    failed = False
+    for path in files:
+        kit = find_kit(board, path.parent)
+        for program in mission_on_kit(open_mission(path), kit):
+            failed |= program.problem is not None
+            if as_json:
+                rows.append({"file": str(path), "board": kit.name, **_object(program)})
+            else:
+                _write(program, kit)
+    if as_json:
+        give(json_text(rows, 2) + "\n")
+    if failed:
+        raise typer.Exit(1)
+
+
+def _write(program: ProgramOnKit, kit: Kit) -> None:
+    tell_of = f"{clean(program.program)} (robot {clean(program.robot)}) on {clean(kit.name)}:"
+    table = [_row(one) for one in program.parts]
+    widths = [max((len(row[column]) for row in table), default=0) for column in range(2)]
+    give(tell_of + "\n")
+    for name, used, words in table:
+        give(f"  {name.ljust(widths[0])}  {used.ljust(widths[1])}  {words}\n")
+    if program.problem is None:
+        give("  it can be sent\n")
+    else:
+        tell(Sentence("{program}: {message}", program.program, program.problem.message))
+        if program.problem.help:
+            tell(Sentence("  help: {help}", program.problem.help))
+
+
+def _row(one: PartOnKit) -> tuple[str, str, str]:
+    return clean(one.part.name), "used" if one.is_used else "not used", _words(one)
+
+
+def _words(one: PartOnKit) -> str:
+    if one.found is None or one.found.is_missing:
+        why = one.found.help.get("", "") if one.found is not None else ""
+        if one.is_missing:
+            return "missing" + (f": {clean(why)}" if why else "")
+    if one.problem is not None:
+        return f"does not work: {clean(one.problem.message)}"
+    told = " ".join(f"{name}={value}" for name, value in one.part.board.settings.items())
+    return clean(f"{one.part.board.driver} {told}".rstrip())
+
+
+def _object(program: ProgramOnKit) -> dict[str, Any]:
+    return {
+        "program": program.program,
+        "robot": program.robot,
+        "ok": program.problem is None,
+        "error": error_object(program.problem) if program.problem is not None else None,
+        "parts": [
+            {
+                "part": one.part.name,
+                "category": one.part.category.value,
+                "used": one.is_used,
+                "missing": one.is_missing,
+                "why": one.found.help.get("", "") if one.found is not None and one.is_missing else "",
+                "problem": one.problem.message if one.problem is not None else "",
+                "driver": "" if one.is_missing else one.part.board.driver,
+                "settings": {} if one.is_missing else dict(one.part.board.settings),
+            }
+            for one in program.parts
+        ],
+    }

@@ -1,0 +1,183 @@
+"""A robot on a kit: its parts wired as the kit's file says, and what is wrong with that, before anything is sent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from kitrobot.deploy.declarations import Declared, Setting, may_join, refuse_what_is_not_understood
+from kitrobot.deploy.errors import PackageError
+from kitrobot.deploy.package import Package, missing_driver
+from kitrobot.deploy.program_file import used
+from kitrobot.image import Image, Layout
+from kitrobot.primitives import Board, Category, Kit, KitPart, Robot, RobotObject, lacks, on_kit
+from kitrobot.text import COMMA, Sentence, Series, Word
+
+INHERITED = ("side", "reach")
+"""Settings of a robot's part that its driver is told where the kit does not say them: what they mean is the same for
+the simulator and for a real part.
+"""
+
+_EITHER = frozenset({"pin-in", "pin-out", "music"})
+"""Drivers of what people plug in at a micro:bit's edge: a kit may name one pin for all of them, a program uses one."""
+
+
+@dataclass(frozen=True)
+class PartOnKit:
+    """One part of a robot on a kit.
+
+    `is_used`: by the program; `is_missing`: the kit has nothing for it; `found`: what the kit says of it; `problem`:
+    why it does not work there, or None.
+    """
+
+    part: RobotObject
+    is_used: bool
+    is_missing: bool
+    found: KitPart | None
+    problem: PackageError | None
+
+
+def parts_used(image: Image, robot: Robot) -> list[RobotObject]:
+    """The actuators and sensors of a robot that a program uses."""
+    cells, commands = used(image)
+    layout = Layout(robot)
+    acting = {image.commands[at] for at in commands}
+    found = [part for number, part in enumerate(robot.actuators) if number in acting]
+    return found + [part for part in robot.sensors if layout.sensors[part.name] in cells]
+
+
+def fitted(robot: Robot, kit: Kit, package: Package) -> Robot:
+    """The robot with the drivers of a kit: each is told the settings that it knows."""
+
+    def told(part: RobotObject) -> RobotObject:
+        says = package.declared(part.board.driver, kit.family)
+        if kit.part_for(part) is None or says.settings is None:
+            return part
+        given = {name: value for name, value in part.settings.items() if name in INHERITED and name in says.settings}
+        settings = {**given, **part.board.settings}
+        known = {name: value for name, value in settings.items() if name in says.settings or name == "limit"}
+        return replace(part, board=Board(part.board.driver, known))
+
+    wired = on_kit(robot, kit)
+    return replace(wired, actuators=tuple(map(told, wired.actuators)), sensors=tuple(map(told, wired.sensors)))
+
+
+def refuse_what_is_missing(robot: Robot, kit: Kit, image: Image) -> None:
+    """Raises a PackageError that names every part which a program uses and a kit lacks."""
+    missing = [part for part in parts_used(image, robot) if lacks(kit, part)]
+    if not missing:
+        return
+    names = Series(COMMA, (f"`{part.name}`" for part in missing))
+    why = next((found.help for part in missing if (found := kit.part_for(part)) and found.help), {})
+    other = Sentence("take another kit; `kitrobot check MISSION --board NAME` says what it has")
+    raise PackageError(
+        Sentence("the kit `{kit}` lacks what the program uses: {parts}", kit.name, names),
+        Word(why[""]) if "" in why else other,
+    )
+
+
+def look_at_parts(robot: Robot, kit: Kit, package: Package, image: Image | None) -> list[PartOnKit]:
+    """What becomes of every part of a robot on a kit; `image`: of the program that is meant, None for no one."""
+    names = {(part.category, part.name) for part in parts_used(image, robot)} if image is not None else set()
+    found = []
+    for part, wired in zip(_parts(robot), _parts(fitted(robot, kit, package)), strict=True):
+        missing = lacks(kit, part)
+        problem = None if missing else _problem(wired, kit, package)
+        found.append(PartOnKit(wired, (part.category, part.name) in names, missing, kit.part_for(part), problem))
+    return found
+
+
+def _parts(robot: Robot) -> list[RobotObject]:
+    return [*robot.actuators, *robot.sensors]
+
+
+def _problem(part: RobotObject, kit: Kit, package: Package) -> PackageError | None:
+    if package.missing([part.board.driver], kit.family):
+        return missing_driver(part.board.driver, package, kit.family)
+    procedures = [method.name for method in part.methods] if part.category is Category.ACTUATOR else None
+    says = package.declared(part.board.driver, kit.family)
+    try:
+        refuse_what_is_not_understood(part.name, part.board.driver, says, procedures, part.board.settings)
+    except PackageError as error:
+        return error
+    return None
+
+
+def kit_problems(kit: Kit, package: Package) -> list[tuple[KitPart, PackageError]]:
+    """What is wrong with a kit's file: drivers, settings, pins that the board does not have or that are used twice."""
+    found: list[tuple[KitPart, PackageError]] = []
+    wired: dict[str, tuple[KitPart, str, Setting]] = {}
+    for part in kit.parts:
+        if part.is_missing:
+            continue
+        try:
+            said = _understood(part, kit, package)
+            for name, pin, setting in _pins(part, said):
+                _refuse_pin(part, name, pin, setting, kit, wired)
+        except PackageError as problem:
+            found.append((part, problem))
+    return found
+
+
+def _understood(part: KitPart, kit: Kit, package: Package) -> Mapping[str, Declared]:
+    """What the drivers of a part say of themselves, by their names.
+
+    Raises:
+        PackageError: one is not there, a setting is known to none, or one of them needs another.
+    """
+    said: dict[str, Declared] = {}
+    for device in part.devices:
+        driver = part.board.driver or device
+        if package.missing([driver], kit.family):
+            raise missing_driver(driver, package, kit.family)
+        said[driver] = package.declared(driver, kit.family)
+    known = {name for says in said.values() for name in says.settings or part.board.settings}
+    for name in part.board.settings:
+        if name not in known and not (name == "limit" and part.category is Category.ACTUATOR):
+            raise PackageError(
+                Sentence("no driver of `{part}` knows the setting `{setting}`", _name(part), name),
+                Sentence("known are {settings}", Series(COMMA, (f"`{one}`" for one in sorted(known)))),
+            )
+    procedures = () if part.category is Category.ACTUATOR else None
+    for driver, says in said.items():
+        asked = says.settings or {}
+        given = {name: value for name, value in part.board.settings.items() if name in asked}
+        given |= {name: setting.words[0] for name, setting in asked.items() if name in INHERITED and setting.words}
+        refuse_what_is_not_understood(_name(part), driver, says, procedures, given)
+    return said
+
+
+def _pins(part: KitPart, said: Mapping[str, Declared]) -> Iterator[tuple[str, str, Setting]]:
+    """Each pin of a part once: the setting's name, the pin, what the driver says of it."""
+    for name, value in part.board.settings.items():
+        asked = [says.settings[name] for says in said.values() if says.settings and name in says.settings]
+        if asked and asked[0].is_pin:
+            yield name, value, asked[0]
+
+
+def _refuse_pin(
+    part: KitPart, name: str, pin: str, setting: Setting, kit: Kit, wired: dict[str, tuple[KitPart, str, Setting]]
+) -> None:
+    if kit.pins and pin not in kit.pins:
+        raise PackageError(
+            Sentence("`{part}` is wired to the pin `{pin}`, which this board does not have", _name(part), pin),
+            Sentence("its pins are those in `pins`; mend one of the two"),
+        )
+    other = wired.get(pin)
+    if other is not None:
+        if other[0] is part:
+            raise PackageError(
+                Sentence("`{part}` says the pin `{pin}` for two different things", _name(part), pin),
+                Sentence("give one of them another pin"),
+            )
+        either = {one.board.driver or one.devices[0] for one in (other[0], part)} <= _EITHER
+        if not either and not may_join(other[1], other[2], name, setting):
+            raise PackageError(
+                Sentence("`{part}` and `{other}` are both wired to the pin `{pin}`", _name(other[0]), _name(part), pin),
+                Sentence("give one of them another pin"),
+            )
+    wired[pin] = part, name, setting
+
+
+def _name(part: KitPart) -> str:
+    return " ".join(part.names or part.devices)

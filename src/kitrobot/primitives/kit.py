@@ -1,0 +1,121 @@
+"""A kit: what a robot can be built of, and how the parts of a robot are wired on it. One robot fits many kits.
+
+Representation: frozen values, in the order of the file. A `KitPart` says of which parts of robots it speaks: those of
+its category whose device it names and, where it says them, whose name is one of its names and whose settings hold what
+`when` says. The one that says most of a part counts, of two the first.
+
+Left to others: reading the XML (kit_xml), which drivers there are and what they understand (deploy).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+
+from kitrobot.diagnostics import Place
+from kitrobot.primitives.robot import Board, Category, Robot, RobotObject, Texts
+
+FAMILIES_OF_BOARDS = ("machine", "microbit")
+"""What kinds of boards there are: those with the module `machine`, and the micro:bit."""
+
+LARGEST_PIN = 127
+"""The largest number of a pin."""
+
+
+class Tried(StrEnum):
+    """How it is known that a kit works as its file says."""
+
+    DOCUMENTS = "documents"
+    EMULATOR = "emulator"
+    HAND = "hand"
+
+
+@dataclass(frozen=True)
+class KitPart:
+    """How parts of some devices are wired, or (`is_missing`) that the kit has nothing for them.
+
+    `devices` are names of devices of robots, one at least; `names` those of parts, none for any; `when` is a setting of
+    the robot's part as `guide=road`, "" for any. `help` says what it is or why there is none.
+    """
+
+    category: Category
+    devices: tuple[str, ...]
+    names: tuple[str, ...] = ()
+    when: str = ""
+    board: Board = field(default_factory=Board)
+    is_missing: bool = False
+    help: Texts = field(default_factory=dict)
+    place: Place | None = field(default=None, compare=False, repr=False)
+
+    def speaks_of(self, part: RobotObject) -> bool:
+        """Whether it says how that part is wired."""
+        meant = part.category is self.category and part.device in self.devices
+        name, _, value = self.when.partition("=")
+        return meant and (not self.names or part.name in self.names) and (not name or part.settings.get(name) == value)
+
+
+@dataclass(frozen=True)
+class Source:
+    """A document that says how the kit is wired: `href` is its address."""
+
+    href: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Kit:
+    """A kit.
+
+    Args:
+        name: of the kit.
+        family: the kind of its board.
+        pins: the pins that there are, numbers and names as texts; none where that is not known.
+        micropython: the least version of its firmware, as `1.20`; "" where any does.
+        parts: how parts are wired, in the order of the file.
+        tried: how it is known to work; `tried_by`: who reported it.
+        sources: the documents that it is made from.
+        supplies: what is needed to build it, and `steps`: what is done then; by language each.
+        place: where its name stands in its file.
+    """
+
+    name: str
+    family: str
+    pins: tuple[str, ...] = ()
+    micropython: str = ""
+    parts: tuple[KitPart, ...] = ()
+    tried: Tried = Tried.DOCUMENTS
+    tried_by: str = ""
+    sources: tuple[Source, ...] = ()
+    supplies: tuple[Texts, ...] = ()
+    steps: tuple[Texts, ...] = ()
+    label: Texts = field(default_factory=dict)
+    help: Texts = field(default_factory=dict)
+    place: Place | None = field(default=None, compare=False, repr=False)
+
+    def part_for(self, part: RobotObject) -> KitPart | None:
+        """What it says of a robot's part; None when it says nothing."""
+        found = [one for one in self.parts if one.speaks_of(part)]
+        return max(found, key=lambda one: bool(one.names) + bool(one.when)) if found else None
+
+
+def on_kit(robot: Robot, kit: Kit) -> Robot:
+    """The robot with its parts wired as the kit says. A part that the kit lacks stays as it is."""
+
+    def wired(part: RobotObject) -> RobotObject:
+        found = kit.part_for(part)
+        if found is None or found.is_missing:
+            return part
+        return replace(part, board=replace(found.board, driver=found.board.driver or part.device))
+
+    actuators = tuple(wired(part) for part in robot.actuators)
+    return replace(robot, actuators=actuators, sensors=tuple(wired(part) for part in robot.sensors))
+
+
+def lacks(kit: Kit, part: RobotObject) -> bool:
+    """Whether a kit has nothing for a part of a robot that needs a driver. Chance and what a team says need no part."""
+    found = kit.part_for(part)
+    return found.is_missing if found is not None else part.device not in PARTLESS
+
+
+PARTLESS = frozenset({"random", "team", "work"})
+"""Devices that are no parts: every board has them."""

@@ -1,0 +1,68 @@
+"""What a mission's robots are on a kit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from kitrobot.compiler import Compiled, compile_program, robot_of
+from kitrobot.deploy import Package, PartOnKit, look_at_parts
+from kitrobot.diagnostics import KitRobotError
+from kitrobot.primitives import Kit, Robot, config_folder, with_team
+from kitrobot.workspace.opening import OpenMission
+from kitrobot.workspace.robot_programs import board_program
+from kitrobot.workspace.team_boards import agent_program
+
+
+@dataclass(frozen=True)
+class ProgramOnKit:
+    """A program of a mission on a kit: what becomes of each part of its robot; `problem`: why it cannot be sent."""
+
+    program: str
+    robot: str
+    parts: tuple[PartOnKit, ...]
+    problem: KitRobotError | None
+
+
+def mission_on_kit(opened: OpenMission, kit: Kit, folder: Path | None = None) -> list[ProgramOnKit]:
+    """What becomes of each program of a mission on a kit; of a whole team's program, for each kind of its robots."""
+    beside = folder or (opened.path.parent if opened.path is not None else None)
+    package = Package((config_folder(), *([beside] if beside is not None else [])))
+    found = []
+    for program in opened.mission.programs:
+        if program.level.is_team:
+            agents = {agent.robot: agent.name for agent in opened.mission.team.agents if agent.program == program.name}
+            for kind, agent in agents.items():
+                robot = with_team(opened.catalogue.robots[kind], opened.mission.team.works)
+                compiled = opened.team.kinds.get(kind) if opened.team is not None else None
+                problem = _why_not(agent_program, opened, agent, beside, kit)
+                found.append(_looked_at(program.name, robot, compiled, kit, package, problem))
+        else:
+            name = program.name
+            compiled = opened.compiled.get(name) or compile_program(program, opened.catalogue)
+            problem = _why_not(board_program, opened, name, beside, kit)
+            robot = robot_of(program, opened.catalogue)
+            found.append(_looked_at(name, robot, compiled, kit, package, problem))
+    return found
+
+
+def _why_not(
+    make: Callable[[OpenMission, str, Path | None, Kit], object],
+    opened: OpenMission,
+    name: str,
+    folder: Path | None,
+    kit: Kit,
+) -> KitRobotError | None:
+    try:
+        make(opened, name, folder, kit)
+    except KitRobotError as error:
+        return error
+    return None
+
+
+def _looked_at(
+    name: str, robot: Robot, compiled: Compiled | None, kit: Kit, package: Package, problem: KitRobotError | None
+) -> ProgramOnKit:
+    image = compiled.image if compiled is not None else None
+    return ProgramOnKit(name, robot.name, tuple(look_at_parts(robot, kit, package, image)), problem)

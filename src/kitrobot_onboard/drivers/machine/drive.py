@@ -1,0 +1,39 @@
+# A robot that drives straight on with two motors (see `shared.motors` for their pins).
+
+from kitrobot_onboard.drivers.machine.shared.motors import base_of
+
+SETTINGS = {
+    "left-forward": "shared",
+    "left-backward": "shared",
+    "left-power": "shared?",
+    "right-forward": "shared",
+    "right-backward": "shared",
+    "right-power": "shared?",
+    "bridge": "inputs|direction = inputs",
+    "frequency": "10..100000 = 1000",
+    "least": "0..90 = 0",
+    "left-flipped": "yes|no = no",
+    "right-flipped": "yes|no = no",
+    "left-trim": "10..100 = 100",
+    "right-trim": "10..100 = 100",
+}
+PROCEDURES = "Advance Reverse Stop"
+
+
+class Drive:
+    def __init__(self, settings):
+        self.base = base_of(settings)
+
+    def do(self, procedure, arguments):
+        speed = 0
+        if procedure == "Advance":
+            speed = arguments[0]
+        elif procedure == "Reverse":
+            speed = -arguments[0]
+        self.base.want("drive", speed, speed)
+
+    def stop(self):
+        self.base.stop()
+
+
+make = Drive

@@ -1,0 +1,22 @@
+# A lamp at a pin.
+
+import microbit
+
+SETTINGS = {"pin": "pin", "active": "high|low = high"}
+PROCEDURES = "LightOn LightOff"
+
+
+class Lamp:
+    def __init__(self, settings):
+        self.pin = getattr(microbit, "pin" + settings["pin"])
+        self.on = 0 if settings.get("active") == "low" else 1
+        self.stop()
+
+    def do(self, procedure, arguments):
+        self.pin.write_digital(self.on if procedure == "LightOn" else 1 - self.on)
+
+    def stop(self):
+        self.pin.write_digital(1 - self.on)
+
+
+make = Lamp

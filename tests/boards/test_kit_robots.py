@@ -1,0 +1,63 @@
+"""The paper's robots on a kit with a current MicroPython: deployed by the command a user types, with recorded pins."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from kitrobot.deploy import connect
+from tests.boards.modern import ModernBoard, onboard_files
+from tests.boards.test_modern_robot import deploy_by_command, pins_told
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+MOTORS = (2, 3, 4, 5)
+
+
+@pytest.fixture
+def kit() -> Iterator[ModernBoard]:
+    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}) as board:
+        yield board
+
+
+def test_square_drives_and_turns_on_a_pico_with_two_motors_and_stop_stops_them(kit: ModernBoard) -> None:
+    deploy_by_command(EXAMPLES / "square" / "square.krt", kit, "--board", "pico")
+    with connect(kit.address, 10) as board:
+        while board.greet().state == 2 and board.greet().tick < 150:
+            continue
+        board.stop()
+        assert board.last_fault() is None
+    duties = dict.fromkeys(MOTORS, 0)
+    moves: list[tuple[bool, ...]] = []
+    for name, what, value in pins_told(kit):
+        if name in MOTORS and what == "duty":
+            duties[int(str(name))] = value
+            going = tuple(duties[pin] > 0 for pin in MOTORS)
+            if not moves or moves[-1] != going:
+                moves.append(going)
+            assert not (duties[2] and duties[3]), "never both inputs of a motor at once"
+            assert not (duties[4] and duties[5])
+    straight, turning = (True, False, True, False), (False, True, True, False)
+    assert straight in moves
+    assert turning in moves
+    assert moves.index(straight) < moves.index(turning)
+    assert moves[-1] == (False,) * 4
+
+
+def test_a_range_finder_that_is_not_plugged_in_is_a_fault_of_its_part_and_everything_stands(
+    tmp_path: Path,
+) -> None:
+    machine = onboard_files()["machine.py"] + b"\nwidths[15] = None\n"
+    with ModernBoard({"lib/machine.py": machine}) as board:
+        path = tmp_path / "wall.lll"
+        path.write_text("Wheel.Advance(50); *[Captor.GreaterThan(20)](WAIT(1); ); Wheel.Stop();", encoding="utf-8")
+        deploy_by_command(path, board, "--robot", "mini-robot", "--board", "pico")
+        with connect(board.address, 10) as line:
+            fault = None
+            while fault is None:
+                fault = line.last_fault()
+        assert "not plugged in" in fault.text
+        told = [value for name, what, value in pins_told(board) if name in MOTORS and what == "duty"]
+    assert max(told) > 0
+    assert told[-1] == 0

@@ -1,0 +1,55 @@
+"""`kitrobot check --board`, and what `kitrobot deploy --board` says before anything is sent."""
+
+from __future__ import annotations
+
+from tests.cli.conftest import EXAMPLE
+
+EXAMPLES = EXAMPLE.parents[1]
+DOOR, SQUARE = EXAMPLES / "door" / "door.krt", EXAMPLES / "square" / "square.krt"
+KIT = """<board name="mine" version="1" pins="0..9">
+  <actuator device="drive turn" left-forward="2" left-backward="3" right-forward="4" right-backward="{pin}"/>
+</board>
+"""
+
+
+def test_each_part_of_each_program_is_told_and_the_status_is_that_of_what_is_missing(kitrobot):
+    said = kitrobot("check", DOOR, "--board", "pico")
+    assert (said.status, said.err) == (0, "")
+    assert "Door    used      servo pin=22" in said.out
+    assert "it can be sent" in said.out
+    said = kitrobot("check", DOOR, SQUARE, "--board", "cutebot", "--json")
+    assert said.status == 1
+    door, square = said.json
+    assert (door["ok"], square["ok"]) == (False, True)
+    assert "`Switch`" in door["error"]["message"]
+    assert [part["part"] for part in door["parts"] if part["used"] and part["missing"]] == ["Switch"]
+    assert square["error"] is None
+
+
+def test_a_whole_teams_program_is_told_for_each_kind_of_its_robots(kitrobot):
+    said = kitrobot("check", EXAMPLES / "convoy" / "convoy.krt", "--board", "pico", "--json")
+    assert said.status == 0
+    assert {one["robot"] for one in said.json} == {"mini-robot"}
+
+
+def test_a_kit_that_is_not_there_and_one_whose_wiring_is_wrong_are_sentences(kitrobot, here):
+    said = kitrobot("check", SQUARE, "--board", "pcio")
+    assert said.status == 1
+    assert "did you mean pico?" in said.err
+    (here / "mine.board.xml").write_text(KIT.format(pin=4), encoding="utf-8")
+    said = kitrobot("deploy", SQUARE, "--board", "mine.board.xml", "--to", "socket://127.0.0.1:1")
+    assert said.status == 1
+    assert "the pin `4` for two different things" in said.err
+    said = kitrobot("check", "mine.board.xml", "--json")
+    assert [(one["code"], one["line"]) for one in said.json] == [("board-wiring", 2)]
+    (here / "mine.board.xml").write_text(KIT.format(pin=5), encoding="utf-8")
+    assert kitrobot("check", "mine.board.xml").status == 0
+    said = kitrobot("deploy", DOOR, "--board", "mine.board.xml", "--to", "socket://127.0.0.1:1")
+    assert "lacks what the program uses" in said.err
+
+
+def test_an_agents_port_without_a_team_and_two_kits_are_told(kitrobot):
+    for boards in (["a=COM3"], ["pico", "esp32"]):
+        said = kitrobot("deploy", SQUARE, *(word for board in boards for word in ("--board", board)))
+        assert said.status == 2
+        assert "--team" in said.err

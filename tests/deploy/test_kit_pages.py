@@ -1,0 +1,40 @@
+"""docs/kits.md and its pictures say what the kits are; every program of the gallery runs on one of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from tools import kit_pages
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Mapping[Path, str]]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("KITROBOT_CONFIG", str(tmp_path_factory.mktemp("nobody")))
+        yield kit_pages.pages()
+
+
+def test_the_page_and_the_pictures_are_current(made: Mapping[Path, str]) -> None:
+    assert [path.name for path in kit_pages.stale(made)] == [], "write them with `python -m tools.kit_pages`"
+
+
+def test_every_program_of_the_gallery_runs_on_a_kit(made: Mapping[Path, str]) -> None:
+    rows = [line for line in made[kit_pages.PAGE].splitlines() if line.startswith("| ") and "](#" not in line]
+    table = rows[: rows.index("| devices | driver | settings |")]
+    assert len(table) >= 30
+    assert [row for row in table if " yes |" not in row] == []
+
+
+def test_a_picture_shows_every_wire_once_at_its_pin(made: Mapping[Path, str]) -> None:
+    (text,) = (text for path, text in made.items() if path.suffix == ".svg")
+    root = ElementTree.fromstring(text)
+    space = "{http://www.w3.org/2000/svg}"
+    wires = list(root.iter(f"{space}path"))
+    words = [one.text for one in root.iter(f"{space}text")]
+    assert len(wires) == len([word for word in words if word and (word.startswith("GP") or word == "LED")])
+    for name, pin in (("left-forward", "GP2"), ("trigger", "GP14"), ("echo", "GP15")):
+        assert words[words.index(name) + 1] == pin

@@ -1,0 +1,104 @@
+"""Kits held against the drivers: pins that a board does not have or that are used twice, settings, missing parts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kitrobot.compiler import compile_text
+from kitrobot.deploy import Package, PackageError, fitted, kit_problems, look_at_parts, refuse_what_is_missing
+from kitrobot.primitives import SHIPPED, Kit, load_catalogue, read_kit
+from kitrobot.robots import program_of
+
+MOTORS = 'left-forward="2" left-backward="3" right-forward="4" right-backward="5"'
+
+
+def kit_of(parts: str, pins: str = "0..22 LED") -> Kit:
+    text = f'<board name="k" version="1" pins="{pins}">{parts}</board>'
+    kit, found = read_kit(text.encode(), "k.board.xml")
+    assert kit is not None, found
+    return kit
+
+
+def problems(parts: str, pins: str = "0..22 LED") -> list[str]:
+    return [str(problem) for _, problem in kit_problems(kit_of(parts, pins), Package())]
+
+
+@pytest.mark.parametrize("path", sorted(SHIPPED.glob("*.board.xml")), ids=lambda path: path.name)
+def test_the_wiring_of_a_shipped_kit_is_right(path: Path) -> None:
+    kit, _ = read_kit(path.read_bytes(), str(path))
+    assert kit is not None
+    assert [str(problem) for _, problem in kit_problems(kit, Package())] == []
+
+
+@pytest.mark.parametrize(
+    ("parts", "says"),
+    [
+        (f'<actuator device="drive" {MOTORS.replace("5", "99")}/>', "the pin `99`, which this board does not have"),
+        (f'<actuator device="drive" {MOTORS.replace("5", "4")}/>', "the pin `4` for two different things"),
+        (f'<actuator device="drive" {MOTORS}/><sensor device="button" driver="key" pin="3"/>', "wired to the pin `3`"),
+        (f'<actuator device="drive" {MOTORS} colour="red"/>', "knows the setting `colour`"),
+        (f'<actuator device="drive" {MOTORS} frequency="0"/>', "from 10 to 100000"),
+        ('<actuator device="drive" driver="rocket"/>', "no driver `rocket`"),
+        ('<actuator device="door" driver="servo"/>', "does not say its `pin`"),
+    ],
+)
+def test_a_wiring_that_cannot_be_is_told(parts: str, says: str) -> None:
+    (found,) = problems(parts)
+    assert says in found
+
+
+def test_a_bus_the_motors_and_pins_that_are_only_read_may_be_named_twice() -> None:
+    assert (
+        problems(
+            f'<actuator device="drive" {MOTORS}/><actuator device="turn" {MOTORS} gyro="lsm6dso" sda="8" scl="9"/>'
+            '<sensor device="colour" driver="tcs34725" sda="8" scl="9"/>'
+            '<sensor device="colour" part="LeftEye" driver="line" pin="16"/>'
+            f'<actuator device="drive" when="guide=road" driver="road" {MOTORS} left-eye="16" right-eye="17"/>'
+        )
+        == []
+    )
+    assert len(problems('<sensor device="a" driver="tcs34725" sda="8" scl="9"/>'
+                        '<sensor device="b" driver="tcs34725" sda="9" scl="7"/>')) == 1  # fmt: skip
+
+
+def test_a_part_is_told_the_settings_that_its_driver_knows_and_what_it_shares_with_the_simulator() -> None:
+    kit = kit_of(f'<actuator device="drive turn wheel" {MOTORS} rate="90"/><sensor device="range" part="Captor"'
+                 ' driver="ultrasonic" trigger="14" echo="15"/>')  # fmt: skip
+    robots = load_catalogue().robots
+    mini = fitted(robots["mini-robot"], kit, Package())
+    settings = {part.name: part.board.settings for part in (*mini.actuators, *mini.sensors)}
+    assert "rate" in settings["Motor"]
+    assert "rate" not in settings["Wheel"]
+    assert settings["Captor"]["reach"] == "1000"
+    line = fitted(robots["line-follower"], kit, Package())
+    assert [part.board.settings.get("side") for part in line.actuators] == ["left", "right", None]
+
+
+def test_a_program_that_uses_what_a_kit_lacks_is_refused_with_every_part_and_the_reason() -> None:
+    kit = kit_of(f'<actuator device="drive turn" {MOTORS}/>'
+                 '<missing kind="actuator" device="door"><help>There is no servo.</help></missing>')  # fmt: skip
+    robot = load_catalogue().robots["mini-robot"]
+    fits = compile_text("Wheel.Advance(50); Motor.AbsoluteTurn(25, 50); Wheel.Stop();", robot)
+    assert fits.image is not None
+    refuse_what_is_missing(robot, kit, fits.image)
+    assert program_of("fits", robot, fits, kit=kit).file.drivers.keys() == {"drive", "turn"}
+    not_here = compile_text("Door.Open(); Light.LightOn(); Wheel.Advance(50);", robot)
+    assert not_here.image is not None
+    with pytest.raises(PackageError) as refused:
+        program_of("not here", robot, not_here, kit=kit)
+    assert "`Door`, `Light`" in refused.value.message
+    assert refused.value.help == "There is no servo."
+    looked = {one.part.name: one for one in look_at_parts(robot, kit, Package(), not_here.image)}
+    assert (looked["Door"].is_used, looked["Door"].is_missing, looked["Wheel"].is_missing) == (True, True, False)
+
+
+def test_a_kit_of_another_family_refuses_drivers_that_it_does_not_have() -> None:
+    text = (
+        '<board name="k" version="1" family="microbit"><actuator device="lamp" driver="neopixel-lamp" pin="8"/></board>'
+    )
+    kit, _ = read_kit(text.encode(), "k.board.xml")
+    assert kit is not None
+    ((_, problem),) = kit_problems(kit, Package())
+    assert "no driver `neopixel-lamp` for this kind of board" in problem.message

@@ -1,0 +1,193 @@
+"""Write docs/kits.md and the wiring pictures beside it: what kits there are, and which program runs on which.
+
+python -m tools.kit_pages            write them
+python -m tools.kit_pages --check    only say which are not current; status 1 if there is one
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from kitrobot.deploy import Package
+from kitrobot.primitives import Kit, KitPart, Tried
+from kitrobot.workspace import kits_at_hand, mission_on_kit, open_mission
+from kitrobot.xml import escape_text
+
+REPOSITORY = Path(__file__).resolve().parents[1]
+PAGE = REPOSITORY / "docs" / "kits.md"
+PICTURES = REPOSITORY / "docs" / "pictures"
+ORDER = ("pico", "cardboard", "esp32", "xrp", "xrp-beta", "pololu-3pi", "maqueen", "cutebot", "move-motor", "microbit")
+_TRIED = {
+    Tried.DOCUMENTS: "from its documents: nobody has reported yet that it was tried",
+    Tried.EMULATOR: "in an emulator: its drivers on a current MicroPython, with recorded pins",
+    Tried.HAND: "in the hand, as reported by {by}",
+}
+_HEAD = """# Kits
+
+One robot definition runs on many kits: `NAME.board.xml` says how the parts of robots are wired on one. `kitrobot
+deploy MISSION --board NAME` sends a program to it, `kitrobot check MISSION --board NAME` says part by part what it has.
+How such a file is written stands in [robots' XML](xml.md#kits). This page is made by `python -m tools.kit_pages`.
+
+Of each kit it is said how it is known to work. No kit was at hand when this was written; pins and addresses are from
+the documents that are named. What is not in a document stands in no file: the Arduino Alvik is left out, because its
+motors and sensors are spoken to over a protocol of its own, for which there is no driver here yet.
+
+The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it: let the robot
+turn for ten seconds, count, and write it into a copy of the file. The kits of a micro:bit are for a V2, which was not
+tried, and for small programs on that of 2016, whose memory is short: `kitrobot deploy` says when one does not fit.
+"""
+
+
+def pages() -> dict[Path, str]:
+    """What there has to be, by its file."""
+    found = kits_at_hand()
+    kits = [found[name] for name in ORDER]
+    written = {PICTURES / f"wiring-{kit.name}.svg": picture(kit) for kit in kits if kit.supplies}
+    written[PAGE] = "\n".join([_HEAD, *_table(kits), *(line for kit in kits for line in _kit(kit))])
+    return written
+
+
+def missions() -> list[Path]:
+    """The missions of the gallery, of the tutorials and of the exercises."""
+    return sorted((REPOSITORY / "examples").rglob("*.krt"))
+
+
+def what_runs(kits: Sequence[Kit]) -> dict[str, dict[str, str]]:
+    """By mission and kit: "" when every program of it runs there, else the parts that are missing. What tutorials and
+    exercises begin with uses no parts, and is left out.
+    """
+    rows: dict[str, dict[str, str]] = {}
+    for path in missions():
+        opened = open_mission(path)
+        if not any(one.is_used for program in mission_on_kit(opened, kits[0]) for one in program.parts):
+            continue
+        row = rows[path.relative_to(REPOSITORY / "examples").with_suffix("").as_posix()] = {}
+        for kit in kits:
+            missing: dict[str, None] = {}
+            for program in mission_on_kit(opened, kit):
+                if program.problem is None:
+                    continue
+                parts = [one.part.name for one in program.parts if one.is_used and one.is_missing]
+                missing |= dict.fromkeys(parts or [program.problem.message])
+            row[kit.name] = ", ".join(missing)
+    return rows
+
+
+def _table(kits: Sequence[Kit]) -> Iterator[str]:
+    yield "## Which program runs on which kit"
+    yield ""
+    yield "*yes*: every program of the mission can be sent, each to a robot of that kit; else what the kit lacks."
+    yield ""
+    yield "| mission | " + " | ".join(f"[{kit.name}](#{kit.name})" for kit in kits) + " |"
+    yield "|---" * (len(kits) + 1) + "|"
+    for name, row in what_runs(kits).items():
+        title = name.rpartition("/")[2] if name.startswith(("exercises", "tutorials")) else name.partition("/")[0]
+        yield f"| {title} | " + " | ".join(row[kit.name] or "yes" for kit in kits) + " |"
+    yield ""
+
+
+def _kit(kit: Kit) -> Iterator[str]:
+    yield f"## {kit.name}"
+    yield ""
+    yield f"**{kit.label['']}.** {kit.help['']}"
+    yield ""
+    yield f"- Known to work: *{_TRIED[kit.tried].format(by=kit.tried_by)}*."
+    board = "a micro:bit" if kit.family == "microbit" else "MicroPython with the module `machine`"
+    yield f"- Board: {board}" + (f", {kit.micropython} or later." if kit.micropython else ".")
+    for source in kit.sources:
+        yield f"- Source: [{source.text}]({source.href})"
+    yield ""
+    if kit.supplies:
+        yield "You need:"
+        yield ""
+        yield from (f"- {text['']}" for text in kit.supplies)
+        yield ""
+        yield f"![How the parts are wired](pictures/wiring-{kit.name}.svg)"
+        yield ""
+        yield from (f"{number}. {text['']}" for number, text in enumerate(kit.steps, 1))
+        yield ""
+    yield "| devices | driver | settings |"
+    yield "|---|---|---|"
+    for part in kit.parts:
+        which = " ".join(f"`{device}`" for device in part.devices)
+        which += f" ({' '.join(part.names)})" if part.names else ""
+        which += f" where `{part.when}`" if part.when else ""
+        if part.is_missing:
+            yield f"| {which} | – | missing: {part.help.get('', '')} |"
+        else:
+            settings = " ".join(f"{name}={value}" for name, value in part.board.settings.items())
+            yield f"| {which} | {part.board.driver or 'as the device'} | {settings} |"
+    yield ""
+
+
+ROW, WIDTH, BOARD, PART = 26, 640, 150, 210
+_COLOURS = ("#b3261e", "#1565c0", "#2e7d32", "#6a1b9a", "#8d5a00", "#00695c")
+
+
+def picture(kit: Kit) -> str:
+    """The wiring as a picture: parts on the left, the board on the right, a line for each wire."""
+    package = Package()
+    groups = [(part, wires) for part in kit.parts if not part.is_missing and (wires := _wires(part, kit, package))]
+    drawn: list[str] = []
+    y = 56
+    for number, (part, wires) in enumerate(groups):
+        colour = _COLOURS[number % len(_COLOURS)]
+        height = ROW * (len(wires) + 1)
+        title = " ".join(part.names or part.devices)
+        drawn.append(f'<rect x="16" y="{y}" width="{PART}" height="{height}" rx="8" class="part" stroke="{colour}"/>')
+        drawn.append(f'<text x="28" y="{y + 19}" class="title">{escape_text(title)}</text>')
+        for at, (name, pin) in enumerate(wires, 1):
+            middle = y + ROW * at + 13
+            drawn.append(f'<text x="28" y="{middle + 5}">{escape_text(name)}</text>')
+            drawn.append(f'<path d="M{PART + 16} {middle}H{WIDTH - BOARD - 16}" stroke="{colour}" class="wire"/>')
+            drawn.append(f'<text x="{WIDTH - BOARD}" y="{middle + 5}" class="pin">{escape_text(_pin(pin))}</text>')
+        y += height + 12
+    board = f'<rect x="{WIDTH - BOARD - 16}" y="16" width="{BOARD}" height="{y - 28}" rx="8" class="board"/>'
+    label = f'<text x="{WIDTH - BOARD}" y="40" class="title pin">Raspberry Pi Pico</text>'
+    style = (
+        "text{font:14px sans-serif;fill:#1c1b1f}.title{font-weight:bold}.part{fill:#fff;stroke-width:2}"
+        ".board{fill:#0b5d3b}.pin{fill:#fff}.wire{fill:none;stroke-width:3}.ground{fill:#f6f6f6}"
+    )
+    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {y + 4}" role="img">'
+    words = f"<title>How the parts of the kit {kit.name} are wired</title><style>{style}</style>"
+    ground = f'<rect width="{WIDTH}" height="{y + 4}" class="ground"/>'
+    return "\n".join([head, words, ground, board, label, *drawn, "</svg>"]) + "\n"
+
+
+def _pin(pin: str) -> str:
+    return f"GP{pin}" if pin.isdigit() else pin
+
+
+def _wires(part: KitPart, kit: Kit, package: Package) -> list[tuple[str, str]]:
+    """The settings of a part that are pins."""
+    asked = {
+        name: setting
+        for device in part.devices
+        for name, setting in (package.declared(part.board.driver or device, kit.family).settings or {}).items()
+    }
+    return [(name, value) for name, value in part.board.settings.items() if name in asked and asked[name].is_pin]
+
+
+def stale(made: Mapping[Path, str]) -> list[Path]:
+    """The files that say something else than what was made, or are missing."""
+    return [path for path, text in made.items() if not path.is_file() or path.read_text(encoding="utf-8") != text]
+
+
+def main() -> int:
+    with tempfile.TemporaryDirectory() as nobody:
+        os.environ["KITROBOT_CONFIG"] = nobody
+        made = pages()
+        wrong = stale(made)
+        for path in wrong:
+            if "--check" not in sys.argv:
+                path.write_text(made[path], encoding="utf-8", newline="\n")
+            print(path.name, "is not current" if "--check" in sys.argv else "written")
+    return int(bool(wrong) and "--check" in sys.argv)
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
