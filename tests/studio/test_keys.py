@@ -150,7 +150,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     keys = studio.page.keyboard
     keys.press("Control+Alt+n")
     # Robot, place, then the first program: the one before the square is nothing.
-    expect(studio.at("new-kit-mini-robot")).to_be_focused()
+    expect(studio.at("new-robots-mini-robot")).to_be_focused()
     keys.press("Tab")
     keys.press("Tab")
     keys.press("ArrowUp")

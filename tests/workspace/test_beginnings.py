@@ -19,14 +19,17 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Studio:
 def test_every_choice_that_fits_opens_without_an_error_and_has_no_title(studio: Studio) -> None:
     choices = studio.choices
     count = 0
-    for kit in choices.kits:
-        assert choices.places_of(kit), kit.name
-        for place in choices.places_of(kit):
-            starters = choices.starters_of(kit, place)
-            assert len(starters) >= 2, (kit.name, place)
+    for kind in choices.robot_sets:
+        assert choices.places_of(kind), kind.name
+        for place in choices.places_of(kind):
+            starters = choices.starters_of(kind, place)
+            assert len(starters) >= 2, (kind.name, place)
             for starter in starters:
-                opened = studio.open(choices.begin(kit.name, place, starter), "")
-                assert [problem for problem in opened.report.problems if problem.is_error] == [], (kit.name, starter)
+                opened = studio.open(choices.begin(kind.name, place, starter), "")
+                assert [problem for problem in opened.report.problems if problem.is_error] == [], (
+                    kind.name,
+                    starter,
+                )
                 assert (opened.mission.label, opened.mission.help) == ({}, {})
                 count += 1
     assert count > 20
@@ -39,14 +42,17 @@ def test_all_that_is_listed_is_there(studio: Studio) -> None:
     assert made is not None
     assert problems == []
     choices = studio.choices
-    assert (len(choices.kits), len(choices.places), len(choices.starters)) == (
-        len(made.kits),
+    assert (len(choices.robot_sets), len(choices.places), len(choices.starters)) == (
+        len(made.robot_sets),
         len(made.places),
         len(made.starters),
     )
     used = {starter.name for starter in made.starters}
     fitting = {
-        name for kit in choices.kits for place in choices.places_of(kit) for name in choices.starters_of(kit, place)
+        name
+        for kind in choices.robot_sets
+        for place in choices.places_of(kind)
+        for name in choices.starters_of(kind, place)
     }
     assert fitting == used | {NOTHING}
 
@@ -65,7 +71,7 @@ def test_a_preview_of_nothing_has_only_its_beginning(studio: Studio) -> None:
 
 
 @pytest.mark.parametrize(
-    ("kit", "place", "starter"),
+    ("robot_set", "place", "starter"),
     [
         ("nobody", "empty.world.xml", NOTHING),
         ("microbit", "empty.world.xml", NOTHING),
@@ -74,18 +80,18 @@ def test_a_preview_of_nothing_has_only_its_beginning(studio: Studio) -> None:
         ("mini-robot", "empty.world.xml", "/etc/passwd"),
     ],
 )
-def test_what_does_not_fit_is_refused_with_a_way_out(studio: Studio, kit: str, place: str, starter: str) -> None:
+def test_what_does_not_fit_is_refused_with_a_way_out(studio: Studio, robot_set: str, place: str, starter: str) -> None:
     with pytest.raises(NoBeginningError, match="a new mission cannot begin with") as refused:
-        studio.choices.begin(kit, place, starter)
+        studio.choices.begin(robot_set, place, starter)
     assert "File, New" in str(refused.value.help)
 
 
 @pytest.mark.parametrize(
     "text",
     [
-        '<beginnings version="1"><kit/></beginnings>',
+        '<beginnings version="1"><robots/></beginnings>',
         '<beginnings version="2"/>',
-        '<beginnings version="1"><starter><for kit="a" mission="../../x.krt"/></starter></beginnings>',
+        '<beginnings version="1"><starter><for robots="a" mission="../../x.krt"/></starter></beginnings>',
         '<beginnings version="1"><place world="/etc/passwd"/></beginnings>',
         '<beginnings version="1"',
     ],

@@ -9,8 +9,8 @@ from kitrobot.server.shapes.beginning import (
     BeginningsShape,
     PreviewShape,
     beginning_place_shape,
-    kit_shape,
     preview_shape,
+    robot_set_shape,
     starter_shape,
 )
 from kitrobot.workspace import tracks
@@ -23,25 +23,25 @@ def beginnings(studio: ThisStudio) -> BeginningsShape:
     """Kits, places and starters, and which of them fit each other."""
     choices, catalogue = studio.choices, studio.catalogue("")
     return BeginningsShape(
-        kits=[kit_shape(kit, choices, catalogue) for kit in choices.kits],
+        robot_sets=[robot_set_shape(robot_set, choices, catalogue) for robot_set in choices.robot_sets],
         places=[beginning_place_shape(place) for place in choices.places],
         starters=[starter_shape(starter, choices) for starter in choices.starters],
     )
 
 
 @beginning_routes.get("/beginnings/previews")
-def previews(studio: ThisStudio, kit: Name, place: Name) -> list[PreviewShape]:
-    """What each starter of a kit does in a place, in its first seconds."""
-    chosen = studio.choices.kit(kit)
-    return [_preview(studio, kit, place, starter) for starter in studio.choices.starters_of(chosen, place)]
+def previews(studio: ThisStudio, robot_set: Name, place: Name) -> list[PreviewShape]:
+    """What each starter of a set of robots does in a place, in its first seconds."""
+    chosen = studio.choices.robot_set(robot_set)
+    return [_preview(studio, robot_set, place, starter) for starter in studio.choices.starters_of(chosen, place)]
 
 
-def _preview(studio: ThisStudio, kit: str, place: str, starter: str) -> PreviewShape:
-    opened = studio.open(studio.choices.begin(kit, place, starter), "")
+def _preview(studio: ThisStudio, robot_set: str, place: str, starter: str) -> PreviewShape:
+    opened = studio.open(studio.choices.begin(robot_set, place, starter), "")
     return preview_shape(starter, opened.mission, tracks(opened))
 
 
 @beginning_routes.get("/mission/begin")
-def mission_begin(studio: ThisStudio, kit: Name, place: Name, starter: Name) -> MissionFileShape:
+def mission_begin(studio: ThisStudio, robot_set: Name, place: Name, starter: Name) -> MissionFileShape:
     """The mission that begins with these; it has no file yet."""
-    return mission_file(studio, studio.open(studio.choices.begin(kit, place, starter), ""), "", "")
+    return mission_file(studio, studio.open(studio.choices.begin(robot_set, place, starter), ""), "", "")

@@ -12,7 +12,7 @@ from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
     from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
-    from kitrobot.workspace.beginnings import Choices, FoundPlace, Kit, NoBeginningError, Starter, Track, tracks
+    from kitrobot.workspace.beginnings import Choices, FoundPlace, NoBeginningError, RobotSet, Starter, Track, tracks
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.compile_cache import KeptPrograms
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
@@ -68,7 +68,7 @@ else:
                 "read_mission_data",
                 "with_mission",
             ),
-            "beginnings": ("Choices", "FoundPlace", "Kit", "NoBeginningError", "Starter", "Track", "tracks"),
+            "beginnings": ("Choices", "FoundPlace", "NoBeginningError", "RobotSet", "Starter", "Track", "tracks"),
             "program_report": ("ProgramReport", "Span"),
             "replay": ("state_at", "summary_of"),
             "robot_programs": ("board_program", "load_board_program", "look_at_boards", "send_program"),
@@ -103,7 +103,6 @@ __all__ = [
     "FoundWorld",
     "Inputs",
     "KeptPrograms",
-    "Kit",
     "NoBeginningError",
     "NoProgramError",
     "OpenMission",
@@ -113,6 +112,7 @@ __all__ = [
     "ProgramOnKit",
     "ProgramReport",
     "Report",
+    "RobotSet",
     "Run",
     "RunOptions",
     "SearchPath",

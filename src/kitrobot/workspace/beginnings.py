@@ -1,8 +1,8 @@
-"""What a new mission can begin with: a kit of robots, a place, and a first program that moves.
+"""What a new mission can begin with: a set of robots, a place, and a first program that moves.
 
-`shipped/beginnings.xml` names kits, places and starters; what they are called is said by the robots, worlds and
-missions themselves. What fits what follows from them: a kit fits a place that has a start for each of its agents, a
-starter fits the kits for which it has a mission. Left to others: showing it (server, page).
+`shipped/beginnings.xml` names sets of robots, places and starters; what they are called is said by the robots, worlds
+and missions themselves. What fits what follows from them: a set fits a place that has a start for each of its agents, a
+starter fits the sets for which it has a mission. Left to others: showing it (server, page).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ VERSION = 1
 """The newest version of the list that is read."""
 
 NOTHING = "nothing"
-"""The starter without parts: start and stop alone. It fits every kit in every place."""
+"""The starter without parts: start and stop alone. It fits every set in every place."""
 
 TRACK_S = 8.0
 """Simulated seconds that a preview shows."""
@@ -40,11 +40,11 @@ _SHIPPED = Path(__file__).parent / "shipped" / "beginnings.xml"
 
 
 class NoBeginningError(KitRobotError):
-    """A kit, a place or a starter that is not there, or that does not fit the others."""
+    """A set of robots, a place or a starter that is not there, or that does not fit the others."""
 
 
 @dataclass(frozen=True)
-class Kit:
+class RobotSet:
     """Robots to begin with: one, or the team of a mission. `places`: only these, where it says any."""
 
     name: str
@@ -57,7 +57,7 @@ class Kit:
 
 @dataclass(frozen=True)
 class Starter:
-    """A first program: for each kit its mission among the examples, and the places it is for (none: any)."""
+    """A first program: for each set of robots its mission among the examples, and the places it is for (none: any)."""
 
     missions: Mapping[str, str]
     places: Mapping[str, tuple[str, ...]]
@@ -72,7 +72,7 @@ class Starter:
 class Beginnings:
     """All there is to choose from."""
 
-    kits: tuple[Kit, ...]
+    robot_sets: tuple[RobotSet, ...]
     places: tuple[str, ...]
     starters: tuple[Starter, ...]
 
@@ -98,13 +98,13 @@ _MISSION = Kind(
 
 @dataclass(frozen=True)
 class _For:
-    kit: str
+    robot_set: str
     mission: str
     places: tuple[str, ...]
 
 
-def _kit(element: Element) -> Kit:
-    return Kit(
+def _robot_set(element: Element) -> RobotSet:
+    return RobotSet(
         element.matching("name"),
         element.optional("robot"),
         element.optional("mission"),
@@ -119,14 +119,14 @@ def _place(element: Element) -> str:
 
 
 def _for(element: Element) -> _For:
-    return _For(element.matching("kit"), element.matching("mission"), tuple(element.optional("places").split()))
+    return _For(element.matching("robots"), element.matching("mission"), tuple(element.optional("places").split()))
 
 
 def _starter(element: Element) -> Starter | None:
     found = element.found(_For)
     if not found:
         return None
-    return Starter({one.kit: one.mission for one in found}, {one.kit: one.places for one in found})
+    return Starter({one.robot_set: one.mission for one in found}, {one.robot_set: one.places for one in found})
 
 
 BEGINNINGS = {
@@ -134,8 +134,8 @@ BEGINNINGS = {
         None,
         {"version": version(VERSION)},
         {
-            "kit": Tag(
-                _kit,
+            "robots": Tag(
+                _robot_set,
                 {"name": needed(), "robot": optional(), "mission": optional(_MISSION), "places": optional()},
                 TEXTS,
             ),
@@ -143,7 +143,7 @@ BEGINNINGS = {
             "starter": Tag(
                 _starter,
                 {},
-                {"for": Tag(_for, {"kit": needed(NAME), "mission": needed(_MISSION), "places": optional()})},
+                {"for": Tag(_for, {"robots": needed(NAME), "mission": needed(_MISSION), "places": optional()})},
             ),
         },
         open=lambda root: root.version(VERSION),
@@ -157,7 +157,7 @@ def read_beginnings(data: bytes, name: str) -> tuple[Beginnings | None, list[Dia
     root = reader.read(BEGINNINGS)
     if root is None or root.faulty:
         return None, reader.diagnostics
-    made = Beginnings(tuple(root.found(Kit)), tuple(root.found(str)), tuple(root.found(Starter)))
+    made = Beginnings(tuple(root.found(RobotSet)), tuple(root.found(str)), tuple(root.found(Starter)))
     return made, reader.diagnostics
 
 
@@ -192,7 +192,7 @@ class Choices:
         self._missions: dict[str, Mission] = {}
         made = beginnings or shipped_beginnings()
         self.starters = tuple(one for one in made.starters if all(map(self._there, one.missions.values())))
-        self.kits = tuple(one for one in made.kits if one.robot or self._there(one.mission))
+        self.robot_sets = tuple(one for one in made.robot_sets if one.robot or self._there(one.mission))
         self.places = tuple(filter(None, map(_found_place, made.places)))
 
     def _there(self, path: str) -> bool:
@@ -208,48 +208,49 @@ class Choices:
             self._missions[path] = made
         return made
 
-    def robots_of(self, kit: Kit) -> list[str]:
-        """The kinds of robots of a kit, each once."""
-        return list(dict.fromkeys(program.target for program in self._team(kit).programs))
+    def robots_of(self, robot_set: RobotSet) -> list[str]:
+        """The kinds of robots of a set of robots, each once."""
+        return list(dict.fromkeys(program.target for program in self._team(robot_set).programs))
 
-    def places_of(self, kit: Kit) -> list[str]:
-        """The names of the places that a kit fits."""
-        starts = {agent.start_name for agent in self._team(kit).team.agents}
+    def places_of(self, robot_set: RobotSet) -> list[str]:
+        """The names of the places that a set of robots fits."""
+        starts = {agent.start_name for agent in self._team(robot_set).team.agents}
         return [
             place.name
             for place in self.places
-            if (not kit.places or place.name in kit.places) and starts <= {one.name for one in place.world.starts}
+            if (not robot_set.places or place.name in robot_set.places)
+            and starts <= {one.name for one in place.world.starts}
         ]
 
-    def places_for(self, starter: Starter, kit: Kit) -> list[str]:
-        """The places in which a starter can be had for a kit."""
-        only = starter.places.get(kit.name, ())
-        if kit.name not in starter.missions:
+    def places_for(self, starter: Starter, robot_set: RobotSet) -> list[str]:
+        """The places in which a starter can be had for a set of robots."""
+        only = starter.places.get(robot_set.name, ())
+        if robot_set.name not in starter.missions:
             return []
-        return [name for name in self.places_of(kit) if not only or name in only]
+        return [name for name in self.places_of(robot_set) if not only or name in only]
 
-    def starters_of(self, kit: Kit, place: str) -> list[str]:
-        """The names of the starters for a kit in a place, the one without parts first."""
-        return [NOTHING, *(one.name for one in self.starters if place in self.places_for(one, kit))]
+    def starters_of(self, robot_set: RobotSet, place: str) -> list[str]:
+        """The names of the starters for a set of robots in a place, the one without parts first."""
+        return [NOTHING, *(one.name for one in self.starters if place in self.places_for(one, robot_set))]
 
-    def kit(self, name: str) -> Kit:
-        """The kit of that name.
+    def robot_set(self, name: str) -> RobotSet:
+        """The set of that name.
 
         Raises:
             NoBeginningError: there is none.
         """
-        for one in self.kits:
+        for one in self.robot_sets:
             if one.name == name:
                 return one
         raise _no_beginning(name)
 
-    def begin(self, kit: str, place: str, starter: str) -> Mission:
+    def begin(self, robot_set: str, place: str, starter: str) -> Mission:
         """The mission that begins with these; it has no title, and no file yet.
 
         Raises:
             NoBeginningError: one of them is not there, or they do not fit each other.
         """
-        chosen = self.kit(kit)
+        chosen = self.robot_set(robot_set)
         if place not in self.places_of(chosen):
             raise _no_beginning(place)
         if starter not in self.starters_of(chosen, place):
@@ -257,24 +258,24 @@ class Choices:
         href = next(one.href for one in self.places if one.name == place)
         if starter == NOTHING:
             return replace(self._team(chosen), world_href=href)
-        made = _untitled(self.mission(starter_mission(self.starters, starter, kit)))
+        made = _untitled(self.mission(starter_mission(self.starters, starter, robot_set)))
         if chosen.robot:
             # One robot starts where every place has a start.
             made = replace(made, team=mission_of(made.programs[0]).team)
         return replace(made, world_href=href)
 
-    def _team(self, kit: Kit) -> Mission:
-        """The team of a kit, with programs without parts."""
-        if kit.robot:
-            return mission_of(empty_program(NEW_PROGRAM, kit.robot))
-        made = self.mission(kit.mission)
+    def _team(self, robot_set: RobotSet) -> Mission:
+        """The team of a set of robots, with programs without parts."""
+        if robot_set.robot:
+            return mission_of(empty_program(NEW_PROGRAM, robot_set.robot))
+        made = self.mission(robot_set.mission)
         programs = [_emptied(program) for program in made.programs]
         return replace(_untitled(made), programs=programs)
 
 
-def starter_mission(starters: tuple[Starter, ...], name: str, kit: str) -> str:
-    """The path of a starter's mission for a kit."""
-    return next(one.missions[kit] for one in starters if one.name == name)
+def starter_mission(starters: tuple[Starter, ...], name: str, robot_set: str) -> str:
+    """The path of a starter's mission for a set of robots."""
+    return next(one.missions[robot_set] for one in starters if one.name == name)
 
 
 def _untitled(mission: Mission) -> Mission:

@@ -7,7 +7,8 @@ const query = (values: Record<string, string>) => new URLSearchParams(values).to
 
 export const beginningsApi = {
   all: () => ask<Beginnings>("beginnings"),
-  previews: (kit: string, place: string) => ask<Preview[]>(`beginnings/previews?${query({ kit, place })}`),
-  mission: (kit: string, place: string, starter: string) =>
-    ask<MissionFile>(`mission/begin?${query({ kit, place, starter })}`),
+  previews: (robotSet: string, place: string) =>
+    ask<Preview[]>(`beginnings/previews?${query({ robot_set: robotSet, place })}`),
+  mission: (robotSet: string, place: string, starter: string) =>
+    ask<MissionFile>(`mission/begin?${query({ robot_set: robotSet, place, starter })}`),
 };

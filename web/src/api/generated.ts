@@ -89,9 +89,9 @@ export interface BeginningPlace {
   world: World;
 }
 
-/** All there is to choose from. The starter `nothing`, without parts, fits every kit in each of its places. */
+/** All there is to choose from. The starter `nothing`, without parts, fits every robot_set in each of its places. */
 export interface Beginnings {
-  kits: Kit[];
+  robot_sets: RobotSet[];
   places: BeginningPlace[];
   starters: Starter[];
 }
@@ -664,17 +664,6 @@ export interface Judge {
 export interface Judged {
   goals: GoalVerdict[];
   mission: Mission;
-}
-
-/** Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors. */
-export interface Kit {
-  name: string;
-  label: Record<string, string>;
-  help: Record<string, string>;
-  robots: string[];
-  can: Ability[];
-  feels: Ability[];
-  places: string[];
 }
 
 /** What a robot can be built of. */
@@ -1251,6 +1240,17 @@ export interface RobotObject {
   shared: boolean;
 }
 
+/** Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors. */
+export interface RobotSet {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  robots: string[];
+  can: Ability[];
+  feels: Ability[];
+  places: string[];
+}
+
 /**
  * Watch and steer real robots that this page holds; `holder` is its name among those with robots, and `mission` is what
  * the programs of the robots are of. They run whatever is asked for; what is shown of them can be paused, and pauses at
@@ -1480,7 +1480,7 @@ export interface StartedMessage {
   pens: number[];
 }
 
-/** A first program; `places` says for each kit that it fits where it can be had. */
+/** A first program; `places` says for each robot_set that it fits where it can be had. */
 export interface Starter {
   name: string;
   label: Record<string, string>;

@@ -10,7 +10,7 @@ from kitrobot.mission import Mission
 from kitrobot.primitives import Catalogue, RobotObject
 from kitrobot.server.shapes.mission import ProgramShape, mission_shape
 from kitrobot.server.shapes.world import WorldShape, world_shape
-from kitrobot.workspace import Choices, FoundPlace, Kit, Starter, Track
+from kitrobot.workspace import Choices, FoundPlace, RobotSet, Starter, Track
 
 
 class AbilityShape(BaseModel):
@@ -20,7 +20,7 @@ class AbilityShape(BaseModel):
     label: dict[str, str]
 
 
-class KitShape(BaseModel):
+class RobotSetShape(BaseModel):
     """Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors."""
 
     name: str
@@ -42,7 +42,7 @@ class BeginningPlaceShape(BaseModel):
 
 
 class StarterShape(BaseModel):
-    """A first program; `places` says for each kit that it fits where it can be had."""
+    """A first program; `places` says for each set of robots that it fits where it can be had."""
 
     name: str
     label: dict[str, str]
@@ -51,9 +51,9 @@ class StarterShape(BaseModel):
 
 
 class BeginningsShape(BaseModel):
-    """All there is to choose from. The starter `nothing`, without parts, fits every kit in each of its places."""
+    """All there is to choose from. The starter `nothing`, without parts, fits every set in each of its places."""
 
-    kits: list[KitShape]
+    robot_sets: list[RobotSetShape]
     places: list[BeginningPlaceShape]
     starters: list[StarterShape]
 
@@ -74,19 +74,19 @@ class PreviewShape(BaseModel):
     tracks: list[TrackShape]
 
 
-def kit_shape(kit: Kit, choices: Choices, catalogue: Catalogue) -> KitShape:
-    """A kit with what its robots can do; one robot is called as its file says."""
-    names = choices.robots_of(kit)
+def robot_set_shape(robot_set: RobotSet, choices: Choices, catalogue: Catalogue) -> RobotSetShape:
+    """A set of robots with what its robots can do; one robot is called as its file says."""
+    names = choices.robots_of(robot_set)
     robots = [catalogue.robots[name] for name in names if name in catalogue.robots]
-    label, help = (kit.label, kit.help) if kit.label else (robots[0].label, robots[0].help)
-    return KitShape(
-        name=kit.name,
+    label, help = (robot_set.label, robot_set.help) if robot_set.label else (robots[0].label, robots[0].help)
+    return RobotSetShape(
+        name=robot_set.name,
         label=dict(label),
         help=dict(help),
         robots=names,
         can=_abilities(part for robot in robots for part in robot.actuators),
         feels=_abilities(part for robot in robots for part in robot.sensors),
-        places=choices.places_of(kit),
+        places=choices.places_of(robot_set),
     )
 
 
@@ -105,12 +105,12 @@ def beginning_place_shape(place: FoundPlace) -> BeginningPlaceShape:
 def starter_shape(starter: Starter, choices: Choices) -> StarterShape:
     """A starter, called as its first mission is."""
     made = choices.mission(starter.name)
-    places = {kit.name: choices.places_for(starter, kit) for kit in choices.kits}
+    places = {robot_set.name: choices.places_for(starter, robot_set) for robot_set in choices.robot_sets}
     return StarterShape(
         name=starter.name,
         label=dict(made.label),
         help=dict(made.help),
-        places={kit: names for kit, names in places.items() if names},
+        places={robot_set: names for robot_set, names in places.items() if names},
     )
 
 

@@ -23,7 +23,7 @@ import "./new-mission.css";
 const GraphPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.GraphPicture), complain);
 
 /** What was chosen last stays chosen while the page is open. */
-const useLastChoice = create<Choice>(() => ({ kit: "", place: "", starter: "" }));
+const useLastChoice = create<Choice>(() => ({ robotSet: "", place: "", starter: "" }));
 
 function useBeginnings(): Beginnings | null {
   const [all, setAll] = useState<Beginnings | null>(null);
@@ -46,16 +46,16 @@ function useBeginnings(): Beginnings | null {
   return all;
 }
 
-/** How the starters of a kit run in a place; those of the choice before are gone at once. */
-function usePreviews({ kit, place }: Choice): Preview[] {
+/** How the starters of a robotSet run in a place; those of the choice before are gone at once. */
+function usePreviews({ robotSet, place }: Choice): Preview[] {
   const [found, setFound] = useState<{ of: string; previews: Preview[] }>({ of: "", previews: [] });
-  const wanted = `${kit} ${place}`;
+  const wanted = `${robotSet} ${place}`;
   useEffect(() => {
-    if (kit === "" || place === "") return;
+    if (robotSet === "" || place === "") return;
     let there = true;
-    beginningsApi.previews(kit, place).then(
+    beginningsApi.previews(robotSet, place).then(
       (previews) => {
-        if (there) setFound({ of: `${kit} ${place}`, previews });
+        if (there) setFound({ of: `${robotSet} ${place}`, previews });
       },
       (cause: unknown) => {
         if (there) complain(cause);
@@ -64,7 +64,7 @@ function usePreviews({ kit, place }: Choice): Preview[] {
     return () => {
       there = false;
     };
-  }, [kit, place]);
+  }, [robotSet, place]);
   return found.of === wanted ? found.previews : [];
 }
 
@@ -138,7 +138,7 @@ function Abilities({ title, all }: { title: string; all: readonly Ability[] }) {
 
 export function NewMission() {
   const all = useBeginnings();
-  return all === null || all.kits.length === 0 ? null : <Form all={all} />;
+  return all === null || all.robot_sets.length === 0 ? null : <Form all={all} />;
 }
 
 function Form({ all }: { all: Beginnings }) {
@@ -148,7 +148,7 @@ function Form({ all }: { all: Beginnings }) {
   const previews = usePreviews(choice);
   const preview = previews.find(({ starter }) => starter === choice.starter);
   const place = chosenPlace(all, choice);
-  const kit = all.kits.find((one) => one.name === choice.kit);
+  const robotSet = all.robot_sets.find((one) => one.name === choice.robotSet);
   const starter = all.starters.find((one) => one.name === choice.starter);
 
   useEffect(() => {
@@ -163,7 +163,7 @@ function Form({ all }: { all: Beginnings }) {
     useLastChoice.setState(settled(all, { ...choice, ...wish }));
   };
   const starters = fittingFirst(all.starters, (one) => starterFits(one, choice)).filter(
-    (one) => one.places[choice.kit] !== undefined,
+    (one) => one.places[choice.robotSet] !== undefined,
   );
 
   return (
@@ -180,29 +180,29 @@ function Form({ all }: { all: Beginnings }) {
       onSubmit={(event) => {
         event.preventDefault();
         closeOverlay();
-        beginMission(() => beginningsApi.mission(choice.kit, choice.place, choice.starter), name);
+        beginMission(() => beginningsApi.mission(choice.robotSet, choice.place, choice.starter), name);
       }}
     >
       <main className="new-rows">
         <h2 id="new-title">{t("new.title")}</h2>
         <p>{t("new.help")}</p>
         <Row number={1} title={t("new.robot")}>
-          {all.kits.map((one) => (
+          {all.robot_sets.map((one) => (
             <Card
               key={one.name}
-              row="kit"
+              row="robots"
               value={one.name}
               label={text(one.label, one.name)}
               help={text(one.help)}
-              chosen={one.name === choice.kit}
-              choose={() => choose({ kit: one.name })}
+              chosen={one.name === choice.robotSet}
+              choose={() => choose({ robotSet: one.name })}
             >
               <RobotsPicture robots={one.robots} />
             </Card>
           ))}
         </Row>
         <Row number={2} title={t("new.place")}>
-          {fittingFirst(all.places, (one) => placeFits(all, choice.kit, one.name)).map((one) => (
+          {fittingFirst(all.places, (one) => placeFits(all, choice.robotSet, one.name)).map((one) => (
             <Card
               key={one.name}
               row="place"
@@ -210,7 +210,7 @@ function Form({ all }: { all: Beginnings }) {
               label={text(one.label, one.name)}
               help={text(one.help)}
               chosen={one.name === choice.place}
-              reason={placeFits(all, choice.kit, one.name) ? "" : t("new.place-not")}
+              reason={placeFits(all, choice.robotSet, one.name) ? "" : t("new.place-not")}
               choose={() => choose({ place: one.name })}
             >
               <Stage world={one.world} tracks={[]} still />
@@ -262,19 +262,19 @@ function Form({ all }: { all: Beginnings }) {
         </div>
         <div className="new-stage">
           {place === undefined ? null : (
-            <Stage key={`${choice.kit} ${choice.starter}`} world={place.world} tracks={preview?.tracks ?? []} />
+            <Stage key={`${choice.robotSet} ${choice.starter}`} world={place.world} tracks={preview?.tracks ?? []} />
           )}
         </div>
         <p className="new-sentence" role="status">
           {t(choice.starter === NOTHING ? "new.sentence-nothing" : "new.sentence", {
-            robot: kit === undefined ? "" : text(kit.label, kit.name),
+            robot: robotSet === undefined ? "" : text(robotSet.label, robotSet.name),
             place: place === undefined ? "" : text(place.label, place.name),
             starter: starter === undefined ? "" : text(starter.label, starter.name),
           })}
         </p>
         <div className="new-both">
-          <Abilities title={t("new.can")} all={kit?.can ?? []} />
-          <Abilities title={t("new.feels")} all={kit?.feels ?? []} />
+          <Abilities title={t("new.can")} all={robotSet?.can ?? []} />
+          <Abilities title={t("new.feels")} all={robotSet?.feels ?? []} />
         </div>
         {preview === undefined || choice.starter === NOTHING ? null : (
           <section className="new-program">

@@ -1,4 +1,4 @@
-/** The robots of a kit side by side, one of each kind. */
+/** The robots of a robotSet side by side, one of each kind. */
 import { Robot } from "./Robot";
 
 /** How wide a robot's place is, and a row of two. */
