@@ -34,7 +34,7 @@ def choose(studio, name: str) -> None:
 def place_of(studio, name: str) -> tuple[float, float]:
     """Where the robot is on the screen: in the middle of the arena, once it is followed."""
     choose(studio, name)
-    studio.page.keyboard.press("f")
+    studio.page.keyboard.press("Shift+F")
     # The arena follows with the next frame.
     studio.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
     box = studio.at("arena-canvas").bounding_box()

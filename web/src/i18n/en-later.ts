@@ -1,7 +1,9 @@
 /** English for the rooms of the team and the world, which are fetched later, and their words with them (`moreWords`). */
+import { ARENA_EN } from "./en-later-arena";
 import { CHECK_EN } from "./en-later-check";
 
 export const LATER_EN = {
+  ...ARENA_EN,
   ...CHECK_EN,
   "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
