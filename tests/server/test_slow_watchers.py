@@ -109,3 +109,19 @@ def test_news_are_encoded_once_for_all_who_read_them(monkeypatch):
         with reading_in(language):
             spoken.text()
     assert len(made) == 4
+
+
+def test_what_was_drawn_is_told_whole_to_who_missed_some_of_it():
+    def drew(n: int, keep: int, *marks: int) -> Telling:
+        return Telling(b"%d" % n, {**news(n, {}, []), "drawing": {"keep": keep, "marks": list(marks)}})
+
+    def drawing(*told: Telling) -> object:
+        made = told[0]
+        for one in told[1:]:
+            made = one.after(made)
+        return json.loads(made.text())["drawing"]
+
+    quiet = Telling(b"9", {**news(9, {}, []), "drawing": None})
+    assert drawing(drew(1, 4, 5, 6), drew(2, 6, 7), quiet) == {"keep": 4, "marks": [5, 6, 7]}
+    assert drawing(drew(1, 4, 5, 6), drew(2, 5, 8)) == {"keep": 4, "marks": [5, 8]}
+    assert drawing(drew(1, 4, 5, 6), drew(2, 3, 8)) == {"keep": 3, "marks": [8]}

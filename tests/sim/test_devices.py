@@ -50,7 +50,7 @@ def test_every_device_that_a_shipped_robot_names_is_there_with_its_settings_and_
 
 def test_devices_are_found_by_their_names() -> None:
     moving = {"arm", "door", "drive", "lamp", "switch", "turn", "wheel"}
-    assert moving | {"display", "indicator", "music", "pin-out", "team", "work"} == set(actuators())
+    assert moving | {"display", "indicator", "music", "pen", "pin-out", "team", "work"} == set(actuators())
     places = {"button", "cargo", "collision", "colour", "presence", "range", "sign", "store"}
     alone = {"accelerometer", "chance", "key", "pin-in", "place", "random", "schedule", "slider"}
     assert places | alone | {"hears", "neighbours", "team", "work"} == set(sensors())

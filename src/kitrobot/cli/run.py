@@ -24,6 +24,9 @@ def run_mission(
     trace: Annotated[
         Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run: same seed, same bytes.")
     ] = None,
+    drawing: Annotated[
+        Path | None, typer.Option(metavar="FILE.svg", help="Write what the pens drew as a picture.")
+    ] = None,
     fail_rate: Annotated[
         float,
         typer.Option(
@@ -58,7 +61,9 @@ def run_mission(
     """
     if not math.isfinite(fail_rate):
         raise typer.BadParameter("a probability is a number from 0 to 1", param_hint="'--fail-rate'")
+    from kitrobot.files import replace_whole, same_file
     from kitrobot.sim import MAX_SECONDS, MAX_SEED
+    from kitrobot.trace import drawing_svg
     from kitrobot.workspace import RunOptions, open_mission
 
     if not 0 < seconds <= MAX_SECONDS:
@@ -69,10 +74,14 @@ def run_mission(
 
     if fail_sweep is None and (pairs or jobs is not None or picture is not None):
         raise typer.BadParameter("`--pairs`, `--jobs` and `--output` are of a sweep", param_hint="'--fail-sweep'")
+    if fail_sweep is not None and drawing is not None:
+        raise typer.BadParameter("the many runs of a sweep are not drawn", param_hint="'--drawing'")
     if fail_sweep is not None and trace is not None:
         raise typer.BadParameter("the many runs of a sweep are not recorded", param_hint="'--trace'")
 
     prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate, trace))
+    if drawing is not None and prepared.opened.path is not None and same_file(drawing, prepared.opened.path):
+        raise typer.BadParameter("the drawing would be written over the mission", param_hint="'--drawing'")
     show(prepared.problems, prepared.sources)
     if fail_sweep is not None:
         from kitrobot.cli.sweep import MOMENTS, MOMENTS_OF_PAIRS, sweep_mission
@@ -83,6 +92,9 @@ def run_mission(
         return
     with _progress(seconds) as progress:
         run = prepared.run(progress)
+    if drawing is not None:
+        world = prepared.simulation.world
+        replace_whole(drawing, drawing_svg(run.strokes, world.width_mm, world.height_mm).encode())
     give(json_text(run.to_json()) + "\n" if as_json else _summary(run))
     if run.outcome != "done":
         raise typer.Exit(1)

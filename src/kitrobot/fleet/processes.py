@@ -29,7 +29,7 @@ class Agents:
     def __init__(self, heard: Callable[[str, Told], None] | None = None) -> None:
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
         self._heard = heard
-        self._listening: list[threading.Thread] = []
+        self._listening: dict[str, threading.Thread] = {}
 
     def start(self, name: str, arguments: Sequence[str], environment: Mapping[str, str]) -> None:
         """Starts the command line with these arguments for an agent."""
@@ -44,13 +44,17 @@ class Agents:
         )
         if heard is not None:
             listening = threading.Thread(target=_listen, args=(name, process, heard), daemon=True, name=f"hears {name}")
-            self._listening.append(listening)
+            self._listening[name] = listening
             listening.start()
 
     def ended(self) -> dict[str, int]:
-        """The status of each that has ended."""
+        """The status of each that has ended and of which all that it said was heard."""
         found = {name: process.poll() for name, process in self.processes.items()}
-        return {name: status for name, status in found.items() if status is not None}
+        return {name: status for name, status in found.items() if status is not None and not self._speaks(name)}
+
+    def _speaks(self, name: str) -> bool:
+        listening = self._listening.get(name)
+        return listening is not None and listening.is_alive()
 
     def __enter__(self) -> Agents:
         return self
@@ -68,7 +72,7 @@ class Agents:
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
-        for listening in self._listening:
+        for listening in self._listening.values():
             listening.join(1.0)
 
 

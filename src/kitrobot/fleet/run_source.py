@@ -19,6 +19,8 @@ from kitrobot.text import Sentence, Word
 from kitrobot.trace import (
     Ability,
     AbilityError,
+    Drawing,
+    DrawingReader,
     NewEvents,
     RecordingSource,
     Threads,
@@ -71,6 +73,7 @@ class FleetSource:
         self._events: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
         self._untold: deque[TraceEvent] = deque(maxlen=MOST_EVENTS)
         self._past: RecordingSource | None = None
+        self._drawn = DrawingReader(self._recorder.header)
 
     # -- the thread of the team's process
 
@@ -85,6 +88,8 @@ class FleetSource:
                 self._now = record
                 self._recent.clear()
             self._recent.append(record)
+            if record.tick > self._drawn.tick:
+                self._drawn.take(record)
             self._events += record.events
             self._untold += record.events
             self._write(lambda: self._writer.record(record))
@@ -127,6 +132,11 @@ class FleetSource:
     def latest(self) -> int:
         """The tick of the last step."""
         return self._newest.tick
+
+    @property
+    def drawing(self) -> Drawing:
+        """What pens drew up to the last step."""
+        return self._drawn.drawing
 
     @property
     def has_ended(self) -> bool:

@@ -64,6 +64,7 @@ class TeamProcess:
         is_over: asked often whether the emergency stop was pressed.
         on_step: called after the first readings, and after each step.
         on_there: told the name of an agent that says hello for the first time.
+        on_ended: told the name of an agent whose process has ended, and the sentence that says so, once.
     """
 
     def __init__(
@@ -76,14 +77,15 @@ class TeamProcess:
         has_ended: Callable[[], dict[str, int]],
         is_over: Callable[[], bool],
         on_step: Callable[[Simulation], None],
-        on_there: Callable[[str], None] = lambda name: None,
+        on_there: Callable[[str], None],
+        on_ended: Callable[[str, str], None],
     ) -> None:
         charter_of(simulation, lease_ms)
         self.simulation = simulation
         self.channel = channel
         self.lease, self.pace = lease_ms, pace
         self.say, self.has_ended, self.is_over, self.on_step = say, has_ended, is_over, on_step
-        self.on_there = on_there
+        self.on_there, self.on_ended = on_there, on_ended
         self.identity = identity_of(simulation)
         self.names = [agent.name for agent in simulation.members]
         self.lives: dict[int, int] = {}
@@ -104,9 +106,10 @@ class TeamProcess:
         while len(self.lives) < len(self.names) and not self.is_over():
             for envelope in self.channel.receive(TURN_MS / 1000):
                 self._take(milliseconds(), envelope)
+            self._watch_processes()
             self._tell()
             missing = [name for i, name in enumerate(self.names) if i not in self.lives]
-            ended = [name for name in missing if name in self.has_ended()]
+            ended = [name for name in missing if name in self._gone]
             if ended or (missing and milliseconds() >= end):
                 raise FleetError(
                     Sentence("these agents did not come: {names}", Series(COMMA, (ended or missing)[:10])),
@@ -220,7 +223,7 @@ class TeamProcess:
         for name, status in self.has_ended().items():
             if name not in self._gone:
                 self._gone.add(name)
-                self.say(name, Sentence("its process has ended (status {status})", status))
+                self.on_ended(name, Sentence("its process has ended (status {status})", status))
 
     def _tell_events(self) -> None:
         assert self.world is not None

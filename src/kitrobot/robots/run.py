@@ -23,7 +23,17 @@ from kitrobot.robots.records import RecordedBoard, active_of, first_row, header_
 from kitrobot.robots.session import RobotSession
 from kitrobot.robots.state import Change, Happening, RobotState
 from kitrobot.text import Recorded, Sentence, clipped
-from kitrobot.trace import Ability, AbilityError, NewEvents, Threads, TickRecord, TraceCommand, TraceEvent, TraceHeader
+from kitrobot.trace import (
+    Ability,
+    AbilityError,
+    Drawing,
+    NewEvents,
+    Threads,
+    TickRecord,
+    TraceCommand,
+    TraceEvent,
+    TraceHeader,
+)
 
 LONGEST_TEXT = 500
 MOST_EVENTS = 5000
@@ -97,6 +107,7 @@ class RobotsRun:
             for robot, session, through in zip(robots, sessions, steered or sessions, strict=False)
         }
         self._clock = clock
+        self._drawing = Drawing()
         self._left = left
         self._states = [RobotState()] * len(robots)
         self._rows = [first_row(one) for one in robots]
@@ -170,6 +181,11 @@ class RobotsRun:
     def tick(self) -> int:
         """The tick that it stands at."""
         return self._at
+
+    @property
+    def drawing(self) -> Drawing:
+        """Nothing: nobody knows where a real robot is."""
+        return self._drawing
 
     @property
     def latest(self) -> int:

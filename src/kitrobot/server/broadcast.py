@@ -74,7 +74,16 @@ class Telling:
         events = news["events"] if news["again"] else [*missed["events"], *news["events"]][-MOST_EVENTS_TOLD:]
         agents = {**missed["agents"], **news["agents"]}
         again = news["again"] or missed["again"]
-        return Telling(self.frame, {**news, "agents": agents, "events": events, "again": again})
+        drawing = _joined(missed.get("drawing"), news.get("drawing"))
+        return Telling(self.frame, {**news, "agents": agents, "events": events, "again": again, "drawing": drawing})
+
+
+def _joined(missed: dict[str, Any] | None, news: dict[str, Any] | None) -> dict[str, Any] | None:
+    """What was drawn, for somebody who missed the first of two `DrawingShape`s."""
+    if missed is None or news is None or news["keep"] <= missed["keep"]:
+        return news if news is not None else missed
+    stays = missed["marks"][: news["keep"] - missed["keep"]]
+    return {"keep": missed["keep"], "marks": [*stays, *news["marks"]]}
 
 
 class Watcher:

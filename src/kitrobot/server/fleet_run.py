@@ -57,7 +57,6 @@ class FleetRunning:
         self._folder = tempfile.TemporaryDirectory(prefix="kitrobot-", ignore_cleanup_errors=True)
         self._cleaning = threading.Lock()
         self.agents = Agents(self._heard)
-        self._gone: dict[str, int] = {}
         try:
             trace = Path(self._folder.name) / f"run{ENDING}"
             self.source = FleetSource(prepared.simulation, trace, parts_of(prepared.opened), self.stop)
@@ -114,10 +113,7 @@ class FleetRunning:
         finally:
             if not self.source.has_ended:
                 self.source.finish("stopped" if self._pressed.is_set() else outcome, sentence)
-            for one in self._room.standing.agents:
-                self._room.say_of(one.name, state="idle" if one.state != "ended" else "ended")
             self._room.release()
-            self._room.say(phase="idle")
             self._over.set()
             self._clean()
             self._changed()
@@ -147,7 +143,7 @@ class FleetRunning:
     def _said(self, name: str, sentence: str) -> None:
         """A line of the team's log."""
         if name:
-            self._room.say_of(name, message=sentence)
+            self._room.hear_of(name, sentence)
         else:
             self._room.say(message=sentence)
 
@@ -156,15 +152,11 @@ class FleetRunning:
         if told.failed:
             self._room.say_of(name, message=told.sentence, help=_help(told), failed=True)
         else:
-            self._room.say_of(name, message=told.sentence)
+            self._room.hear_of(name, told.sentence)
 
-    def _ended(self, ended: dict[str, int]) -> None:
-        if len(ended) == len(self._gone):
-            return
-        self._gone = ended
-        for one in self._room.standing.agents:
-            if one.name in ended and one.state != "ended":
-                self._room.say_of(one.name, state="ended")
+    def _ended(self, name: str, sentence: str) -> None:
+        """An agent's process has ended, and all that it said was heard: why it failed, where it said so."""
+        self._room.hear_of(name, sentence, ended=True)
 
     # -- what came of it
 

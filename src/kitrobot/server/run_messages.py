@@ -19,11 +19,15 @@ from kitrobot.server.team_told import TeamTold
 from kitrobot.sim import DOING
 from kitrobot.text import Sentence, clipped
 from kitrobot.trace import (
+    PEN,
     POSE_WORDS,
     PROGRAM,
     TEAM,
     Ability,
     Inner,
+    Mark,
+    News,
+    Pen,
     Threads,
     TickRecord,
     TraceAgent,
@@ -139,7 +143,13 @@ class RunEncoder:
         return self._looked_at if len(self._agents) > MOST_REPORTED else range(len(self._agents))
 
     def started(
-        self, run: str, world: World, first: TickRecord, abilities: Iterable[Ability], recording: bool
+        self,
+        run: str,
+        world: World,
+        first: TickRecord,
+        abilities: Iterable[Ability],
+        recording: bool,
+        pens: Iterable[Pen] = (),
     ) -> StartedMessage:
         """The first message; `first` is the first record there is."""
         header = self._header
@@ -164,6 +174,7 @@ class RunEncoder:
             abilities=sorted(abilities),
             recording=recording,
             fail_rate=header.fail_rate,
+            pens=[pen.agent for pen in pens],
         )
 
     def stock(self, record: TickRecord) -> dict[str, int]:
@@ -186,10 +197,17 @@ class RunEncoder:
             if agent in ("", one.name)
         ]
 
-    def news(self, record: TickRecord, latest: int, again: bool, happened: Iterable[TraceEvent]) -> dict[str, Any]:
+    def news(
+        self,
+        record: TickRecord,
+        latest: int,
+        again: bool,
+        happened: Iterable[TraceEvent],
+        drawn: News | None = None,
+    ) -> dict[str, Any]:
         """What changed since the last time, in the shape of a `TickMessage`.
 
-        `happened` is since the last time, or, with `again`, everything up to `latest`.
+        `happened` is since the last time, or, with `again`, everything up to `latest`; `drawn` is since the last time.
         """
         row = record.numbers
         changed = {}
@@ -199,18 +217,21 @@ class RunEncoder:
             if key != self._before[index]:
                 self._before[index] = key
                 changed[agent.name] = self._report(agent, record.active[index], row)
-        return {**self._tick(record, latest, again, happened, changed), "team": self._team.news(row)}
+        told = self._tick(record, latest, again, happened, changed)
+        return {**told, "team": self._team.news(row), "drawing": _drawn(drawn)}
 
-    def whole(self, record: TickRecord, latest: int, happened: Iterable[TraceEvent]) -> dict[str, Any]:
+    def whole(
+        self, record: TickRecord, latest: int, happened: Iterable[TraceEvent], marks: Sequence[Mark] = ()
+    ) -> dict[str, Any]:
         """Everything, for somebody who was told nothing yet, in the shape of a `TickMessage`; `happened` is everything
-        up to `latest`. To the others nothing is told by this.
+        up to `latest`, `marks` all that is drawn. To the others nothing is told by this.
         """
         agents = {
             self._agents[index].name: self._report(self._agents[index], record.active[index], record.numbers)
             for index in sorted(self.reported)
         }
         told = self._tick(record, latest, True, happened, agents)
-        return {**told, "team": self._team.now(record.numbers)}
+        return {**told, "team": self._team.now(record.numbers), "drawing": _drawn(News(0, marks))}
 
     def _tick(
         self, record: TickRecord, latest: int, again: bool, happened: Iterable[TraceEvent], agents: dict[str, Any]
@@ -252,10 +273,17 @@ class RunEncoder:
         }
 
 
+def _drawn(news: News | None) -> dict[str, Any] | None:
+    """What was drawn, in the shape of a `DrawingShape`."""
+    if news is None:
+        return None
+    return {"keep": news.keep, "marks": [mark[1:] for mark in news.marks]}
+
+
 def _faces(columns: Sequence[tuple[str, int]]) -> tuple[tuple[str, tuple[int, ...]], ...]:
     """What actuators show: each one's numbers, in their order."""
     found: dict[str, list[int]] = {}
-    for name, at in _named("shown ", columns):
+    for name, at in (*_named("shown ", columns), *_named(PEN, columns)):
         found.setdefault(name.rpartition(" ")[0], []).append(at)
     return tuple((name, tuple(places)) for name, places in found.items())
 

@@ -118,9 +118,26 @@ class TeamRoom:
             )
         )
 
+    def hear_of(self, name: str, sentence: str, ended: bool = False) -> None:
+        """What the log of a fleet says of an agent, or that its process has ended; from any thread.
+
+        Why an agent failed, or else that it has ended, is the last that is told of it.
+        """
+
+        def told(one: AgentStanding) -> AgentStanding:
+            settled = one.failed or one.state == "ended"
+            return replace(one, message=one.message if settled else sentence, state="ended" if ended else one.state)
+
+        self._change(
+            lambda now: replace(now, agents=tuple(told(one) if one.name == name else one for one in now.agents))
+        )
+
     def _change(self, change: Callable[[TeamStanding], TeamStanding]) -> None:
         with self._lock:
             before, self.standing = self.standing, change(self.standing)
+        self._tell_from(before)
+
+    def _tell_from(self, before: TeamStanding) -> None:
         if self._loop is not None and self.standing != before:
             with contextlib.suppress(RuntimeError):  # the studio has ended meanwhile
                 self._loop.call_soon_threadsafe(self._registry.team_changed)
@@ -168,11 +185,19 @@ class TeamRoom:
         self.say(**vars(TeamStanding(path=path, agents=agents)))
         return boards
 
-    def release(self) -> None:
-        """The team is nobody's again; from any thread."""
-        self.addresses = frozenset()
-        self._fleet = None
-        self._claimed = False
+    def release(self, **changes: Any) -> None:
+        """The team is nobody's again, which is told with these changes; from any thread."""
+        with self._lock:
+            before = self.standing
+            agents = tuple(
+                one if one.state in ("ended", "sent") else replace(one, state="idle") for one in before.agents
+            )
+            self.standing = replace(before, phase="idle", agents=agents, **changes)
+            self.addresses = frozenset()
+            self._fleet = None
+            # Whoever hears of it may have the team at once.
+            self._claimed = False
+        self._tell_from(before)
 
     # -- sending
 
@@ -202,6 +227,7 @@ class TeamRoom:
         self._cancelled = True
 
     def _send(self, opened: OpenMission, boards: Mapping[str, str], ways: Mapping[str, BoardWay], folder: Path) -> None:
+        came: dict[str, Any] = {}
         try:
             programs = self._programs(opened, boards, folder)
             if len(programs) == len(boards):
@@ -209,9 +235,9 @@ class TeamRoom:
                     list(
                         threads.map(lambda name: self._send_to(name, boards[name], programs[name], ways[name]), boards)
                     )
-            self._tell_of_sending(sent=len(programs) == len(boards))
+            came = self._what_came_of_sending(sent=len(programs) == len(boards))
         finally:
-            self.release()
+            self.release(**came)
 
     def _programs(self, opened: OpenMission, boards: Mapping[str, str], folder: Path) -> dict[str, BoardProgram]:
         from kitrobot.workspace import agent_program
@@ -255,22 +281,20 @@ class TeamRoom:
             failed=True,
         )
 
-    def _tell_of_sending(self, sent: bool) -> None:
+    def _what_came_of_sending(self, sent: bool) -> dict[str, Any]:
         agents = [one for one in self.standing.agents if one.address]
         failed = [one.name for one in agents if one.failed]
         if failed:
-            self.say(
-                phase="idle",
-                failed=True,
-                message=Sentence("no robot of the team is started, since this failed: {names}", listed(failed))
+            return {
+                "failed": True,
+                "message": Sentence("no robot of the team is started, since this failed: {names}", listed(failed))
                 if sent
                 else Sentence("nothing was sent, since this failed: {names}", listed(failed)),
-                help=Sentence("what each says stands beside it; mend that, then send again"),
-            )
-        elif any(one.state != "sent" for one in agents):
-            self.say(phase="idle", message=Sentence("the sending was broken off"), help="")
-        else:
-            self.say(phase="idle", message=Sentence("all boards have their programs"), help="")
+                "help": Sentence("what each says stands beside it; mend that, then send again"),
+            }
+        if any(one.state != "sent" for one in agents):
+            return {"message": Sentence("the sending was broken off"), "help": ""}
+        return {"message": Sentence("all boards have their programs"), "help": ""}
 
     # -- the fleet
 

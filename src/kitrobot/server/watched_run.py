@@ -191,7 +191,8 @@ class WatchedRun(ABC):
     def started(self, run: str) -> StartedMessage:
         """The first message."""
         first = self._source.record()
-        told = self._encoder.started(run, self._world, first, self._source.abilities, self.recording)
+        pens = self._source.drawing.pens
+        told = self._encoder.started(run, self._world, first, self._source.abilities, self.recording, pens)
         return told.model_copy(update={"fleet": self.fleet})
 
     def tell(self) -> tuple[bytes, dict[str, Any]]:
@@ -200,13 +201,15 @@ class WatchedRun(ABC):
         """
         again, events = self._source.new_events(MOST_EVENTS_TOLD)
         record = self._source.record(self._encoder.reported)
-        return self._encoder.frame(record), self._encoder.news(record, self._source.latest, again, events)
+        drawn = self._source.drawing.news(record.tick)
+        return self._encoder.frame(record), self._encoder.news(record, self._source.latest, again, events, drawn)
 
     def tell_whole(self) -> tuple[bytes, dict[str, Any]]:
         """All poses and everything that `tell` has told so far, for somebody who joins now."""
         events = self._source.events(MOST_EVENTS_TOLD)
         record = self._source.record(self._encoder.reported)
-        return self._encoder.frame(record), self._encoder.whole(record, self._source.latest, events)
+        marks = self._source.drawing.until(record.tick)
+        return self._encoder.frame(record), self._encoder.whole(record, self._source.latest, events, marks)
 
     # -- keeping
 

@@ -6,7 +6,8 @@ from kitrobot.sim.event_text import Event
 from kitrobot.sim.hosted import Ticked, fits, hosted_step, readings, say_written
 from kitrobot.sim.jit_policy import expect_run
 from kitrobot.sim.limits import MAX_SECONDS, MAX_SEED, check_limits
-from kitrobot.sim.recording import DOING, Recorder, record_again, simulate
+from kitrobot.sim.pens import pens_of
+from kitrobot.sim.recording import DOING, Recorder, record_again, simulate, strokes_now
 from kitrobot.sim.settings import Appearance, appearance_of, device_problems, length_of, simulated_devices
 from kitrobot.sim.setup import MAX_AGENTS, SimulationError, free_start, look_over
 from kitrobot.sim.simulation import Outcome, Simulation
@@ -42,9 +43,11 @@ __all__ = [
     "hosted_step",
     "length_of",
     "look_over",
+    "pens_of",
     "readings",
     "record_again",
     "say_written",
     "simulate",
     "simulated_devices",
+    "strokes_now",
 ]

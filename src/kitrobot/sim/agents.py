@@ -55,6 +55,8 @@ class Agent:
             for at, part in enumerate(robot.actuators)
             if part.model in known and known[part.model].shown
         ]
+        self.pens = [part.name for part in robot.actuators if part.model in known and known[part.model].draws]
+        """Its actuators that draw."""
         self._actuators: list[int] = []
         """The numbers of its actuators, as its XML lists them."""
         self._state: State | None = None

@@ -187,7 +187,8 @@ CLOCKS = 21
     UNIT_LOST,  # what: the work of which it had a unit
     UNHEARD,  # what: the robot whose message, with news for this one, got lost
     TOWED,  # it is off its road, what: the storehouse that its box came from, how much: what became of that
-) = range(19)
+    DRAWN,  # agent: the pen, what: what became of a point of its line, how much: the point (pens)
+) = range(20)
 EVENT = 5
 
 

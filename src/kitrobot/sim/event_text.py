@@ -73,6 +73,8 @@ class EventText:
         made = []
         for at in range(0, len(rows), c.EVENT):
             kind, agent, what, much, tick = rows[at : at + c.EVENT]
+            if kind == c.DRAWN:
+                continue
             word, text = self._say(kind, what, much)
             cause: Cause = _CAUSES[much] if kind == c.HARMED else "world" if kind == c.COLLISION else "program"
             made.append(Event(tick, word, self._members[agent].name, text, agent, cause))

@@ -2,8 +2,9 @@
 
 Recorded before the first step and after each: of each agent x and y (tenths of a mm), heading (thousandths of a rad),
 load, flags, what it is doing, which of its sensors are forced (a bit each, in the order of its robot), its fault,
-inputs and variables, what its displays and the like show, and where its threads stand; of the team the stock, what was
-delivered, and collisions. Nothing depends on a clock or on this machine, so the same run gives the same bytes.
+inputs and variables, what its displays, its pens and the like show, and where its threads stand; of the team the
+stock, what was delivered, and collisions. Nothing depends on a clock or on this machine, so the same run gives the
+same bytes.
 """
 
 from __future__ import annotations
@@ -21,8 +22,11 @@ from kitrobot.sim.state import numbers
 from kitrobot.sim.team_record import TeamRecord
 from kitrobot.sim.timeline import Timeline
 from kitrobot.trace import (
+    PEN,
     TEAM,
     Column,
+    Drawing,
+    Stroke,
     TickRecord,
     TraceAgent,
     TraceCommand,
@@ -65,7 +69,9 @@ class Recorder:
             columns += [Column(agent.name, f"done {name}") for name in layout.done]
             columns += [Column(agent.name, f"variable {name}") for name in layout.variables]
             columns += [
-                Column(agent.name, f"shown {name} {n}") for name, output in agent.outputs() for n in range(len(output))
+                Column(agent.name, f"{PEN if name in agent.pens else 'shown '}{name} {n}")
+                for name, output in agent.outputs()
+                for n in range(len(output))
             ]
             self._widths.append(len(columns) - before)
         columns += [Column(TEAM, f"stock {house.name}") for house in simulation.world.storehouses]
@@ -142,6 +148,12 @@ class Recorder:
         return TickRecord(simulation.tick, recorded, active, commands, events)
 
 
+def strokes_now(simulation: Simulation, drawing: Drawing) -> list[Stroke]:
+    """The lines of a drawing of this run, up to where it stands."""
+    places = {at: (x, y) for at, (x, y, *_) in enumerate(simulation.poses())}
+    return drawing.strokes(simulation.tick, places)
+
+
 def outcome_of(simulation: Simulation) -> dict[str, Any]:
     """How a run ended, as a trace says it last."""
     return {
@@ -158,6 +170,7 @@ def simulate(
     trace: Path | None = None,
     progress: Callable[[Simulation], bool | None] | None = None,
     parts: Sequence[TracePart] = (),
+    drawing: Drawing | None = None,
 ) -> Simulation:
     """Runs a simulation to its end, as fast as it goes.
 
@@ -166,13 +179,16 @@ def simulate(
         trace: where to record it, if anywhere.
         progress: called now and then; when it gives True the run is broken off, without an outcome.
         parts: XML files that the mission needs, for the trace.
+        drawing: what pens draw is added to it.
 
     Raises:
         TraceError: the trace cannot be written.
     """
+    drawing = Drawing() if drawing is None else drawing
     if trace is None:
         while simulation.outcome is None:
             simulation.advance(PROGRESS_STEPS - simulation.tick % PROGRESS_STEPS)
+            drawing.add(simulation.drawn)
             if _is_to_end(simulation, progress):
                 break
         return simulation
@@ -181,6 +197,7 @@ def simulate(
         writer.record(recorder.record())
         while simulation.outcome is None:
             simulation.step()
+            drawing.add(simulation.drawn)
             writer.record(recorder.record())
             if _is_to_end(simulation, progress):
                 break

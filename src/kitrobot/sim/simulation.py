@@ -44,6 +44,7 @@ from kitrobot.sim.forcing import force_sensor
 from kitrobot.sim.jit_policy import JitPolicy
 from kitrobot.sim.limits import check_limits
 from kitrobot.sim.packing import Packing
+from kitrobot.sim.pens import drawn_marks
 from kitrobot.sim.setup import Setup, shared_by
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
 from kitrobot.sim.state import State, numbers
@@ -51,6 +52,7 @@ from kitrobot.sim.stepping import advance, is_going_on, is_reached
 from kitrobot.sim.team_columns import T_ACTUATOR, T_ROLE, TEAM_OVER
 from kitrobot.sim.team_text import TeamText
 from kitrobot.text import Sentence, collection_paused
+from kitrobot.trace import Mark
 from kitrobot.world import World, write_world
 
 Outcome = Literal["done", "failed", "stuck", "time"]
@@ -97,7 +99,8 @@ class Simulation:
         self.outcome: Outcome | None = None
         self.sentence = ""
         self.events: list[Event] = []
-        """What happened in the steps of the last `step` or `advance`."""
+        self.drawn: list[Mark] = []
+        """What happened in the steps of the last `step` or `advance`, and what pens drew in them."""
         self.members: list[Agent] = setup.agents
         shared = shared_by(self.members)
         self.state = setup.tables.state(shared)
@@ -147,7 +150,7 @@ class Simulation:
 
         `events` is then what happened in all of them. Many steps in one call are quicker than as many calls.
         """
-        self.events = []
+        self.events, self.drawn = [], []
         if self.outcome is not None or steps < 1:
             return 0
         if self._last_tick is not None:
@@ -168,7 +171,7 @@ class Simulation:
             done += ran
             if ran < part:
                 break
-        self.events = self._event_text.events(self.state)
+        self.events, self.drawn = self._event_text.events(self.state), drawn_marks(self.state)
         self.look_for_an_end()
         return done
 

@@ -8,7 +8,7 @@ from kitrobot.sim.event_text import Event
 from kitrobot.sim.recording import Recorder
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.timeline import Timeline
-from kitrobot.trace import Ability, NewEvents, Threads, TickRecord, TraceEvent, TraceHeader
+from kitrobot.trace import Ability, Drawing, NewEvents, Threads, TickRecord, TraceEvent, TraceHeader
 
 
 class SimulationSource:
@@ -40,6 +40,11 @@ class SimulationSource:
     def latest(self) -> int:
         """The furthest tick that was run on this future."""
         return self.timeline.latest
+
+    @property
+    def drawing(self) -> Drawing:
+        """What pens drew up to the latest tick."""
+        return self.timeline.drawing
 
     @property
     def outcome(self) -> str | None:

@@ -220,6 +220,14 @@ class Contacts:
 
 
 @dataclass(frozen=True, slots=True)
+class Pens:
+    """Which actuators are pens, and a row of numbers for each (see trace.strokes)."""
+
+    actuators: Ints
+    rows: FloatRows
+
+
+@dataclass(frozen=True, slots=True)
 class State:
     """The tables, in groups. Lists of whole numbers named after a thing hold its numbers: robots, actuators, docks."""
 
@@ -244,6 +252,7 @@ class State:
     """The grid of the robots that can be touched."""
     rays: Rays
     contacts: Contacts
+    pens: Pens
     held: FloatRows
     """Of a step that may change nothing (deadlock_detection): poses and speeds of robots, numbers of devices."""
 

@@ -2,8 +2,8 @@
 
 In this order: robots fail, are revived or towed, and a team finds out whom it misses; sensors measure; every machine
 whose tick it is is given what they read, then all of these react, in team order; devices take the commands and move; a
-team agrees at its points; robots move, and what touches is parted; shared variables spread; and when nothing stirs, it
-is asked whether anything ever will.
+team agrees at its points; robots move, and what touches is parted; pens draw; shared variables spread; and when
+nothing stirs, it is asked whether anything ever will.
 
 Everything here and in what it calls is in the part of Python that Numba takes: loops over rows of numbers, whole
 numbers that fit 64 bits, no division by zero, no function of the C library but the square root. So both give the same
@@ -49,6 +49,7 @@ from kitrobot.sim.dispatch import AGREES, advance_all, sense_all
 from kitrobot.sim.execution import react
 from kitrobot.sim.faults import harm_by_chance, harm_on_schedule
 from kitrobot.sim.grids import fill
+from kitrobot.sim.pens import draw
 from kitrobot.sim.physics import move_robots
 from kitrobot.sim.radio import exchange_by_radio, has_radio
 from kitrobot.sim.sensing import sample, sample_done
@@ -92,6 +93,8 @@ def advance(state: State, steps: int) -> int:
         if has_team:
             settle(state)
         move_robots(state)
+        if len(state.pens.actuators) > 0:
+            draw(state)
         if by_radio:
             exchange_by_radio(step, state)
         elif len(state.shared.mine) > 0 and ran > 0:

@@ -22,6 +22,7 @@ from kitrobot.sim.device_tables import DeviceTables, Fitted
 from kitrobot.sim.devices import Actuator, Device, Sensor, Standing, Values, actuators, sensors, ticks
 from kitrobot.sim.failures import FaultPlan
 from kitrobot.sim.grids import FEW
+from kitrobot.sim.pens import pen_tables
 from kitrobot.sim.physics import arrange
 from kitrobot.sim.radio_tables import beat_steps, delay_steps, radio_tables
 from kitrobot.sim.shared import SharedTables
@@ -174,6 +175,8 @@ class Tables:
         variables = len(shared.variables)
         most_events = count + pairs + len(free_solid) + 2 * len(self._actuators) + variables
         most_events += self.fault_plan.most_events(count, variables) + len(guided)
+        pens = [k for k, one in enumerate(actuator.fitted) if issubclass(one.device, Actuator) and one.device.draws]
+        most_events += len(pens)
         if self.team is not None:
             most_events += self.team.most_events
         if self.radio is not None:
@@ -240,6 +243,7 @@ class Tables:
             contacts=Contacts(
                 pairs=[0] * (2 * pairs), before=[0] * (2 * pairs), buckets=[-1] * buckets, chain=[0] * pairs
             ),
+            pens=pen_tables(pens, [actuator.fitted[k].robot for k in pens], floats[c.X], floats[c.Y]),
             held=[[0.0] * max(count, len(self._actuators)) for _ in range(HELD_ROWS)],
         )
         if guided:
@@ -348,7 +352,7 @@ class Tables:
             made.room += QUEUE * size
             made.takens.append([0] * max((len(method.parameters) for method in item.part.methods), default=0))
             assert issubclass(item.device, Actuator)
-            made.outputs.append([0] * item.device.outputs)
+            made.outputs.append(list(item.device.initial_outputs(item.values)))
         return made
 
 

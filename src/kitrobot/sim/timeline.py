@@ -18,8 +18,10 @@ from typing import Literal
 
 from kitrobot.mission import FailureKind
 from kitrobot.sim.event_text import Event
+from kitrobot.sim.pens import pens_of
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text import Recorded
+from kitrobot.trace import Drawing, Mark
 
 ROOM_BYTES = 64 * 1024 * 1024
 OUTSIDE = "outside"
@@ -57,6 +59,8 @@ class Timeline:
         self.interventions: list[Intervention] = []
         self.events: list[Event] = []
         """Everything that happened up to `latest`."""
+        self.drawing = Drawing(pens_of(simulation.members))
+        """What pens drew up to `latest`."""
         self._room = room_bytes
         self._spacing = FIRST_SPACING
         self._ticks = [simulation.tick]
@@ -206,6 +210,7 @@ class Timeline:
         tick = self.tick
         self.interventions = [one for one in self.interventions if one.tick <= tick]
         self.events = self.events_until(tick)
+        self.drawing.forget_after(tick)
         while self._ticks[-1] > tick:
             self._drop(-1)
         self.latest = tick
@@ -222,14 +227,17 @@ class Timeline:
         simulation = self.simulation
         begin = simulation.tick
         happened: list[Event] = []
+        drawn: list[Mark] = []
         while simulation.tick < tick and simulation.outcome is None:
             simulation.advance(tick - simulation.tick)
             happened += simulation.events
+            drawn += simulation.drawn
         simulation.events = happened
         now = simulation.tick
         if now > self.latest:
             self.events += [event for event in happened if event.tick >= self.latest]
             del self.events[:-MOST_EVENTS]
+            self.drawing.add(mark for mark in drawn if mark.tick > self.latest)
             self.latest = now
         for intervention in self.interventions:
             if intervention.tick == now:

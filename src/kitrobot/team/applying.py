@@ -7,7 +7,6 @@ order in which its member gave them. A command of a seat that is not in the view
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TypeVar
 
 from kitrobot.team import meeting, work
@@ -41,13 +40,13 @@ def is_next(tables: Tables, command: Command) -> bool:
 def _command(charter: Charter, tables: Tables, command: Command, told: list[Change]) -> Tables:
     """The effect of a command by itself."""
     member = command.seat.member
-    tables = replace(tables, applied=_with(tables.applied, member, Applied(command.seat.life, command.number)))
+    tables = tables._replace(applied=_with(tables.applied, member, Applied(command.seat.life, command.number)))
     match command.body:
         case Announce() as said if 0 <= said.meeting < len(tables.meetings):
             after = meeting.announced(tables.meetings[said.meeting], member, said)
-            return replace(tables, meetings=_with(tables.meetings, said.meeting, after))
+            return tables._replace(meetings=_with(tables.meetings, said.meeting, after))
         case Take(work=number) if 0 <= number < len(tables.works):
-            return replace(tables, works=_with(tables.works, number, work.asked(tables.works[number], member)))
+            return tables._replace(works=_with(tables.works, number, work.asked(tables.works[number], member)))
         case Done() | Free() as said if 0 <= said.work < len(tables.works):
             units = tables.works[said.work]
             if not work.has(units, member, said):
@@ -56,8 +55,8 @@ def _command(charter: Charter, tables: Tables, command: Command, told: list[Chan
                 return tables
             if isinstance(said, Done):
                 told.append(Counted(member, said.work, said.unit))
-                return replace(tables, works=_with(tables.works, said.work, work.finished(units, said)))
-            return replace(tables, works=_with(tables.works, said.work, work.freed(units, said)))
+                return tables._replace(works=_with(tables.works, said.work, work.finished(units, said)))
+            return tables._replace(works=_with(tables.works, said.work, work.freed(units, said)))
         case Note(numbers=numbers):
             told.append(Noted(command.seat, numbers))
         case ViewChange() as change if change.view == tables.view.number:
@@ -79,20 +78,19 @@ def _viewed(charter: Charter, tables: Tables, change: ViewChange) -> Tables:
     forgot = {seat.member for seat in seats if seat.life > tables.applied[seat.member].life}
     for member in gone | forgot:
         forgets = member in forgot
-        tables = replace(tables, works=tuple(work.left(units, member, forgets) for units in tables.works))
+        tables = tables._replace(works=tuple(work.left(units, member, forgets) for units in tables.works))
     for seat in seats:
         if seat.member in forgot:
-            tables = replace(tables, applied=_with(tables.applied, seat.member, Applied(seat.life, 0)))
+            tables = tables._replace(applied=_with(tables.applied, seat.member, Applied(seat.life, 0)))
     aborted = (i for i, g in enumerate(charter.groups) if g.failure == "abort" and gone.intersection(tables.groups[i]))
     return _filled(
         charter,
-        replace(
-            tables,
+        tables._replace(
             view=View(tables.view.number + 1, seats),
             groups=tuple(tuple(m for m in group if m not in gone) for group in tables.groups),
             players=tuple(tuple(m for m in players if m not in gone) for players in tables.players),
             meetings=tuple(
-                replace(m, announced=tuple(said for said in m.announced if said.member not in forgot))
+                m._replace(announced=tuple(said for said in m.announced if said.member not in forgot))
                 for m in tables.meetings
             ),
             aborted=tables.aborted if tables.aborted >= 0 else next(aborted, -1),
@@ -110,8 +108,7 @@ def _filled(charter: Charter, tables: Tables) -> Tables:
         substitutes = charter.groups[role.group].failure == "substitute"
         outside = [m for m in spare if substitutes and not any(m in other for other in tables.groups)]
         new = (inside + outside)[: max(0, role.wanted - len(players))]
-        tables = replace(
-            tables,
+        tables = tables._replace(
             players=_with(tables.players, number, tuple(sorted([*players, *new]))),
             groups=_with(tables.groups, role.group, tuple(sorted({*group, *new}))),
         )
@@ -127,17 +124,17 @@ def _moved(charter: Charter, tables: Tables, move: Move) -> Tables:
         tuple(m for m in players if m not in goers) if role.group == move.source else players
         for role, players in zip(charter.roles, tables.players, strict=True)
     )
-    after = _filled(charter, replace(tables, groups=groups, players=players))
+    after = _filled(charter, tables._replace(groups=groups, players=players))
     if after.players == tables.players:
         return after
-    return replace(after, view=View(tables.view.number + 1, tables.view.seats))
+    return after._replace(view=View(tables.view.number + 1, tables.view.seats))
 
 
 def _consequences(charter: Charter, tables: Tables, told: list[Change]) -> Tables:
     """Ends the meetings that are over, and gives units to those who wait."""
     for number in range(len(tables.meetings)):
         if end := meeting.ended(charter, tables, number):
-            tables = replace(tables, meetings=_with(tables.meetings, number, end[0]))
+            tables = tables._replace(meetings=_with(tables.meetings, number, end[0]))
             for move in charter.meetings[number].moves:
                 tables = _moved(charter, tables, move)
             return _consequences(charter, tables, told)
@@ -146,7 +143,7 @@ def _consequences(charter: Charter, tables: Tables, told: list[Change]) -> Table
             continue
         after, given = work.shared_out(units, tables.view.has)
         told.extend(Granted(m, number, unit, after.units[unit].number if unit >= 0 else 0) for m, unit in given)
-        tables = replace(tables, works=_with(tables.works, number, after))
+        tables = tables._replace(works=_with(tables.works, number, after))
     return tables
 
 

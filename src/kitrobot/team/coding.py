@@ -75,6 +75,14 @@ def _number(value: object) -> int:
     return value
 
 
+def _numbers(value: object) -> list[int]:
+    """A list of numbers alone, which most of what is read is."""
+    for one in (found := _list(value)):
+        if type(one) is not int or not -LARGEST <= one <= LARGEST:
+            raise ValueError
+    return found
+
+
 def _truth(value: object) -> bool:
     if type(value) is not bool:
         raise ValueError
@@ -83,6 +91,16 @@ def _truth(value: object) -> bool:
 
 def _row(item: _Reader) -> _Reader:
     return lambda value: tuple([item(one) for one in _list(value)])
+
+
+def _of_numbers(kind: type, count: int) -> _Reader:
+    def read(value: object) -> Any:
+        numbers = _numbers(value)
+        if len(numbers) != count:
+            raise ValueError
+        return kind(*numbers)
+
+    return read
 
 
 def _fields(kind: type, readers: list[_Reader]) -> _Reader:
@@ -112,11 +130,12 @@ def _reader(kind: Any) -> _Reader:
     if kind is bool:
         return _truth
     if get_origin(kind) is tuple:
-        return _row(_reader(get_args(kind)[0]))
+        item = get_args(kind)[0]
+        return (lambda value: tuple(_numbers(value))) if item is int else _row(_reader(item))
     if isinstance(kind, types.UnionType):
         return _one_of([_reader(one) for one in get_args(kind)])
-    hints = get_type_hints(kind, {**vars(commands), **vars(tables), **vars(messages)})
-    return _fields(kind, [_reader(hint) for hint in hints.values()])
+    hints = list(get_type_hints(kind, {**vars(commands), **vars(tables), **vars(messages)}).values())
+    return _of_numbers(kind, len(hints)) if set(hints) == {int} else _fields(kind, [_reader(hint) for hint in hints])
 
 
 _READERS = {name: _reader(kind) for name, kind in _NAMES.items()}

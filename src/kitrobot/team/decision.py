@@ -12,7 +12,7 @@ A voter keeps its promises for the whole of its life; a process that forgot them
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from kitrobot.team.commands import Batch, Seat
@@ -30,6 +30,12 @@ SynodMessage = Prepare | Promise | Propose | Accepted | Denied | Chosen
 def is_quorum(ranks: Collection[int], voters: int) -> bool:
     """Whether these voters, by rank, may decide for all of them."""
     return 2 * len(ranks) > voters or (2 * len(ranks) == voters and 0 in ranks)
+
+
+def first_quorum(ranks: Sequence[int]) -> Sequence[int]:
+    """The fewest voters from the beginning of a row of all of them, by rank, that may decide for all."""
+    half = ranks[: len(ranks) // 2]
+    return half if is_quorum(half, len(ranks)) else ranks[: len(half) + 1]
 
 
 class Decision(NamedTuple):

@@ -164,9 +164,12 @@ def received(charter: Charter, log: Log, message: LogMessage, now: int, out: Out
 def advance(charter: Charter, log: Log, now: int, out: Out) -> Log:
     """Proposes what there is to decide: the first of the view at once, others when their patience has run out."""
     while True:
-        state, batch = log.decision, _batch(log)
+        state = log.decision
+        begun = state.accepted != NO_BALLOT or state.ballot != NO_BALLOT
+        waits = begun and log.retry_at and now < log.retry_at
+        batch = () if waits else _batch(log)
         free = state.rank == 0 and state.promised == FIRST and state.ballot == NO_BALLOT
-        if state.rank < 0 or not (batch or state.accepted != NO_BALLOT or state.ballot != NO_BALLOT):
+        if state.rank < 0 or not (batch or begun):
             return log._replace(retry_at=0) if log.retry_at else log
         if not (free and batch):
             if not log.retry_at:

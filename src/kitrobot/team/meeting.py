@@ -8,8 +8,6 @@ number that the host counts. A late member (a substitute that begins a block fro
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from kitrobot.team.charter import Charter, Quantifier
 from kitrobot.team.commands import Announce
 from kitrobot.team.tables import Answered, Meeting, Result, Tables
@@ -24,7 +22,7 @@ def announced(meeting: Meeting, member: int, command: Announce) -> Meeting:
         return meeting
     others = [said for said in meeting.announced if said.member != member]
     said = Answered(member, command.occurrence, command.answer)
-    return replace(meeting, announced=tuple(sorted([*others, said])))
+    return meeting._replace(announced=tuple(sorted([*others, said])))
 
 
 def is_over(meeting: Meeting, occurrence: int) -> bool:

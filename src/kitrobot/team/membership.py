@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Seat, ViewChange
-from kitrobot.team.decision import is_quorum
+from kitrobot.team.decision import first_quorum, is_quorum
 from kitrobot.team.messages import Echo, Heartbeat
 from kitrobot.team.tables import View
 
@@ -93,10 +93,8 @@ def lent_until(state: Membership, charter: Charter, view: View, seat: Seat, now:
     if seat not in view.seats or not firm:
         return state.right
     stamps = [now if other == seat else state.peers[other.member].granted for other in view.seats]
-    for stamp in sorted(set(stamps), reverse=True):
-        if is_quorum([rank for rank, other in enumerate(stamps) if other >= stamp], len(stamps)):
-            return max(state.right, stamp + charter.lease)
-    return state.right
+    latest = sorted(range(len(stamps)), key=stamps.__getitem__, reverse=True)
+    return max(state.right, stamps[first_quorum(latest)[-1]] + charter.lease)
 
 
 def hears_quorum(state: Membership, charter: Charter, view: View, seat: Seat, now: int) -> bool:

@@ -6,7 +6,6 @@ that was away for long is sent.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from kitrobot.team.charter import Charter
@@ -28,8 +27,7 @@ class Result(NamedTuple):
     answer: int
 
 
-@dataclass(frozen=True, slots=True)
-class Meeting:
+class Meeting(NamedTuple):
     """A meeting: the last announcement of each member, and its last results, in order of occurrence."""
 
     announced: tuple[Answered, ...] = ()
@@ -44,8 +42,7 @@ class Unit(NamedTuple):
     done: bool
 
 
-@dataclass(frozen=True, slots=True)
-class WorkList:
+class WorkList(NamedTuple):
     """The units of a work, and the members that wait for one, in the order in which they get it."""
 
     units: tuple[Unit, ...]
@@ -64,8 +61,7 @@ class Applied(NamedTuple):
     last: int
 
 
-@dataclass(frozen=True, slots=True)
-class View:
+class View(NamedTuple):
     """Who decides: the seats of a numbered view. A new number also stands for every change of who plays a role."""
 
     number: int
@@ -76,8 +72,7 @@ class View:
         return any(seat.member == member for seat in self.seats)
 
 
-@dataclass(frozen=True, slots=True)
-class Tables:
+class Tables(NamedTuple):
     """Everything that is agreed.
 
     Attributes:

@@ -7,7 +7,6 @@ time, not the log's: the leader asks for `Free` when a lease has run out by its 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from kitrobot.team.commands import Done, Free
 from kitrobot.team.tables import Unit, WorkList
@@ -15,7 +14,7 @@ from kitrobot.team.tables import Unit, WorkList
 
 def asked(work: WorkList, member: int) -> WorkList:
     """The member waits for a unit; it stands in the row once."""
-    return work if member in work.waiting else replace(work, waiting=(*work.waiting, member))
+    return work if member in work.waiting else work._replace(waiting=(*work.waiting, member))
 
 
 def has(work: WorkList, member: int, command: Done | Free) -> bool:
@@ -55,10 +54,10 @@ def shared_out(work: WorkList, present: Callable[[int], bool]) -> tuple[WorkList
             break
         if free >= 0:
             work = _with(work, free, Unit(member, work.units[free].number + 1, False))
-        work = replace(work, waiting=tuple(m for m in work.waiting if m != member))
+        work = work._replace(waiting=tuple(m for m in work.waiting if m != member))
         given.append((member, free))
     return work, given
 
 
 def _with(work: WorkList, index: int, unit: Unit) -> WorkList:
-    return replace(work, units=(*work.units[:index], unit, *work.units[index + 1 :]))
+    return work._replace(units=(*work.units[:index], unit, *work.units[index + 1 :]))

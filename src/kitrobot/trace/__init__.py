@@ -1,5 +1,9 @@
 """What happened in a run, tick by tick: recorded, read, sought."""
 
+from kitrobot.trace.drawing import MOST_COLOUR as MOST_PEN_COLOUR
+from kitrobot.trace.drawing import MOST_WIDTH_MM as MOST_PEN_WIDTH_MM
+from kitrobot.trace.drawing import PEN, Drawing, DrawingReader, Mark, News, Pen, Stroke, marks_of
+from kitrobot.trace.drawing_svg import drawing_svg
 from kitrobot.trace.layout import ENDING
 from kitrobot.trace.model import (
     CHANCE,
@@ -33,6 +37,9 @@ __all__ = [
     "ENDING",
     "LINK",
     "MISSION",
+    "MOST_PEN_COLOUR",
+    "MOST_PEN_WIDTH_MM",
+    "PEN",
     "PERSON",
     "POSE_WORDS",
     "PROGRAM",
@@ -42,10 +49,16 @@ __all__ = [
     "Ability",
     "AbilityError",
     "Column",
+    "Drawing",
+    "DrawingReader",
     "Inner",
+    "Mark",
     "NewEvents",
+    "News",
+    "Pen",
     "RecordingSource",
     "RunSource",
+    "Stroke",
     "Threads",
     "TickRecord",
     "TraceAgent",
@@ -58,4 +71,6 @@ __all__ = [
     "TracePoint",
     "TraceReader",
     "TraceWriter",
+    "drawing_svg",
+    "marks_of",
 ]

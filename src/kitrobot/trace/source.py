@@ -12,6 +12,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import Literal, NamedTuple, NoReturn, Protocol
 
 from kitrobot.text import Recorded, Sentence
+from kitrobot.trace.drawing import Drawing, DrawingReader
 from kitrobot.trace.model import Threads, TickRecord, TraceError, TraceEvent, TraceHeader
 from kitrobot.trace.reading import TraceReader, kept
 
@@ -61,6 +62,10 @@ class RunSource(Protocol):
     @property
     def sentence(self) -> str:
         """Why it ended."""
+
+    @property
+    def drawing(self) -> Drawing:
+        """What pens drew, at least up to the tick that it stands at."""
 
     def record(self, in_full: Collection[int] | None = None) -> TickRecord:
         """The run as it stands. `in_full`: the agents of which more than the pose is wanted; None: all."""
@@ -113,6 +118,7 @@ class RecordingSource:
         self._first = self._now = reader.seek(0)
         self._ahead: Iterator[TickRecord] | None = None
         self._again = True
+        self._drawn = DrawingReader(reader.header)
 
     @property
     def header(self) -> TraceHeader:
@@ -148,6 +154,17 @@ class RecordingSource:
         if self.reader.cut:
             return Sentence("the recording ends here: its file was cut off")
         return Sentence("the recording ends here; the run was still on")
+
+    @property
+    def drawing(self) -> Drawing:
+        """What pens drew up to the tick that it stands at, or further, where it was further before."""
+        drawn = self._drawn
+        if drawn.has_pens and drawn.tick < self.tick:
+            for record in self.reader.walk(drawn.tick + 1):
+                if record.tick > self.tick:
+                    break
+                drawn.take(record)
+        return drawn.drawing
 
     def record(self, in_full: Collection[int] | None = None) -> TickRecord:
         """The record of the tick that it stands at, whole."""

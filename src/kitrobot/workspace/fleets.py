@@ -75,14 +75,14 @@ class FleetTold:
         is_over: asked often whether the emergency stop was pressed.
         on_step: the run, after the first readings and after each step.
         on_there: the name of an agent that has come.
-        on_ended: which agents' processes have ended, with their status; often.
+        on_ended: the name of an agent whose process has ended, and the sentence that says so, once; None: as `say`.
     """
 
     say: Callable[[str, str], None]
     is_over: Callable[[], bool]
     on_step: Callable[[Simulation], None]
     on_there: Callable[[str], None] = lambda name: None
-    on_ended: Callable[[dict[str, int]], None] = lambda ended: None
+    on_ended: Callable[[str, str], None] | None = None
 
 
 def run_fleet(simulation: Simulation, plan: FleetPlan, agents: Agents, told: FleetTold) -> FleetRun:
@@ -95,11 +95,6 @@ def run_fleet(simulation: Simulation, plan: FleetPlan, agents: Agents, told: Fle
     secret = key_of(made, VARIABLE) if plan.key is None else find_key(plan.key)
     assert secret is not None, "a file has a key, or none can be read from it"
 
-    def ended() -> dict[str, int]:
-        found = agents.ended()
-        told.on_ended(found)
-        return found
-
     channel = Channel(plan.network, TEAM_PROCESS, secret)
     try:
         where = plan.network.connect or plan.network.listen
@@ -107,7 +102,16 @@ def run_fleet(simulation: Simulation, plan: FleetPlan, agents: Agents, told: Fle
         for name in plan.names:
             agents.start(name, plan.words(name), {VARIABLE: made} if plan.key is None else {})
         team = TeamProcess(
-            simulation, channel, plan.lease_ms, plan.pace, told.say, ended, told.is_over, told.on_step, told.on_there
+            simulation,
+            channel,
+            plan.lease_ms,
+            plan.pace,
+            told.say,
+            agents.ended,
+            told.is_over,
+            told.on_step,
+            told.on_there,
+            told.on_ended or told.say,
         )
         team.gather(GATHER_S)
         if not told.is_over():

@@ -11,8 +11,9 @@ from typing import Any, Literal
 from kitrobot.compiler import TeamPlan
 from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError, Source
 from kitrobot.files import same_file
-from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, simulate
+from kitrobot.sim import Simulation, SimulationError, check_limits, look_over, pens_of, simulate, strokes_now
 from kitrobot.text import Sentence
+from kitrobot.trace import Drawing, Stroke
 from kitrobot.workspace.opening import OpenMission
 from kitrobot.workspace.run_hints import advice
 from kitrobot.workspace.traces import parts_of
@@ -47,6 +48,7 @@ class Run:
         collisions: how many times a robot began to touch something.
         timing: what the clock on the wall decided.
         advice: hints on a run that ended before anything could be seen.
+        strokes: what pens drew.
     """
 
     outcome: Literal["done", "failed", "stuck", "time"]
@@ -58,6 +60,7 @@ class Run:
     collisions: int
     timing: Timing
     advice: tuple[Diagnostic, ...] = ()
+    strokes: tuple[Stroke, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """As plain values, in the published shape."""
@@ -111,13 +114,16 @@ class PreparedRun:
     def run(self, progress: Progress | None = None) -> Run:
         """Runs the mission to its end, once; it needs a time limit. `progress` is told the simulated seconds so far.
 
+        What pens drew is in the result.
+
         Raises:
             TraceError: the trace cannot be written.
         """
         made, trace = self.simulation, self.options.trace
         began = time.perf_counter()
         parts = parts_of(self.opened) if trace is not None else ()
-        simulate(made, trace, None if progress is None else lambda now: progress(now.seconds), parts)
+        drawn = Drawing(pens_of(made.members))
+        simulate(made, trace, None if progress is None else lambda now: progress(now.seconds), parts, drawn)
         real = time.perf_counter() - began
         assert made.outcome is not None, "a run with a time limit ends"
         return Run(
@@ -130,6 +136,7 @@ class PreparedRun:
             made.collisions,
             Timing(real, made.seconds / real if real > 0 else 0.0),
             tuple(advice(self.opened, made)),
+            tuple(strokes_now(made, drawn)),
         )
 
     def parts(self) -> tuple[Any, ...]:

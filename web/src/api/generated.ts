@@ -378,6 +378,15 @@ export interface Dock {
   heading_rad: number;
 }
 
+/**
+ * What pens drew: of the marks that were told before, the first `keep` stay, and `marks` come after them. A line that
+ * has not ended goes on to where its robot is.
+ */
+export interface Drawing {
+  keep: number;
+  marks: [number, 1 | 2 | 4, number, number, number, number][];
+}
+
 /** What became of the program of a text: rows of the lists of the program that was sent with it. */
 export interface DrawnProgram {
   vertices: (Vertex | [number, number])[];
@@ -1127,7 +1136,7 @@ export interface Robot {
 export interface RobotObject {
   name: string;
   category: "actuator" | "sensor" | "variable" | "system";
-  look?: "" | "wheels" | "lights" | "melody" | "pin" | "lamp" | "bar" | "sound" | "number";
+  look?: "" | "wheels" | "lights" | "melody" | "pin" | "lamp" | "bar" | "sound" | "number" | "pen";
   hand?: "" | "button" | "gesture" | "slider";
   ray?: Ray | null;
   icon: string;
@@ -1353,6 +1362,7 @@ export interface StartedMessage {
   fleet: boolean;
   watching: boolean;
   another: boolean;
+  pens: number[];
 }
 
 /**
@@ -1527,7 +1537,7 @@ export interface TextEdit {
  * The run as it stands; `agents` holds only those that changed since the last message, and of very many only those that
  * are looked at. `latest` is the furthest tick of this future: less than before when another one has begun. `events`
  * are those since the last message, or with `again` all up to `latest`. `team` is null where it stands as before, or
- * there is none.
+ * there is none, and so is `drawing`.
  */
 export interface TickMessage {
   type: "tick";
@@ -1541,6 +1551,7 @@ export interface TickMessage {
   collisions: number;
   events: RunEvent[];
   team: TeamNow | null;
+  drawing: Drawing | null;
 }
 
 /** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */

@@ -9,6 +9,7 @@ import type { AgentReport, HarmRequest, RunEvent, StartedMessage, StateMessage }
 export type {
   AgentReport,
   Dock,
+  Drawing,
   Hit,
   Road,
   RunEvent,

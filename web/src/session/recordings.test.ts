@@ -32,6 +32,7 @@ const STARTED: StartedMessage = {
   fleet: false,
   watching: false,
   another: false,
+  pens: [],
 };
 
 function hear(message: RunMessage): void {

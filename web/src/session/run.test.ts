@@ -51,12 +51,14 @@ const STARTED: StartedMessage = {
   fleet: false,
   watching: false,
   another: false,
+  pens: [],
 };
 
 function tick(agents: Record<string, AgentReport>, at = 1): RunMessage {
   return {
     type: "tick",
     team: null,
+    drawing: null,
     tick: at,
     latest: at,
     again: false,

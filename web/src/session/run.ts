@@ -16,6 +16,7 @@ import type { Ability, AgentReport, Hit, RunEvent, RunMessage, RunRequest, Start
 import { useStudio } from "../model/studio";
 import type { Call } from "../model/team-names";
 import type { Mission, Problem } from "../model/types";
+import { forgetMarks, takeMarks } from "./pen-marks";
 import { clearFrames, pushFrame } from "./poses";
 import type { RunAgent, RunState, RunStatus } from "./run-state";
 
@@ -209,10 +210,12 @@ function hangUp(): void {
 function connect(mission: Mission, request: RunRequest): void {
   hangUp();
   clearFrames();
+  forgetMarks();
   useRun.setState({ ...NOTHING, status: "connecting", mission });
   socket = openRunSocket({
     onOpen: (opened) => opened.send(request),
     onMessage: (message) => {
+      takeMarks(message);
       useRun.setState((state) => applyMessage(state, message));
       if (message.type === "started") {
         if (!message.watching) ours.add(String(message.run));
@@ -312,6 +315,7 @@ export const useRun = create<RunState>((set, get) => ({
   reset: () => {
     hangUp();
     clearFrames();
+    forgetMarks();
     set({ ...NOTHING, selectedAgent: {}, failRate: 0 });
   },
   dismissError: () => set({ error: null, problems: [] }),

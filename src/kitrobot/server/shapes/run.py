@@ -233,6 +233,8 @@ class StartedMessage(_Message):
     fleet: bool = False
     watching: bool = False
     another: bool = False
+    pens: list[int] = []
+    """Of each pen the place of its robot in `agents`."""
 
 
 class StateMessage(_Message):
@@ -315,12 +317,28 @@ class RunEventShape(BaseModel):
     cause: EventCause
 
 
+MarkShape = tuple[int, Literal[1, 2, 4], int, int, int, int]
+"""Pen, what becomes of the point (1 the line goes on there, 2 begins, 4 ends), x and y in tenths of a mm, colour (0…7),
+width in mm."""
+
+
+class DrawingShape(BaseModel):
+    """What pens drew: of the marks that were told before, the first `keep` stay, and `marks` come after them.
+
+    A line that has not ended goes on to where its robot is.
+    """
+
+    keep: int
+    marks: list[MarkShape]
+
+
 class TickMessage(_Message):
     """The run as it stands; `agents` holds only those that changed since the last message, and
     of very many only those that are looked at.
 
     `latest` is the furthest tick of this future: less than before when another one has begun. `events` are those since
-    the last message, or with `again` all up to `latest`. `team` is null where it stands as before, or there is none.
+    the last message, or with `again` all up to `latest`. `team` is null where it stands as before, or there is none,
+    and so is `drawing`.
     """
 
     type: Literal["tick"] = "tick"
@@ -334,6 +352,7 @@ class TickMessage(_Message):
     collisions: int
     events: list[RunEventShape]
     team: TeamNowShape | None
+    drawing: DrawingShape | None = None
 
 
 class ProblemsMessage(_Message):

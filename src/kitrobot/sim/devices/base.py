@@ -62,9 +62,9 @@ LOST_READINGS = Setting(
 LOST_COMMANDS = Setting("dropout", 0.0, Sentence("how often a command does not reach it"), "%", 0.0, 100.0)
 MOVES_BOXES, COUNTS_BOXES = "moves", "counts"
 
-Look = Literal["", "wheels", "lights", "melody", "pin", "lamp", "bar", "sound", "number"]
-"""What the page draws of an actuator: nothing, wheels, a matrix of lights, whether it sounds, a pin's level, or its
-value as lamp, bar, sound or number."""
+Look = Literal["", "wheels", "lights", "melody", "pin", "lamp", "bar", "sound", "number", "pen"]
+"""What the page draws of an actuator: nothing, wheels, a matrix of lights, whether it sounds, a pin's level, its value
+as lamp, bar, sound or number, or a pen and its line."""
 
 Hand = Literal["", "button", "gesture", "slider"]
 """How a person works a sensor in the arena: not, by a button of the board, by moving the whole board, by a slider."""
@@ -185,8 +185,10 @@ class Actuator(Device):
     """Whether what it is told changes nothing but what the robots of a team agree on."""
     turns: ClassVar[bool] = False
     """Whether it turns a robot that may have no wheels."""
+    draws: ClassVar[bool] = False
+    """Whether it is a pen."""
     outputs: ClassVar[int] = 0
-    """How many integers of its own it has in the table `outputs`, all 0 at the start."""
+    """How many integers of its own it has in the table `outputs`."""
     shown: ClassVar[int] = 0
     """So many of these, the first ones, are for everybody to see: what a display shows, what a buzzer plays."""
 
@@ -194,6 +196,11 @@ class Actuator(Device):
     def look(cls, values: Values) -> Look:
         """How the page draws what it shows."""
         return ""
+
+    @classmethod
+    def initial_outputs(cls, values: Values) -> Sequence[int]:
+        """What stands in the table `outputs` at the start."""
+        return [0] * cls.outputs
 
     @classmethod
     def procedure_number(cls, part: RobotObject, method: Method, values: Values) -> int:
