@@ -56,7 +56,6 @@ export function looksOf({ actor, pose, failed, stalled }: Seen, load = pose.load
     lamp: (pose.flags & LAMP) !== 0,
     face: failed ? "out" : stalled ? "shut" : "open",
     out: (pose.flags & ARM_OUT) !== 0,
-    pen: "",
   };
 }
 

@@ -18,8 +18,6 @@ export interface Looks {
   face: "open" | "shut" | "out";
   /** Of an arm: whether it reaches over the road. */
   out: boolean;
-  /** The colour of a pen that is down; "" for none. */
-  pen: string;
 }
 
 /** Colours that change with the theme. */
@@ -260,7 +258,6 @@ export function drawFigure(pen: Hand["pen"], u: number, looks: Looks, colours: F
   if (figure === "store-manager") manager(hand, looks, lid, colours);
   else if (figure === "loader" || figure === "unloader") arm(hand, looks, lid, colours.bed);
   else {
-    if (looks.pen !== "") hand.box(-40, -2.6, 26, 5.2, 2.6, looks.pen);
     if (parts.wheel !== undefined) wheels(hand, parts.wheel, colours.wheel);
     if (figure === "kit-rover") {
       for (const y of [-24.5, 16.5]) hand.box(-12, y, 24, 8, 2.5, "#f4c430", 1.8);
@@ -293,7 +290,7 @@ export function drawFigure(pen: Hand["pen"], u: number, looks: Looks, colours: F
   const [white, iris] =
     figure === "kit-rover" ? ["#dfe4ea", colours.robotLine] : ["#fff", figure === "line-follower" ? "#5b93dd" : ""];
   if (parts.eye !== undefined) for (const place of mirrored(parts.eye)) eye(hand, place, face, white, iris);
-  if (figure === "mini-robot") hand.disc(1, 0, 3.6, looks.pen === "" ? "#fff" : looks.pen, 1.5);
+  if (figure === "mini-robot") hand.disc(0, 0, 3.6, "#fff", 1.5);
   pen.restore();
 }
 

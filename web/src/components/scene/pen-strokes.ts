@@ -8,16 +8,7 @@ const [BEGINS, ENDS] = [2, 4];
 const LEAST_PX = 2;
 
 /** Colours of pens by number; black is ink, which the theme says. */
-export const PEN_COLOURS = [
-  null,
-  "#d3202f",
-  "#1c8548",
-  "#1d6ad4",
-  "#e07a1f",
-  "#7549cc",
-  "#d9a400",
-  "#d9529a",
-] as const;
+export const PEN_COLOURS = [null, "#d3202f", "#1c8548", "#1d6ad4", "#e07a1f", "#7549cc", "#d9a400", "#d9529a"] as const;
 
 export interface PenStroke {
   colour: number;

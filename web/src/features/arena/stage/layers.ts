@@ -9,7 +9,7 @@ import { ROBOT_MM } from "../../../components/scene/geometry";
 import { LIDS } from "../../../components/scene/lids";
 import type { Layers } from "../../../components/scene/painter";
 import type { Scene, Seen } from "../../../components/scene/scene";
-import { drawStrokes, strokesOf } from "../../../components/scene/pen-strokes";
+import { drawStrokes, PEN_COLOURS, strokesOf } from "../../../components/scene/pen-strokes";
 import { decimal } from "../../../i18n/numbers";
 import { useStudio } from "../../../model/studio";
 import { drawnByPens } from "../../../session/pen-marks";
@@ -124,12 +124,37 @@ export class StageLayers implements Layers {
   }
 
   over(brush: Brush, scene: Scene, seen: readonly Seen[]): boolean {
-    if (scene.running) drawSigns(brush, scene, seen);
+    if (scene.running) {
+      this.drawPenTips(brush, seen);
+      drawSigns(brush, scene, seen);
+    }
     const watched = this.tag ? seen.find(({ actor }) => actor.name === this.selected) : undefined;
     // A board shows itself; what it senses changes all the time.
     if (watched !== undefined && watched.actor.face === null) drawTag(brush, scene, seen, watched);
     for (const { ray, own } of this.rays) if (own && ray.ends) this.label(brush, ray);
     return this.confetti.draw(brush);
+  }
+
+  /** On robots whose pen is down: its tip, in its colour. */
+  private drawPenTips({ pen, camera, colours }: Brush, seen: readonly Seen[]): void {
+    const { agents } = useRun.getState();
+    const { robots } = useStudio.getState().catalogue;
+    seen.forEach((one, index) => {
+      const agent = agents[index];
+      if (agent === undefined || !this.stands(one, seen.length)) return;
+      const tool = robots.find(({ name }) => name === agent.robot)?.objects.find(({ look }) => look === "pen");
+      const [down = 0, colour = 0] = tool === undefined ? [] : (agent.shown[tool.name] ?? []);
+      if (down === 0) return;
+      const unit = robotUnit(camera, one.actor.length_mm);
+      const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
+      pen.beginPath();
+      pen.arc(x, y, 3.6 * unit, 0, Math.PI * 2);
+      pen.fillStyle = PEN_COLOURS[colour] ?? colours.ink;
+      pen.fill();
+      pen.strokeStyle = colours.robotLine;
+      pen.lineWidth = Math.max(1.5 * unit, 1);
+      pen.stroke();
+    });
   }
 
   private drawRadio({ pen, camera, colours }: Brush, seen: readonly Seen[]): void {
