@@ -63,6 +63,7 @@ def test_keys_do_it_too(open_studio, item, word):
     start_paused(studio)
     choose(studio, ROBOT)
     studio.page.keyboard.press("Enter")
+    expect(studio.at("menu-harm-fail")).to_be_visible()
     for _ in range(["fail", "stall", "mute"].index(item)):
         studio.page.keyboard.press("ArrowDown")
     studio.page.keyboard.press("Enter")

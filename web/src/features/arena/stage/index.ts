@@ -3,6 +3,8 @@
  * rays, radio, the way ahead), the robot that is watched, sound, and how the run ended.
  */
 import "./stage.css";
+// The menu of a robot is asked for while something runs: its keys are pressed as soon as it opens.
+import "../RobotMenu";
 
 export { Ending } from "./Ending";
 export { openShown } from "./shown-menu";
