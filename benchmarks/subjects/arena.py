@@ -84,7 +84,7 @@ def _measured(browser: Browser, address: str, size: Size) -> dict[str, list[tupl
         page.keyboard.press("f")
         page.locator("[data-testid=show-trails]").wait_for()
         page.locator("[data-testid=run-button]").click()
-        page.wait_for_function("document.querySelector('[data-testid=status]')?.dataset.status === 'running'")
+        page.locator("[data-testid=status][data-status=running]").wait_for()
         page.wait_for_timeout(2000)
         found: dict[str, list[tuple[float, float]]] = {"trails on": [], "trails off": []}
         for _ in range(size.rounds):
