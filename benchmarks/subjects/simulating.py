@@ -18,6 +18,7 @@ import kitrobot
 from benchmarks.measuring import Rate, Row, in_turns
 from benchmarks.peers import agents_in_space, trees
 from benchmarks.swarm import SPACING_MM, instructions_a_tick, swarm
+from benchmarks.table import table
 from kitrobot.mission import Radio
 from kitrobot.sim import Simulation, compiling
 
@@ -33,13 +34,15 @@ class Size:
     growth: tuple[int, ...]
     talking: int
     """Robots that share a variable, without a radio and with one."""
+    pushing: tuple[int, int]
+    """Boxes on a table, and robots that push them."""
     work: int
     plain_work: int
     rounds: int
 
 
-FULL = Size((100, 1000, 10_000), (10, 100_000), 1000, 1_000_000, 10_000, 5)
-TINY = Size((4,), (9,), 5, 20, 20, 1)
+FULL = Size((100, 1000, 10_000), (10, 100_000), 1000, (500, 50), 1_000_000, 10_000, 5)
+TINY = Size((4,), (9,), 5, (6, 2), 20, 20, 1)
 
 
 def go(run: Simulation, steps: int) -> None:
@@ -64,7 +67,7 @@ def run(size: Size, *, peers: bool) -> list[Row]:
     if compiling.available():
         for robots in size.growth:
             rows.append(Row(f"Numba, {robots} robots", "steps/s", _numba(robots, size)))
-    return rows + _talking(size, peers) + _transport(size)
+    return rows + _talking(size, peers) + _pushing(size, peers) + _transport(size)
 
 
 def _numba(robots: int, size: Size) -> Rate:
@@ -102,6 +105,30 @@ def _beside(robots: int, size: Size, peers: bool) -> list[Row]:
         else:
             rows.append(Row(what, "steps/s", rates[name]))
     return rows
+
+
+def _pushing(size: Size, peers: bool) -> list[Row]:
+    """A table of boxes that robots push, beside a physics engine in C."""
+    boxes, robots = size.pushing
+    steps = {"plain": max(1, size.plain_work // (boxes + robots)), "Numba": max(1, size.work // (boxes + robots))}
+    plain = table(boxes, robots)
+    plain.stays_plain = True
+    work: dict[str, Callable[[], object]] = {"plain": lambda: go(plain, steps["plain"])}
+    if compiling.available():
+        ours = hurried(table(boxes, robots))
+        work["Numba"] = lambda: go(ours, steps["Numba"])
+    name = ""
+    if peers:
+        from benchmarks.peers import pushed_things
+
+        name = pushed_things.NAME
+        theirs = pushed_things.Table(boxes, robots)
+        steps["pymunk"] = steps["Numba"]
+        work["pymunk"] = lambda: theirs.go(steps["pymunk"])
+    rates = {what: Rate.of(steps[what], taken) for what, taken in in_turns(work, size.rounds).items()}
+    beside = (name, rates["pymunk"]) if peers else ()
+    what = f"a table of {boxes} boxes and {robots} robots"
+    return [Row(f"{one}, {what}", "steps/s", rates[one], *beside) for one in ("plain", "Numba") if one in rates]
 
 
 RADIO = Radio(range_mm=1000, delay_ms=20, loss=5)

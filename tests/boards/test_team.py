@@ -113,3 +113,8 @@ def test_a_team_of_boards_shares_meets_and_goes_on_without_one(
     assert "modern: takes over for bit-1" in said
     assert "modern: its program has ended" in said
     assert "bit-2: its program has ended" in said
+    with started("deploy", str(mission), "--team", *words[:2], *words[4:]) as sending:
+        status, _, said = sending.end()
+    assert status == 1
+    assert "no robot of the team is started; mend what is said above of bit-1" in said
+    assert "the new program is already on the boards of these, where it waits: modern" in said

@@ -17,7 +17,10 @@ ROBOT = ("--robot", "mini-robot")
 FORMS = ("krt", "lll", "kri", "kra", "svg", "png", "pdf")
 READS = {
     **{f"check {form}": ("check", f"bad.{form}") for form in FORMS},
-    **{f"check {kind}": ("check", f"bad.{kind}.xml") for kind in ("robot", "constructors", "world")},
+    **{
+        f"check {kind}": ("check", f"bad.{kind}.xml")
+        for kind in ("robot", "constructors", "world", "tutorial", "exercise")
+    },
     **{f"convert {form}": ("convert", f"bad.{form}", "out.kra", *ROBOT) for form in FORMS},
     "check robot of a text": ("check", "good.lll", "--robot", "bad.robot.xml"),
     "format": ("format", "bad.lll"),
@@ -46,6 +49,8 @@ READS = {
     "deploy": ("deploy", "bad.krt", *NOBODY),
     "deploy team": ("deploy", "bad.krt", "--team", "--board", f"robot-1={NOBODY[1]}"),
     "deploy text": ("deploy", "bad.lll", "--robot", "microbit", *NOBODY),
+    "grade": ("grade", "bad.krt"),
+    "grade exercise": ("grade", EXAMPLE, "--exercise", "bad.exercise.xml"),
     "watch": ("watch", "--mission", "bad.krt", *NOBODY),
     "log": ("log", "--mission", "bad.krt", *NOBODY),
     "studio": ("studio", "bad.krt"),
@@ -53,7 +58,7 @@ READS = {
 }
 WRITES = ("run recorded", "merge output")
 DEVICES = ("endless device", "nothing")
-WITH_JSON = ("check", "run", "verify", "replay", "diff", "exec", "deploy", "watch", "log")
+WITH_JSON = ("check", "run", "verify", "replay", "diff", "exec", "deploy", "watch", "log", "grade")
 MAY_BE_RIGHT = {"empty", "cut off", "nothing", "odd name"}
 """An empty text is a program that does nothing, and half of one may be another."""
 
@@ -129,7 +134,7 @@ def test_every_command_that_reads_a_file_is_tried() -> None:
     from kitrobot.cli.app import app
 
     names = {command.name for command in app.registered_commands if command.name}
-    assert names - {words[0] for words in READS.values()} == {"boards", "grade", "start", "stop"}
+    assert names - {words[0] for words in READS.values()} == {"boards", "start", "stop"}
 
 
 def test_a_file_that_may_not_be_replaced_is_told(kitrobot, here: Path) -> None:

@@ -67,3 +67,24 @@ def test_the_program_of_a_team_is_not_checked_yet_and_that_is_said(kitrobot) -> 
     said = kitrobot("verify", ROOT / "examples" / "transport-team" / "transport-team.krt")
     assert said.status == 1
     assert "the program of a team has no discrete form yet" in said.err
+
+
+def test_a_property_about_nothing_is_left_out_or_vacuous_and_the_check_says_so(kitrobot, tmp_path: Path) -> None:
+    asked = {
+        "nobody": ("any carrier-9 (Cargo.IsPressed())", "no agent of this team"),
+        "nothing": ("any carrier-south (Wings.IsPressed())", "Wings"),
+        "never": ("any carrier-south (Sign.EqualTo(99)) &amp; any carrier-north (Sign.EqualTo(99))", ""),
+    }
+    lines = "".join(f'  <property name="{name}" never="{one}"/>\n' for name, (one, _) in asked.items())
+    path = tmp_path / "asked.krt"
+    text = SMALL.read_text(encoding="utf-8")
+    path.write_text(text.replace("  <world", f"{lines}  <world", 1), encoding="utf-8")
+    said = kitrobot("verify", path, "--timing", "lockstep")
+    assert "vacuous" in next(line for line in said.out.splitlines() if line.startswith("never"))
+    for name, (_, words) in asked.items():
+        if words:
+            assert f"the property {name} is left out: " in said.out
+            assert words in said.out
+            alone = kitrobot("verify", path, "--timing", "lockstep", "--property", name)
+            assert (alone.status, alone.out) == (1, "")
+            assert f"this mission has no property {name}" in alone.err

@@ -54,3 +54,22 @@ def test_there_are_twelve_in_three_languages_and_their_programs_tell_them_apart(
             assert set(texts) == {"", "fr", "ur"}
         programs += programs_of(open_mission(path.parent / exercise.start).mission)
     assert len(programs) == len(set(programs))
+
+
+def test_what_was_found_before_judging_is_stopped_is_kept_and_nothing_else_is_said() -> None:
+    """Two runs, then what is checked: stopped before them, between them, before the check, and not at all."""
+    ready = ready_exercise(exercise_file("12-no-jam"))
+    opened = open_handed_in(ready.start, submission("12-no-jam", {}), SearchPath(FOLDER))
+
+    def reached(pieces: int) -> list[bool | None]:
+        over: list[int] = []
+        options = JudgingOptions(stop=lambda: len(over) >= pieces, seeds=(1, 2))
+        made = judge(ready.exercise, opened, options, lambda done, _: over.append(done))
+        return [verdict.reached for verdict in made.verdicts]
+
+    assert [reached(pieces) for pieces in (0, 1, 2, 9)] == [
+        [None, None, None, None, None],
+        [None, False, None, None, None],
+        [True, False, True, None, None],
+        [True, False, True, False, False],
+    ]

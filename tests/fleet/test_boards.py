@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from pathlib import Path
+from threading import Event
+from typing import Any
 
 import pytest
 
-from kitrobot.deploy import BoardError
-from kitrobot.fleet.board_body import REST_MS
-from kitrobot.sim.team_columns import T_HOLDER
+from kitrobot.deploy import Board, BoardError
+from kitrobot.fleet.board_body import REST_MS, Order
+from kitrobot.fleet.board_line import LEAST_SILENT_S, BoardLine
+from kitrobot.sim import Simulation
+from kitrobot.sim.team_columns import T_AT, T_HOLDER
+from kitrobot.workspace import RunOptions, open_mission
 from kitrobot_onboard.state import HELD, STATE
 from tests.boards import drivers
 from tests.fleet.bench_boards import bench_boards
-from tests.fleet.network import Faults, Fleet
+from tests.fleet.network import LEASE, STEP, Faults, Fleet
 from tests.fleet.test_convoy import anew, texts, until
 from tests.fleet.test_outcomes import finish, fleet_and_meaning
 
@@ -52,6 +57,96 @@ def test_a_board_takes_over_from_a_board_whose_line_is_cut(tmp_path: Path) -> No
     assert one.run.outcome == "done"
     assert ("robot-4", "takes over for robot-2") in texts(one)
     assert one.run.state.team.robots[T_HOLDER][1] == 3
+
+
+@pytest.mark.parametrize("moment", ["start", "meeting"])
+def test_a_board_whose_line_is_cut_at_the_start_or_in_a_meeting_is_taken_over_from(moment: str, tmp_path: Path) -> None:
+    with bench_boards(anew(), {1: 0, 3: 0}, tmp_path) as boards:
+        one = Fleet(anew, boards=boards)
+        if moment == "start":
+            while not one.hosts[1].may_act(one.now):
+                one.step()
+            assert boards[1].bench.robot[STATE] != 2, "it has not begun yet"
+        else:
+            table = one.run.state.team.robots
+            while table[T_AT][1] < 0 or table[T_AT][0] == table[T_AT][1]:
+                one.step()
+        one.kill(1)
+        one.finish()
+    assert one.run.outcome == "done"
+    assert ("robot-4", "takes over for robot-2") in texts(one)
+
+
+def test_a_board_that_is_silent_for_a_lease_is_missed_though_its_line_is_open_and_comes_back(tmp_path: Path) -> None:
+    with bench_boards(anew(), {1: 0, 3: 0}, tmp_path) as boards:
+        one = Fleet(anew, boards=boards)
+        until(one, 2000)
+        # The line is open, but nothing comes over it.
+        boards[1].free_at = one.now + LEASE - STEP
+        until(one, one.now + 3 * LEASE)
+        assert one.hosts[1].may_act(one.now)
+        assert not any("missed" in text for _, text in texts(one))
+        boards[1].free_at = one.now + 4 * LEASE
+        one.finish()
+        until(one, one.now + REST_MS + 50)
+        told = texts(one)
+        assert one.hosts[1].may_act(one.now) or one.hosts[1].machine.ended
+    assert one.run.outcome == "done"
+    assert told.index(("robot-2", "is missed by its team")) < told.index(("robot-4", "takes over for robot-2"))
+
+
+class SilentLine:
+    """A line that is open, and over which nothing comes; time passes with waiting."""
+
+    address = "silent"
+
+    def __init__(self) -> None:
+        self.at = 0.0
+
+    def write(self, data: bytes) -> None:
+        """It goes nowhere."""
+
+    def read(self, timeout_s: float) -> bytes:
+        self.at += max(timeout_s, 0.001)
+        return b""
+
+    def now(self) -> float:
+        return self.at
+
+    def close(self) -> None:
+        """Nothing to close."""
+
+
+@pytest.mark.parametrize(("lease", "seconds"), [(500, LEAST_SILENT_S), (4000, 4.0)])
+def test_a_silent_line_is_given_up_after_a_lease_but_not_before_it_was_asked_again(lease: int, seconds: float) -> None:
+    silent: Any = SilentLine()
+    line = BoardLine(Board(silent))
+    woken = Event()
+    line.wake = woken.set
+    line.bear(lease)
+    line.order(Order("still"))
+    assert woken.wait(60)
+    [done] = line.done()
+    assert done.error is not None
+    assert "silent" in done.error.message
+    assert seconds <= silent.at < seconds + 0.1
+    line.close()
+
+
+def test_a_mission_without_a_program_of_a_team_has_boards_too(tmp_path: Path) -> None:
+    opened = open_mission(Path("examples/pair/pair.krt"))
+
+    def alone() -> Simulation:
+        return opened.prepare(RunOptions(1, 20)).simulation
+
+    run = alone()
+    assert opened.team is None
+    while run.outcome is None:
+        run.step()
+    with bench_boards(alone(), {0: 0}, tmp_path) as boards:
+        one = Fleet(alone, boards=boards)
+        one.finish()
+    assert (one.run.outcome, one.run.sentence) == (run.outcome, run.sentence)
 
 
 def test_a_slow_board_is_there_although_its_ticks_take_long(tmp_path: Path) -> None:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import shutil
+from concurrent.futures import ThreadPoolExecutor
+
 import pytest
 
+from tests.exercises.handing_in import FOLDER
 from tests.primitives.samples import EXERCISE
 
 SQUARE = "example:exercises/03-square.exercise.xml"
@@ -45,6 +49,29 @@ def test_a_run_of_one_seed_and_what_is_checked_are_judged_apart(page) -> None:
     made = judge(page, JAM, jam, None).json()
     assert [goal["reached"] for goal in made["goals"]] == [None, None, None, False, False]
     assert made["goals"][3]["seed"] == 1
+
+
+def test_a_check_that_is_on_is_stopped_and_what_was_found_is_kept(page, folder) -> None:
+    """It has a million states; a check that was cut says of a goal that it is missed, or nothing."""
+    for name in ("12-no-jam.krt", "short-ring.world.xml"):
+        shutil.copy(FOLDER / name, folder / name)
+    goals = "".join(
+        f'<holds property="{name}" timing="{timing}" states="1000000"><label>{name}</label></holds>'
+        for name, timing in (("deadlock", "lockstep"), ("empty-storehouse", "free"))
+    )
+    text = (
+        f'<exercise version="1" start="12-no-jam.krt"><label>L</label><parts most="9"><label>P</label></parts>{goals}'
+    )
+    (folder / "long.exercise.xml").write_text(text + "</exercise>")
+    asked = {"exercise": "long.exercise.xml", "mission": mission_of(page, "12-no-jam.krt"), "judging": "mine"}
+    with ThreadPoolExecutor(1) as other:
+        made = other.submit(page.post, "/api/exercise/judge", json=asked)
+        told = page.post("/api/exercise/stop", json={"judging": "another"}).json()
+        while not made.done():
+            page.post("/api/exercise/stop", json={"judging": "mine"})
+    assert told is False
+    assert [goal["reached"] for goal in made.result().json()["goals"]] == [False, None, None]
+    assert page.post("/api/exercise/stop", json={"judging": "mine"}).json() is False
 
 
 def test_the_world_and_the_robots_are_those_of_the_exercise_whatever_is_sent(page) -> None:

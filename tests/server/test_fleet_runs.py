@@ -236,6 +236,7 @@ def test_programs_are_sent_to_all_boards_or_it_is_told_why_not(visit, app) -> No
         links.goes_on.set()
         said = page.team(lambda said: said["phase"] == "idle" and said["failed"])
         assert said["message"] == "No robot of the team is started, since this failed: robot-2."
+        assert "is already on the boards of these, where it waits: robot-1" in said["help"]
         assert [(one["state"], one["way"]) for one in said["agents"][:2]] == [("sent", ""), ("idle", "replace")]
         assert "press Replace it" in said["agents"][1]["help"]
         page.ask("team-send", boards=[two[0], {**two[1], "way": "replace"}])

@@ -89,6 +89,18 @@ def test_columns_come_one_by_one_in_the_readers_language_and_a_broken_one_is_pla
         assert broken["searched"]
         assert broken["confirmed"]["failures"] == []
         assert broken["events"][-1]["text"].endswith("entrepôt vide A."), broken["events"][-1]
+        (blamed,) = broken["guilty"]
+        assert blamed["agent"] == "loader-1"
+        assert blamed["program"] in {one["name"] for one in greedy["programs"]}
+        assert not blamed["repeats"]
+        assert blamed["sentence"] == broken["events"][-1]["text"]
+        assert [blamed["program"], blamed["vertex"]] in [
+            at for robot in broken["scenes"][-2]["robots"] for at in robot["at"]
+        ]
+        assert broken["scenes"][0]["step"] == 0
+        assert broken["scenes"][-1]["step"] == broken["steps"]
+        assert {len(scene["robots"]) for scene in broken["scenes"]} == {len(greedy["agents"])}
+        assert told["deadlock"]["scenes"] == told["deadlock"]["guilty"] == []
         checker.send(type="stop")
         checker.until("end")
     seen = broken["confirmed"]

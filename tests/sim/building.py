@@ -138,12 +138,13 @@ def transport(
     seconds: float | None = 600,
     failures: Sequence[Failure] = (),
     fail_rate: float = 0.0,
+    radio: Radio | None = None,
 ) -> Simulation:
     """The example that everybody sees first, with so many boxes in A and so many carriers."""
     data, images = _example()
     mission, _ = read_mission(data, EXAMPLE.name)
     assert mission is not None
-    mission.failures = list(failures)
+    mission.failures, mission.radio = list(failures), radio
     mission.team.agents = [
         agent for agent in mission.team.agents if agent.program != "carrier" or int(agent.name[-1]) <= carriers
     ]

@@ -75,6 +75,19 @@ def test_a_box_comes_back_to_where_it_came_from_and_is_brought_by_another() -> N
     assert sum(run.delivered.values()) == 12
 
 
+def test_a_load_that_misses_a_carrier_which_is_towed_meanwhile_is_made_again() -> None:
+    run = ring(TOW, Failure("carrier-1", 2.0), after_s=1.0)
+    assert len(told(run, "no empty carrier")) == 1
+    assert (run.outcome, run.stock) == ("done", {"A": 0, "B": 12}), run.sentence
+
+
+def test_a_box_that_comes_back_while_the_manager_of_a_is_stalled_is_loaded_when_that_goes_on() -> None:
+    stalled = [Failure("store-manager-A", 5.0, FailureKind.STALL), Failure("store-manager-A", 90.0, FailureKind.REVIVE)]
+    run = ring(TOW, Failure("carrier-1", 6.0), *stalled)
+    told(run, "")
+    assert (run.outcome, run.stock) == ("done", {"A": 0, "B": 12}), run.sentence
+
+
 def test_a_box_for_which_there_is_no_room_is_lost_by_name() -> None:
     run = ring(TOW, Failure("carrier-1", 6.0))
     run.advance(round(10.9 / 0.02))

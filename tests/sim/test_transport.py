@@ -7,6 +7,7 @@ import random
 
 import pytest
 
+from kitrobot.mission import Failure, FailureKind, Radio
 from kitrobot.sim import Simulation
 from tests.sim.building import transport
 
@@ -73,8 +74,43 @@ def test_the_first_messages_say_how_many_boxes_there_are() -> None:
     assert [(event.agent, event.text) for event in run.events if event.kind == "message"] == [
         ("store-manager-A", "StockA = 12"),
         ("store-manager-A", "Order = 12"),
-        ("store-manager-A", "Counted = true"),
     ]
+    run.step()
+    assert [(event.agent, event.text) for event in run.events] == [("store-manager-B", "Counted = true")]
+
+
+@pytest.mark.parametrize("kind", [FailureKind.FAIL, FailureKind.STALL, FailureKind.MUTE])
+@pytest.mark.parametrize("moment", [1, 52])
+def test_a_loader_that_hears_no_more_of_the_stock_does_not_reach_into_an_empty_storehouse(
+    kind: FailureKind, moment: float
+) -> None:
+    run = finished(transport(1, 12, failures=[Failure("store-manager-A", moment, kind)]))
+    assert run.outcome == "done"
+    assert run.stock == {"A": 0, "B": 12}
+
+
+@pytest.mark.parametrize("manager", ["store-manager-A", "store-manager-B"])
+def test_whichever_manager_comes_late_the_other_waits_and_no_box_is_counted_twice(manager: str) -> None:
+    """So it does not matter either which of their messages arrives first."""
+    late = [Failure(manager, 0, FailureKind.STALL), Failure(manager, 11, FailureKind.REVIVE)]
+    run = finished(transport(1, 2, failures=late))
+    assert (run.outcome, run.stock) == ("done", {"A": 0, "B": 2})
+    assert all(agent.active == () for agent in run.agents), run.sentence
+
+
+def test_an_order_that_arrives_after_what_announces_it_is_waited_for() -> None:
+    """As on a network, whose messages overtake each other."""
+    late = [Failure("store-manager-A", 0, FailureKind.STALL), Failure("store-manager-A", 5, FailureKind.REVIVE)]
+    run = transport(1, 2, failures=late)
+    run.step()
+    run.set_variable("store-manager-B", "Counted", 1)
+    assert (finished(run).outcome, run.stock) == ("done", {"A": 0, "B": 2})
+
+
+@pytest.mark.parametrize("stock", [0, 2])
+def test_messages_that_come_late_or_not_at_all_change_nothing(stock: int) -> None:
+    run = finished(transport(1, stock, radio=Radio(delay_ms=700, loss=30)))
+    assert (run.outcome, run.stock) == ("done", {"A": 0, "B": stock})
 
 
 def test_who_takes_part_has_a_kind_and_a_number_of_its_kind() -> None:

@@ -146,6 +146,13 @@ def servers() -> Iterator[ServerThread]:
     thread.close()
 
 
+def begin_new(page: Page) -> None:
+    """A new mission without parts, chosen from the pictures that are shown."""
+    page.locator("label", has=page.get_by_test_id("new-starter-nothing")).click()
+    page.get_by_test_id("new-name").fill("mission")
+    page.get_by_test_id("new-begin").click()
+
+
 @dataclass
 class Studio:
     """A page of the studio, and the folder it works in."""
@@ -187,6 +194,13 @@ class Studio:
     def drop(self, part: str, target: str) -> None:
         """Drags a part of the palette onto something of that test id."""
         self.drag(self.at(f"part-{part}"), self.at(target))
+
+    def new_mission(self) -> None:
+        """File, New, and a program from nothing."""
+        self.at("menu-File").click()
+        self.at("menu-file-new").click()
+        begin_new(self.page)
+        self.expect_opened()
 
     def expect_opened(self) -> None:
         """Waits until the mission that was asked for is there."""
@@ -230,6 +244,9 @@ def open_studio(
         page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
         page.goto(running.address)
         page.wait_for_function(IS_OPEN)
+        if example is None:
+            # The pictures of a new mission, which an empty folder begins with.
+            page.get_by_test_id("new-name").press("Escape")
         studio = Studio(page, target, faults)
         pages.append(studio)
         return studio

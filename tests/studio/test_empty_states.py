@@ -36,9 +36,7 @@ def test_an_arena_without_robots_or_without_a_world_says_what_to_do(open_studio:
 
 def test_a_new_program_says_what_to_do_in_each_panel(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     expect(studio.page.locator(".teaching")).to_contain_text("Give the robot its first step")
     expect(studio.at("code")).to_contain_text("Your program appears here.")
     expect(studio.page.locator(".side-inspector")).to_contain_text("Click a part to set its speed")

@@ -14,6 +14,12 @@ from tests.studio.test_reach import find_nothing
 pytestmark = pytest.mark.browser
 JAM = "exercise-card-example:exercises/12-no-jam.exercise.xml"
 
+STOPPED_AT_ONCE = """async () => {
+  document.querySelector("[data-testid=exercise-judge]").click();
+  await new Promise((after) => setTimeout(after));
+  document.querySelector("[data-testid=exercise-stop]").click();
+}"""
+
 
 def test_an_exercise_is_opened_judged_and_what_went_wrong_is_watched(open_studio) -> None:
     studio = open_studio("transport/transport.krt")
@@ -25,6 +31,9 @@ def test_an_exercise_is_opened_judged_and_what_went_wrong_is_watched(open_studio
     expect(studio.at("exercise")).to_be_focused()
     expect(studio.at("exercise-count")).to_have_text("0 of 5 goals")
     shot(page, "open")
+    page.evaluate(STOPPED_AT_ONCE)
+    expect(studio.at("exercise-basis")).to_contain_text("stopped", timeout=1000 * PATIENCE_S)
+    expect(studio.at("exercise-goal-4")).to_have_attribute("data-state", "open")
     studio.at("exercise-judge").click()
     expect(studio.at("exercise-basis")).to_have_text("Judged in 2 runs.", timeout=1000 * PATIENCE_S)
     expect(studio.at("exercise-goal-1")).to_have_attribute("data-state", "reached")

@@ -16,9 +16,7 @@ OpenStudio = Callable[..., Studio]
 
 def test_a_new_program_offers_four_examples_with_pictures_drawn_from_them(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     cards = studio.page.locator(".examples .card")
     expect(cards).to_have_count(4)
     expect(cards.locator("svg.picture")).to_have_count(4)
@@ -32,9 +30,7 @@ def test_a_new_program_offers_four_examples_with_pictures_drawn_from_them(open_s
 
 def test_an_example_that_gets_the_focus_comes_into_sight_and_stays_there(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt", viewport={"width": 1280, "height": 720})
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     last = studio.page.locator(".examples .card").last
     expect(last.locator("svg.picture")).to_be_attached()
     last.focus()

@@ -14,7 +14,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
 
 from tests.patience import STATE_MS
-from tests.studio.conftest import HEIGHT, WIDTH
+from tests.studio.conftest import HEIGHT, WIDTH, begin_new
 
 pytestmark = pytest.mark.browser
 
@@ -232,6 +232,7 @@ def test_a_new_mission_that_was_never_saved_comes_back(start: Start, mission: Pa
     page = server.open(context)
     page.get_by_test_id("menu-File").click()
     page.get_by_test_id("menu-file-new").click()
+    begin_new(page)
     expect(page.get_by_test_id("first-place")).to_be_visible()
     with page.expect_response(re.compile("/api/journal$")):
         source, target = page.get_by_test_id("part-Wait"), page.get_by_test_id("first-place")

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import BrowserContext, Page, expect
 
+from tests.studio.conftest import begin_new
 from tests.studio.test_journal import MISSION, Start, context, expect_wait, mission, start, wait_for  # noqa: F401
 
 pytestmark = pytest.mark.browser
@@ -28,6 +29,7 @@ def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_
     wait_for(page, 7)
     page.get_by_test_id("menu-File").click()
     page.get_by_test_id("menu-file-new").click()
+    begin_new(page)
     expect(banner).to_contain_text("they are kept in the journal")
     banner.get_by_role("button", name="Go on without saving").click()
     expect(banner).to_contain_text("Unsaved work on blink.krt is kept.")
@@ -53,6 +55,7 @@ def test_work_that_the_journal_cannot_hold_is_not_left_without_a_word(
     expect(banner).to_contain_text("Your changes are not kept safe at the moment")
     page.get_by_test_id("menu-File").click()
     page.get_by_test_id("menu-file-new").click()
+    begin_new(page)
     banner.get_by_role("button", name="Go on without saving").click()
     expect(banner).to_contain_text("without saving they would be lost")
     expect_wait(page, 7)

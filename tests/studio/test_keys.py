@@ -149,6 +149,13 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     studio = open_studio(None)
     keys = studio.page.keyboard
     keys.press("Control+Alt+n")
+    # Robot, place, then the first program: the one before the square is nothing.
+    expect(studio.at("new-kit-mini-robot")).to_be_focused()
+    keys.press("Tab")
+    keys.press("Tab")
+    keys.press("ArrowUp")
+    expect(studio.at("new-starter-nothing")).to_be_checked()
+    keys.press("Enter")
     studio.expect_opened()
     expect(studio.at("first-place")).to_be_visible()
     expect(studio.at("code")).to_contain_text("Your program appears here")

@@ -128,9 +128,7 @@ def test_menus_sheets_palette_inspector_outline_and_help(open_studio: OpenStudio
     expect(studio.at("outline")).to_be_visible()
     meets_no_english(studio, language, "outline")
     keys.press("Escape")
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     expect(studio.at("first-place")).to_be_visible()
     meets_no_english(studio, language, "a new program")
 

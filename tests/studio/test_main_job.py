@@ -96,9 +96,7 @@ def test_mistakes_appear_in_problems_and_go_when_mended(open_studio: OpenStudio)
 
 def test_a_new_program_is_drawn_from_nothing_and_runs(open_studio: OpenStudio) -> None:
     studio = open_studio(None)
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     expect(studio.at("first-place")).to_be_visible()
     studio.drop("Parallelism", "first-place")
     studio.expect_code("//(")

@@ -61,9 +61,7 @@ def test_the_studio_in_the_middle_of_the_transport(open_studio: OpenStudio, pict
 
 def test_a_new_program(open_studio: OpenStudio, pictures: Path) -> None:
     studio = open_studio(None)
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     expect(studio.at("first-place")).to_be_visible()
     studio.expect_code("Your program appears here")
     take(studio, pictures / "new-program.png")

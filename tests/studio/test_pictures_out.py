@@ -34,9 +34,7 @@ def test_an_exported_picture_holds_the_whole_mission_and_opens_again(
     assert path.name == f"carrier.{kind}"
     data, _ = carried_mission(path.read_bytes(), path.name)
     assert data.strip() == (EXAMPLES / "transport" / "transport.krt").read_bytes().strip()
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     expect(studio.at("first-place")).to_be_visible()
     studio.page.keyboard.press("Control+o")
     studio.at("open-file").set_input_files(path)

@@ -115,9 +115,7 @@ def test_axe_finds_nothing_on_menus_sheets_and_the_empty_program(
     keys.press("Escape")
     studio.at("problems").click()
     find_nothing(studio, "problems")
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     expect(studio.at("first-place")).to_be_visible()
     find_nothing(studio, "empty program")
 
@@ -230,9 +228,7 @@ def test_f1_explains_the_part_that_has_the_focus_with_its_range(open_studio: Ope
 def test_the_empty_program_fits_a_small_window(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     studio.page.set_viewport_size({"width": 1366, "height": 768})
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     card, canvas = studio.page.locator(".teaching").bounding_box(), studio.at("canvas").bounding_box()
     assert card is not None
     assert canvas is not None

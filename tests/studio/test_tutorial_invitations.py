@@ -34,9 +34,7 @@ def test_a_tutorial_in_the_folder_appears_and_one_with_a_mistake_says_which(open
 
 def test_an_empty_program_invites_to_a_tutorial(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     cards = studio.page.locator(".teaching .tutorial-card")
     expect(cards).to_have_count(5)
     cards.first.click()

@@ -34,9 +34,7 @@ def opened(open_studio: OpenStudio, example: str = "blink/blink.krt") -> tuple[S
 def empty(open_studio: OpenStudio) -> Studio:
     """The studio on a new mission."""
     studio = open_studio(None)
-    studio.at("menu-File").click()
-    studio.at("menu-file-new").click()
-    studio.expect_opened()
+    studio.new_mission()
     expect(studio.at("first-place")).to_be_visible()
     return studio
 

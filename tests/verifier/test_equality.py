@@ -89,7 +89,7 @@ def test_what_a_field_holds_no_more_widens_it_and_changes_no_state() -> None:
     run = transport(stock=1, carriers=1)
     made = explore(Model(run, take_apart(run), 0, Timing.FREE), Budget(), False)
     states = [made.state(n) for n in range(len(made))]
-    assert len(set(states)) == len(states) == 2282
+    assert len(set(states)) == len(states) == 1666
     assert all(
         max(column) <= mask for column, mask in zip(zip(*states, strict=True), made.model.layout.mask, strict=True)
     )

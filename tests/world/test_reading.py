@@ -289,3 +289,29 @@ def test_what_is_declared_is_gathered_once_however_many_starts_name_it(
         assert len(problems) == (0 if road == "lane" else many)
         counts.append(gathered)
     assert counts[0] == counts[1]
+
+
+@pytest.mark.parametrize(
+    ("thing", "words"),
+    [
+        ('<box x="5000" y="10" width="50" height="50"/>', "outside the world"),
+        ('<box x="50" y="10" width="0" height="50"/>', "width"),
+        ('<box x="50" y="10" width="50" height="50" mass="-3"/>', "mass"),
+        ('<box x="nan" y="10" width="50" height="50"/>', "x"),
+        ('<ball x="50" y="10" radius="1e99"/>', "radius"),
+        ('<ball x="50" y="10" radius="20" friction="900"/>', "friction"),
+        ('<ball x="50" y="10"/>', "radius"),
+    ],
+)
+def test_a_box_or_ball_that_makes_no_sense_is_left_out_and_said_with_its_place(thing: str, words: str) -> None:
+    text = (
+        f'<world version="1" name="w" width="900" height="900">\n  {thing}\n  <ball x="1" y="2" radius="9"/>\n</world>'
+    )
+    world, problems = read_world(text.encode(), "w.world.xml")
+    assert world is not None
+    assert (world.boxes, [ball.radius_mm for ball in world.balls]) == ((), [9.0])
+    [problem] = problems
+    assert problem.place is not None
+    assert problem.place.line == 2
+    assert words in problem.message
+    assert problem.thing.split(":")[0] in thing

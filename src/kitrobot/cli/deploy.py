@@ -118,6 +118,8 @@ def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: b
                 "no robot of the team is started; mend what is said above of {names}, then send again", listed(failed)
             )
         )
+        if has := [names[one.address] for one in sent if one.error is None]:
+            tell(Sentence("the new program is already on the boards of these, where it waits: {names}", listed(has)))
         raise typer.Exit(1)
 
 

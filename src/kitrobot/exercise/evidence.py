@@ -40,6 +40,8 @@ class RunSeen:
     seconds: float
     contacts: tuple[Contact, ...] = ()
     paths: Mapping[str, tuple[PathPoint, ...]] | None = None
+    lines: Mapping[str, tuple[tuple[PathPoint, ...], ...]] | None = None
+    """What each agent's pens drew, as `paths`: a line each."""
 
 
 @dataclass(frozen=True)

@@ -172,12 +172,16 @@ class Visits(RunGoal):
 
 @dataclass(frozen=True)
 class Draws(RunGoal):
-    """`<draws>`: the way of the agent, "" the first, is a regular figure (see `figures`)."""
+    """`<draws>`: the way of the agent, "" the first, is a regular figure (see `figures`).
+
+    `by` is `way`, or `pen`: what its pen drew is the figure, in one line.
+    """
 
     corners: int
     side: float
     tolerance: float
     agent: str
+    by: str = "way"
 
     @property
     def needs_path(self) -> bool:
@@ -185,6 +189,12 @@ class Draws(RunGoal):
 
     def fault(self, run: RunSeen) -> Fault | None:
         paths = run.paths or {}
+        if self.by == "pen":
+            lines = (run.lines or {}).get(self.agent or next(iter(paths), ""), ())
+            if len(lines) != 1:
+                return Fault(Sentence("expected one line that is drawn, found {found}", len(lines)), run.seconds)
+            wrong = figure_fault(lines[0], self.corners, self.side, self.tolerance)
+            return None if wrong is None else Fault(wrong, run.seconds)
         path = paths.get(self.agent) if self.agent else next(iter(paths.values()), None)
         if not path:
             return Fault(Sentence("there is no robot `{name}`", self.agent))

@@ -6,7 +6,6 @@ others: whether `start` is there, and whether the parts and agents that goals na
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -16,22 +15,19 @@ from kitrobot.exercise.goals import Avoids, CheckGoal, Done, Draws, Goal, NoCont
 from kitrobot.exercise.model import Exercise, Seed
 from kitrobot.text import Sentence
 from kitrobot.xml import (
-    ICON,
-    LONGEST_NAME,
     NAME,
     TEXT,
-    TEXTS,
     YES_NO,
     Attribute,
     Element,
-    Kind,
     Reader,
     Tag,
     decimal,
+    lesson_tag,
     needed,
     one,
     optional,
-    version,
+    require_label,
     whole,
 )
 
@@ -49,8 +45,6 @@ PROPERTIES = ("contact", "empty-storehouse", "empty-swing", "deadlock", "deliver
 _LARGEST_SEED = 2**31 - 1
 _FAR = 100_000.0
 
-_START = re.compile(r"""[^\\/:*?"<>|\x00-\x1f]+\.krt""", re.IGNORECASE)
-
 
 def read_exercise(data: bytes, name: str) -> tuple[Exercise | None, list[Diagnostic]]:
     """Reads an exercise; None when it has an error, which the diagnostics tell."""
@@ -62,12 +56,7 @@ def read_exercise(data: bytes, name: str) -> tuple[Exercise | None, list[Diagnos
     icon = root.matching("icon", "target")
     seconds = root.decimal("seconds")
     goals, seeds = root.found(Goal), root.distinct(Seed, lambda seed: str(seed.value), "seed") or [Seed(1)]
-    if "" not in root.texts.get("label", {}):
-        root.report(
-            rules.START,
-            Sentence("expected a <label> in English, found none"),
-            help=Sentence("say what the exercise is called"),
-        )
+    require_label(root, rules.START, Sentence("say what the exercise is called"))
     if not root.faulty and all(goal.hidden for goal in goals):
         root.report(rules.START, Sentence("expected a goal that is not hidden, found none"))
     if len(goals) > MOST_GOALS:
@@ -157,6 +146,7 @@ KINDS = {
             "side": optional(_LENGTH, "100", about="Each side is at least so long, in mm."),
             "tolerance": optional(decimal(1, 1000), "30", about="In mm; see the documentation."),
             "agent": _AGENT,
+            "by": optional(one("way", "pen"), "way", about="The driven way, or what the pen drew in one line."),
         },
     ),
     "uses": _tag(
@@ -179,25 +169,10 @@ KINDS = {
 }
 """The element of each kind of goal."""
 
-_MISSION_NAME = Kind(
-    longest=LONGEST_NAME,
-    pattern=r"""[^\\/:*?"<>|]+\.[kK][rR][tT]""",
-    fits=_START.fullmatch,
-    words=Sentence("the name of a .krt in the same folder"),
-)
 EXERCISE = {
-    "exercise": Tag(
-        None,
+    "exercise": lesson_tag(
+        VERSION,
         {
-            "version": version(VERSION),
-            "start": needed(_MISSION_NAME, about="The mission to begin with, in the same folder."),
-            "icon": optional(ICON),
-            "seconds": optional(
-                decimal(1, LONGEST_S), USUAL_SECONDS, about="The simulated time that each run may take."
-            ),
-        },
-        {
-            **TEXTS,
             **KINDS,
             "seed": Tag(
                 _seed,
@@ -208,8 +183,7 @@ EXERCISE = {
                 about="Where chance begins in one of the runs; without any there is one run, of seed 1.",
             ),
         },
-        open=lambda element: element.version(VERSION),
-        least=1,
+        {"seconds": optional(decimal(1, LONGEST_S), USUAL_SECONDS, about="The simulated time that each run may take.")},
         about="An exercise: a mission to begin with, and goals that are decided by running and checking what was made "
         "of it.",
     )

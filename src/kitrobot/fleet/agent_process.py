@@ -200,6 +200,8 @@ class AgentProcess:
             raise FleetError(Sentence("the team refused this agent: {why}", str(refusal)[:300]))
         if LEAST_LEASE_MS <= lease <= MOST_LEASE_MS and 0 <= life < 1 << 20:
             self.looking, self.life, self.lease = False, life, lease
+            if self.board is not None:
+                self.board.line.bear(lease)
 
     def _of_member(self, now: int, envelope: Envelope, host: AgentHost) -> None:
         """What another agent says."""

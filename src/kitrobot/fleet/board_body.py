@@ -43,7 +43,7 @@ class BoardBody:
     Attributes:
         orders: what the board is to do, since somebody took it out.
         works: whether it does a tick now.
-        trip: how long a tick took lately at most, ms.
+        trip: how long a tick took lately at most, ms; half of that after each rest.
         stopped: whether it was stopped for good.
     """
 
@@ -59,7 +59,7 @@ class BoardBody:
         self._numbers = [0] * (machine.layout.cells + threads + machine.width * len(actuators))
         self._anew = True
         self._moves = False
-        self._began_at = 0
+        self._began_at = self._rests_since = 0
 
     def tick(self, now: int, own: Mapping[int, int], shared: Sequence[int]) -> None:
         """Has a tick done: `own` are inputs that the host knows, `shared` the cells of shared variables."""
@@ -70,7 +70,7 @@ class BoardBody:
             self._numbers = [0] * len(self._numbers)
         self._anew = False
         self.works = self._moves = True
-        self._began_at = now
+        self._began_at = self._rests_since = now
 
     def ticked(self, now: int, changes: Sequence[tuple[int, int]]) -> bool:
         """Takes what a tick has changed into the machine; False when it cannot be of this program."""
@@ -101,7 +101,12 @@ class BoardBody:
 
     def rest(self, now: int) -> None:
         """To be called often: a board that is not asked for ticks stands still."""
-        if self._moves and not self.works and now - self._began_at >= REST_MS:
+        if self.works or now - self._rests_since < REST_MS:
+            return
+        self._rests_since = now
+        # A robot that may not act because one tick took long would never learn that the next ones do not.
+        self.trip /= 2
+        if self._moves:
             self._moves = False
             self.orders.append(Order("stop" if self._machine.ended else "still"))
 

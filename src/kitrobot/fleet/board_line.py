@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from queue import SimpleQueue
 from threading import Thread
 
-from kitrobot.deploy import Board, LineError, connect
+from kitrobot.deploy import Board, LineError, SilentError, connect
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.fleet.board_body import Order
 from kitrobot.fleet.charter import FleetError
@@ -15,7 +15,7 @@ from kitrobot.robots import BoardProgram
 from kitrobot.text import Sentence
 
 LEAST_SILENT_S = 1.5
-"""A board answers within less, also a small one."""
+"""A board answers within less, also a small one, and what got lost on the line was said again meanwhile."""
 END_S = 5.0
 
 
@@ -77,6 +77,13 @@ class BoardLine:
         self._thread = Thread(target=self._work, name="board", daemon=True)
         self._thread.start()
 
+    def bear(self, lease_ms: int) -> None:
+        """The line is given up when nothing comes for a lease, or for `LEAST_SILENT_S` where that is longer.
+
+        For the team its agent is silent after a lease, whichever is longer; it is back with the next word of the board.
+        """
+        self._board.silent_s = max(LEAST_SILENT_S, lease_ms / 1000)
+
     def order(self, order: Order) -> None:
         """Has it do something, behind what it was told before."""
         self._orders.put(order)
@@ -107,8 +114,8 @@ class BoardLine:
 
     def _why(self, error: KitRobotError) -> KitRobotError:
         """Why an order could not be done: what the board says of it, where it says anything."""
-        if isinstance(error, LineError):
-            return error
+        if isinstance(error, LineError | SilentError):
+            return error  # nobody is there to be asked
         try:
             fault = self._board.last_fault()
         except KitRobotError:

@@ -3,7 +3,8 @@
 It has the agent's machine, its member of the protocol, and a replica of what the team agreed on. A tick is made for
 each frame of the body, and only while the robot may act: the right ends a lease after a quorum was heard last, and a
 robot that takes a role over waits until the one before it has lost its own (docs/team-protocol.md). Whose body is not
-heard for a lease is silent in the team too: a robot without a body cannot play a role.
+heard for a lease is silent in the team too: a robot without a body cannot play a role. Nor can one whose board has been
+at a tick for a lease.
 """
 
 from __future__ import annotations
@@ -139,7 +140,8 @@ class AgentHost:
 
     def _is_silent(self, now: int) -> bool:
         """Whether it has no radio, or no body."""
-        return self.muted or now - self.heard_body_at >= self.charter.lease
+        works_since = now if self._tick is None or self._tick.over else self._tick.at
+        return self.muted or now - min(self.heard_body_at, works_since) >= self.charter.lease
 
     def _free_units(self, now: int) -> None:
         """Asks for units to be free again whose lease is over."""

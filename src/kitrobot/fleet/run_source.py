@@ -9,21 +9,18 @@ from __future__ import annotations
 import shutil
 import threading
 from collections import deque
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 from kitrobot.sim import Recorder, Simulation
 from kitrobot.sim.recording import STOPPED, outcome_of
 from kitrobot.text import Sentence, Word
 from kitrobot.trace import (
-    Ability,
-    AbilityError,
     Drawing,
     DrawingReader,
     NewEvents,
     RecordingSource,
-    Threads,
     TickRecord,
     TraceError,
     TraceEvent,
@@ -31,6 +28,7 @@ from kitrobot.trace import (
     TracePart,
     TraceReader,
     TraceWriter,
+    UnchangeableSource,
 )
 
 MOST_RECENT_NUMBERS = 200_000
@@ -39,7 +37,7 @@ MOST_EVENTS = 5000
 """Events that are kept at hand; the oldest go first. The trace has all of them."""
 
 
-class FleetSource:
+class FleetSource(UnchangeableSource):
     """The run of a fleet.
 
     Args:
@@ -52,7 +50,10 @@ class FleetSource:
         TraceError: the file cannot be made.
     """
 
-    abilities: frozenset[Ability] = frozenset({"seek", "step"})
+    refusal = (
+        Sentence("each agent of this run is a process of its own: that can only be done in the simulator"),
+        Sentence("press Run for that"),
+    )
 
     def __init__(
         self, simulation: Simulation, path: Path, parts: Sequence[TracePart], stop: Callable[[], None]
@@ -124,11 +125,6 @@ class FleetSource:
         return self._recorder.header
 
     @property
-    def tick(self) -> int:
-        """The tick that it stands at."""
-        return self._now.tick
-
-    @property
     def latest(self) -> int:
         """The tick of the last step."""
         return self._newest.tick
@@ -152,14 +148,6 @@ class FleetSource:
     def sentence(self) -> str:
         """Why it ended."""
         return self._ended[1] if self._ended is not None and self.outcome is not None else ""
-
-    def record(self, in_full: Collection[int] | None = None) -> TickRecord:
-        """The record of the tick that it stands at, whole."""
-        return self._now
-
-    def active(self) -> Sequence[Threads]:
-        """Where the threads of each agent stand."""
-        return self._now.active
 
     def events(self, most: int) -> Sequence[TraceEvent]:
         """The last events."""
@@ -229,24 +217,6 @@ class FleetSource:
         return self._past
 
     # -- from outside
-
-    def force(self, agent: str, sensor: str, value: int | None) -> None:
-        """Cannot be done."""
-        self._refuse()
-
-    def set_variable(self, agent: str, variable: str, value: int) -> None:
-        """Cannot be done."""
-        self._refuse()
-
-    def fail(self, agent: str, kind: str) -> None:
-        """Cannot be done."""
-        self._refuse()
-
-    def _refuse(self) -> NoReturn:
-        raise AbilityError(
-            Sentence("each agent of this run is a process of its own: that can only be done in the simulator"),
-            Sentence("press Run for that"),
-        )
 
     def stop(self) -> None:
         """The emergency stop."""

@@ -15,8 +15,10 @@ from starlette.exceptions import HTTPException
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.files import ConflictError, FileError, MissionNameError, ReadOnlyError
 from kitrobot.server import pages
+from kitrobot.server.beginning_routes import beginning_routes
 from kitrobot.server.board_routes import board_routes
 from kitrobot.server.deadlines import Deadlines
+from kitrobot.server.drawing_checks import drawing_check_routes
 from kitrobot.server.exercises import exercise_routes
 from kitrobot.server.fragments import routes as fragment_routes
 from kitrobot.server.handshake import Handshake, StrangerError, handshake_routes
@@ -39,6 +41,7 @@ from kitrobot.server.shapes import (
     FailureShape,
     problem_shapes,
 )
+from kitrobot.server.shapes.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
 from kitrobot.server.shapes.sent import ForgottenError
 from kitrobot.server.shapes.sweep import SWEEP_MESSAGE_MODELS, SWEEP_REQUEST_MODELS
 from kitrobot.server.shapes.verification import VERIFY_MESSAGE_MODELS, VERIFY_REQUEST_MODELS
@@ -57,6 +60,7 @@ ROUTERS = (
     run_routes,
     sweep_routes,
     verify_routes,
+    drawing_check_routes,
     board_routes,
     journal_routes,
     text_routes,
@@ -65,6 +69,7 @@ ROUTERS = (
     image_routes,
     tutorial_routes,
     exercise_routes,
+    beginning_routes,
     trace_routes,
 )
 """The requests, in the order that they are looked for."""
@@ -134,10 +139,10 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
     """The schema of all requests, with the shapes that travel over the WebSocket, which OpenAPI knows no place for."""
     if app.openapi_schema is None:
         schema = FastAPI.openapi(app)
-        of_work = (*SWEEP_REQUEST_MODELS, *VERIFY_REQUEST_MODELS)
+        of_work = (*SWEEP_REQUEST_MODELS, *VERIFY_REQUEST_MODELS, *DRAWING_CHECK_REQUEST_MODELS)
         models = [(model, "validation") for model in (*REQUEST_MODELS, *BOARD_REQUEST_MODELS, *of_work)]
         messages = (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS, *BOARD_MESSAGE_MODELS)
-        messages += (*SWEEP_MESSAGE_MODELS, *VERIFY_MESSAGE_MODELS)
+        messages += (*SWEEP_MESSAGE_MODELS, *VERIFY_MESSAGE_MODELS, *DRAWING_CHECK_MESSAGE_MODELS)
         models += [(model, "serialization") for model in messages]
         _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
         schema["components"]["schemas"] |= extra["$defs"]

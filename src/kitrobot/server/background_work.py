@@ -15,16 +15,17 @@ from abc import ABC, abstractmethod
 from contextlib import suppress
 from typing import Any, ClassVar
 
-from fastapi import WebSocket, WebSocketDisconnect
+from fastapi import APIRouter, WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, TypeAdapter, ValidationError
 
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.routing import studio_of
 from kitrobot.server.sentences import not_understood
-from kitrobot.server.shapes import problem_shapes
+from kitrobot.server.shapes import mission_from_shape, problem_shapes
 from kitrobot.server.shapes.work import WorkRefusedMessage
 from kitrobot.server.studio import Studio
 from kitrobot.text import Sentence
+from kitrobot.workspace import OpenMission
 
 _log = logging.getLogger("kitrobot.server")
 
@@ -57,8 +58,8 @@ class BackgroundWork(ABC):
         self._over = False
 
     @abstractmethod
-    def work(self, request: Any) -> BaseModel:
-        """Does the work, in a thread, until it is over or `stop` is set; the last message of it.
+    def work(self, request: Any, opened: OpenMission) -> BaseModel:
+        """Does the work on the request's mission, in a thread, until it is over or `stop` is set; its last message.
 
         Raises:
             KitRobotError: it cannot be done.
@@ -68,6 +69,13 @@ class BackgroundWork(ABC):
         """In the thread of the work: tells the page."""
         with suppress(RuntimeError):  # the studio has ended meanwhile
             self._loop.call_soon_threadsafe(self._say, message)
+
+    @classmethod
+    def at(cls, path: str) -> APIRouter:
+        """The routes of a WebSocket on which this work is asked for."""
+        routes = APIRouter()
+        routes.add_api_websocket_route(path, cls.serve)
+        return routes
 
     @classmethod
     async def serve(cls, socket: WebSocket) -> None:
@@ -109,7 +117,7 @@ class BackgroundWork(ABC):
         self._over = False
         telling = asyncio.create_task(self._tell_all())
         try:
-            answer: BaseModel = await asyncio.to_thread(self.work, request)
+            answer: BaseModel = await asyncio.to_thread(self._work, request)
         except KitRobotError as error:
             answer = _refusal(error)
         except Exception as error:
@@ -124,6 +132,9 @@ class BackgroundWork(ABC):
         self._say(answer)
         with suppress(WebSocketDisconnect, RuntimeError, OSError):
             await telling
+
+    def _work(self, request: Any) -> BaseModel:
+        return self.work(request, self.studio.open(mission_from_shape(request.mission), request.path))
 
     def _say(self, message: BaseModel) -> None:
         if self._waiting and isinstance(message, self.progress) and isinstance(self._waiting[-1], self.progress):

@@ -1,30 +1,28 @@
 """The requests behind exercises: which there are, and judging a mission piece by piece.
 
-The page asks for one piece after another (a seed's run, then what is checked), so it knows how far it is and stops by
-asking for no more; each piece is bounded by steps (`workspace.judging`). Hidden goals and seeds are not told here.
+The page asks for one piece after another (a seed's run, then what is checked), so it knows how far it is; the piece
+that is on is broken off by the name that the page gave it, and answers with what it found. Each piece is bounded by
+steps (`workspace.judging`). Hidden goals and seeds are not told here.
 """
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import KitRobotError
+from threading import Event
+
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import mission_from_shape, mission_shape
 from kitrobot.server.shapes.exercise import (
     ExerciseShape,
     JudgedShape,
     JudgeShape,
+    StopJudgingShape,
     exercise_shape,
     goal_verdict_shapes,
 )
-from kitrobot.text import Sentence
 from kitrobot.workspace import handed_in
 from kitrobot.workspace.judging import JudgingOptions, judge
 
 exercise_routes = api_router()
-
-
-class NoExerciseError(KitRobotError):
-    """An exercise that was there is there no more, or has a mistake now."""
 
 
 @exercise_routes.get("/exercises")
@@ -36,18 +34,25 @@ def exercises(studio: ThisStudio) -> list[ExerciseShape]:
 @exercise_routes.post("/exercise/judge")
 def exercise_judge(studio: ThisStudio, wanted: JudgeShape) -> JudgedShape:
     """Judges a mission by an exercise: its programs and the run of one seed, or what is checked."""
-    found = studio.exercises.found(wanted.exercise)
-    if found.lesson is None:
-        raise NoExerciseError(
-            Sentence("this exercise cannot be used any more"),
-            Sentence("look at its file, or leave it"),
-            tuple(found.problems),
-        )
-    data, _ = studio.folder.read(found.start)
-    start = studio.read(data, found.start, found.start)
+    exercise, start_name = studio.exercises.usable(wanted.exercise)
+    data, _ = studio.folder.read(start_name)
+    start = studio.read(data, start_name, start_name)
     mission = handed_in(start.mission, mission_from_shape(wanted.mission))
-    opened = studio.open(mission, found.start)
+    opened = studio.open(mission, start_name)
     checks = wanted.seed is None
     seeds = () if wanted.seed is None else (wanted.seed,)
-    made = judge(found.lesson, opened, JudgingOptions(seeds=seeds, runs=not checks, checks=checks))
+    stop = studio.judging.setdefault(wanted.judging, Event()) if wanted.judging else Event()
+    try:
+        made = judge(exercise, opened, JudgingOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set))
+    finally:
+        studio.judging.pop(wanted.judging, None)
     return JudgedShape(goals=goal_verdict_shapes(made), mission=mission_shape(mission))
+
+
+@exercise_routes.post("/exercise/stop")
+def exercise_stop(studio: ThisStudio, wanted: StopJudgingShape) -> bool:
+    """Breaks off the judging of that name; whether it was on."""
+    stop = studio.judging.get(wanted.judging)
+    if stop is not None:
+        stop.set()
+    return stop is not None

@@ -107,6 +107,7 @@ class RunEncoder:
         team = by_owner.get(TEAM, [])
         self._stock = _named("stock ", team)
         self._delivered = _named("delivered ", team)
+        self._things = [(at, header.columns[at].scale) for _, at in _named("thing ", team)]
         self._looked_at = self._first_ones()
         self._team = TeamTold(header)
         self._before: list[tuple[object, ...] | None] = [None] * len(self._agents)
@@ -182,11 +183,14 @@ class RunEncoder:
         return {name: _bounded(record.numbers[at]) for name, at in self._stock}
 
     def frame(self, record: TickRecord) -> bytes:
-        """All poses: float32, little-endian: tick, how many, then x, y, heading, load, flags of each."""
+        """All poses: float32, little-endian: tick, how many, then x, y, heading, load, flags of each, and x, y of each
+        thing that can be pushed.
+        """
         row = record.numbers
         if row and not (min(row) >= -_MOST and max(row) <= _MOST):
             row = [_bounded(number) for number in row]
         numbers = [0.0 if at is None else row[at] * scale for at, scale in self._poses]
+        numbers += [row[at] * scale for at, scale in self._things]
         return struct.pack(f"<{2 + len(numbers)}f", record.tick, len(self._agents), *numbers)
 
     def standing(self, active: Sequence[Threads], agent: str) -> list[tuple[str, tuple[str | None, ...]]]:

@@ -18,34 +18,31 @@ import logging
 import os
 import time
 from collections.abc import Callable
-from typing import Any
 
 from fastapi import APIRouter, WebSocket, WebSocketDisconnect
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber, Telling
+from kitrobot.server.broadcast import MOST_WATCHERS, Broadcast, Subscriber
 from kitrobot.server.realtime_clock import Pace, speed_of
 from kitrobot.server.routing import studio_of
 from kitrobot.server.run_sources import come_with, run_of
+from kitrobot.server.run_telling import RunTelling
 from kitrobot.server.sentences import not_understood
 from kitrobot.server.shapes import (
     REQUEST,
     Beginning,
-    ErrorMessage,
     LookRequest,
     PauseRequest,
     ProblemsMessage,
     ReplayRequest,
     ResumeRequest,
     SpeedRequest,
-    StateMessage,
     Steering,
     StepRequest,
     StopRequest,
     WatchRequest,
     mission_from_shape,
-    problem_shapes,
 )
 from kitrobot.server.steering import Job, goes_back, job_of
 from kitrobot.server.studio import Studio
@@ -74,13 +71,13 @@ class Session:
 
     def __init__(self, socket: WebSocket, studio: Studio, clock: Callable[[], float] = time.monotonic) -> None:
         self._socket = socket
+        self._telling = RunTelling(socket)
         self._studio = studio
         self._clock = clock
         self._task: asyncio.Task[None] | None = None
         self._wake = asyncio.Event()
         self._pace: Pace | None = None
         self._watch: WatchedRun | None = None
-        self._broadcast: Broadcast | None = None
         self._name = ""
         self._subscriber: Subscriber | None = None
         """The place from which this socket watches another's run."""
@@ -93,8 +90,6 @@ class Session:
         self._stopping = False
         self._counts = False
         """Whether it is one of the studio's runs; one that stands at its end is not."""
-        self._said: tuple[str, int] = ("", -1)
-        self._state_now: StateMessage | None = None
 
     async def serve(self) -> None:
         """Reads requests until the socket closes, then ends the run."""
@@ -119,9 +114,8 @@ class Session:
         """The run of this socket is looked at no more, and cannot be saved any more."""
         self._studio.watches.pop(self._name, None)
         self._studio.broadcasts.pop(self._name, None)
-        if self._broadcast is not None:
-            message = Sentence("the page that steered this run is gone, and the run with it")
-            self._broadcast.end(message, Sentence("start one of your own"))
+        message = Sentence("the page that steered this run is gone, and the run with it")
+        self._telling.end_for_others(message, Sentence("start one of your own"))
 
     def _close_watch(self) -> None:
         if self._watch is not None:
@@ -132,7 +126,7 @@ class Session:
             request = REQUEST.validate_json(text)
         except ValidationError as error:
             wrong = not_understood(error)
-            await self._fail(wrong.message, wrong.help)
+            await self._telling.fail(wrong.message, wrong.help)
             return
         if isinstance(request, Beginning):
             await self._start(request)
@@ -143,14 +137,14 @@ class Session:
                 self._subscriber.look(request.agents)
             else:
                 help = Sentence("to steer one, start a run of your own")
-                await self._fail(Sentence("the page that started this run steers it"), help)
+                await self._telling.fail(Sentence("the page that started this run steers it"), help)
         elif self._task is not None and not self._task.done():
             self._steer(request)
 
     async def _start(self, request: Beginning) -> None:
         if self._task is not None and not self._task.done():
             if self._counts:
-                await self._fail(Sentence("a run is on already"), Sentence("stop it first"))
+                await self._telling.fail(Sentence("a run is on already"), Sentence("stop it first"))
                 return
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
@@ -166,27 +160,28 @@ class Session:
             self._count(False)
             raise
         self._pace, self._watch, self._early, self._steps, self._jobs = None, None, come_with(request), 0, []
-        self._stopping, self._said, self._state_now, self._broadcast, self._looks = False, ("", -1), None, None, ()
+        self._stopping, self._looks = False, ()
+        self._telling.begin_anew()
         self._wake.clear()
         self._task = asyncio.create_task(self._whole_run(request))
         self._task.add_done_callback(self._give_back)
 
     async def _sit_down(self, request: WatchRequest) -> None:
         if self._task is not None and not self._task.done():
-            await self._fail(Sentence("a run is on already"), Sentence("stop it first"))
+            await self._telling.fail(Sentence("a run is on already"), Sentence("stop it first"))
             return
         await self._stand_up()
         try:
             mission = await asyncio.to_thread(mission_from_shape, request.mission)
         except KitRobotError as error:
-            await self._fail(error.message, error.help, ended=True)
+            await self._telling.fail(error.message, error.help, ended=True)
             return
         broadcast = self._studio.broadcasts.get(request.run)
         if broadcast is None or not broadcast.on:
-            await self._fail(Sentence("this run is over"), Sentence("start one of your own"), ended=True)
+            await self._telling.fail(Sentence("this run is over"), Sentence("start one of your own"), ended=True)
         elif len(broadcast) >= MOST_WATCHERS:
             message = Sentence("{most} pages watch this run already", MOST_WATCHERS)
-            await self._fail(message, Sentence("try again later"), ended=True)
+            await self._telling.fail(message, Sentence("try again later"), ended=True)
         else:
             self._subscriber = Subscriber(broadcast, self._socket, another=not broadcast.is_of(mission))
 
@@ -223,7 +218,7 @@ class Session:
 
     def _looked_at(self) -> tuple[str, ...]:
         """All agents that somebody looks at, here or watching."""
-        return (*self._looks, *(self._broadcast.looks if self._broadcast is not None else ()))
+        return (*self._looks, *self._telling.looks_of_others())
 
     def _is_stopping(self) -> bool:
         return self._stopping
@@ -232,18 +227,18 @@ class Session:
         try:
             watch = await run_of(request, self._socket, self._wake.set)
             if isinstance(watch, ProblemsMessage):
-                await self._tell(watch)
+                await self._telling.tell(watch)
                 return
             self._watch = watch
             if self._stopping:
                 watch.stop()
-                await self._state(watch, "stopped")
+                await self._telling.state(watch, "stopped")
             else:
                 path = "" if isinstance(request, ReplayRequest) else request.path
-                self._broadcast = Broadcast(path, watch.mission, self._wake.set)
-                await self._drive(watch, Pace(watch.tick_s, self._clock, speed_of(request.speed)), self._broadcast)
+                broadcast = self._telling.broadcast = Broadcast(path, watch.mission, self._wake.set)
+                await self._drive(watch, Pace(watch.tick_s, self._clock, speed_of(request.speed)), broadcast)
         except KitRobotError as error:
-            await self._break_off(error.message, error.help)
+            await self._telling.break_off(error.message, error.help)
         except (RuntimeError, OSError, WebSocketDisconnect):
             # The page is gone in the middle of a message; `serve` hears of it too.
             _log.debug("the page left during a run", exc_info=True)
@@ -251,13 +246,7 @@ class Session:
             debugging = bool(os.environ.get("KITROBOT_DEBUG"))
             _log.error("a run broke: %s: %s", type(error).__name__, error, exc_info=debugging)
             help = Sentence("the run has ended; please report it")
-            await self._break_off(Sentence("something went wrong inside KitRobot"), help)
-
-    async def _break_off(self, message: str, help: str) -> None:
-        """Says to everybody why the run is over."""
-        if self._broadcast is not None:
-            self._broadcast.end(message, help)
-        await self._fail(message, help, ended=True)
+            await self._telling.break_off(Sentence("something went wrong inside KitRobot"), help)
 
     def _take_place(self) -> bool:
         """Becomes one of the studio's runs; False when there are as many as it has."""
@@ -273,7 +262,7 @@ class Session:
 
     async def _no_place(self) -> None:
         help = Sentence("stop one of them, perhaps in another tab")
-        await self._fail(Sentence("this studio has {most} runs already", MOST_RUNS), help)
+        await self._telling.fail(Sentence("this studio has {most} runs already", MOST_RUNS), help)
 
     def _count(self, counts: bool) -> None:
         self._studio.runs += counts - self._counts
@@ -286,26 +275,26 @@ class Session:
         self._studio.broadcasts[self._name] = broadcast
         for request in self._early:
             self._steer(request)
-        await self._tell(watch.started(self._name))
-        await self._news(watch)
+        await self._telling.tell(watch.started(self._name))
+        await self._telling.news(watch)
         while True:
             began = self._clock()
             self._wake.clear()
             if self._stopping:
                 watch.stop()
-                await self._news(watch)
-                await self._state(watch, "stopped")
+                await self._telling.news(watch)
+                await self._telling.state(watch, "stopped")
                 broadcast.on = False
                 return
             if await self._do_jobs(watch):
                 pace.set_paused(pace.paused, watch.tick)
-                await self._news(watch)
+                await self._telling.news(watch)
             self._attend(watch, broadcast)
             broadcast.on = not watch.outcome
             if pace.paused:
                 watch.hold()
             if watch.outcome and not watch.real:
-                await self._state(watch, watch.outcome)
+                await self._telling.state(watch, watch.outcome)
                 pace.set_paused(True, watch.tick)
                 self._count(False)
                 await self._wake.wait()
@@ -313,7 +302,7 @@ class Session:
                     self._jobs = []
                     await self._no_place()
                 continue
-            await self._state(watch, watch.outcome or ("paused" if pace.paused else "running"))
+            await self._telling.state(watch, watch.outcome or ("paused" if pace.paused else "running"))
             due = None if watch.follows else pace.due(watch.tick)
             if pace.paused:
                 due, self._steps = self._steps, 0
@@ -321,21 +310,18 @@ class Session:
                 await asyncio.to_thread(watch.advance, due, began + FRAME_S, self._clock)
                 if watch.hits:
                     pace.set_paused(True, watch.tick)
-                await self._news(watch)
+                await self._telling.news(watch)
                 if pace.paused or watch.outcome:
-                    await self._state(watch, watch.outcome or "paused")
+                    await self._telling.state(watch, watch.outcome or "paused")
             elif watch.real:
-                await self._news(watch)
+                await self._telling.news(watch)
             await self._rest(pace, watch, began)
 
     def _attend(self, watch: WatchedRun, broadcast: Broadcast) -> None:
         """Looks after those who watch; everything is told to everybody else at this moment."""
         if broadcast.looks_anew():
             watch.look_at(self._looked_at())
-        now = self._state_now
-        if now is not None:
-            now = now.model_copy(update={"tick": watch.tick, "seconds": watch.seconds})
-        broadcast.welcome(self._name, watch, now)
+        broadcast.welcome(self._name, watch, self._telling.state_at(watch))
 
     async def _do_jobs(self, watch: WatchedRun) -> bool:
         """Does what was asked for meanwhile; says whether there was anything."""
@@ -346,7 +332,7 @@ class Session:
             try:
                 await asyncio.to_thread(job)
             except KitRobotError as error:
-                await self._fail(error.message, error.help)
+                await self._telling.fail(error.message, error.help)
         return bool(jobs)
 
     async def _rest(self, pace: Pace, watch: WatchedRun, began: float) -> None:
@@ -367,34 +353,3 @@ class Session:
             await asyncio.wait_for(self._wake.wait(), pause)
         except TimeoutError:
             return
-
-    async def _news(self, watch: WatchedRun) -> None:
-        telling = Telling(*watch.tell())
-        if self._broadcast is not None:
-            self._broadcast.tell(telling)
-        await self._socket.send_bytes(telling.frame)
-        await self._socket.send_text(telling.text())
-
-    async def _state(self, watch: WatchedRun, status: Any) -> None:
-        """Says what became of the run, when that is new."""
-        said = (status, watch.tick if status != "running" else -1)
-        if said == self._said:
-            return
-        self._said = said
-        self._state_now = StateMessage(
-            status=status,
-            tick=watch.tick,
-            seconds=watch.seconds,
-            sentence=watch.sentence,
-            hits=watch.hits if status == "paused" else [],
-            problems=problem_shapes(watch.advice),
-        )
-        if self._broadcast is not None:
-            self._broadcast.state(self._state_now)
-        await self._tell(self._state_now)
-
-    async def _tell(self, message: BaseModel) -> None:
-        await self._socket.send_text(message.model_dump_json())
-
-    async def _fail(self, message: str, help: str, ended: bool = False) -> None:
-        await self._tell(ErrorMessage(message=message, help=help, ended=ended))

@@ -26,6 +26,7 @@ from kitrobot.server.robot_registry import RobotRegistry
 from kitrobot.server.shapes import CatalogueShape, catalogue_shape
 from kitrobot.server.watched_run import WatchedRun
 from kitrobot.workspace import (
+    Choices,
     Exercises,
     KeptPrograms,
     OpenMission,
@@ -80,10 +81,17 @@ class Studio:
         self.gallery = Gallery()
         self.tutorials = Tutorials(self.folder)
         self.exercises = Exercises(self.folder)
+        self.judging: dict[str, threading.Event] = {}
+        """What stops each judging that is on, by the name that its page gave it."""
         self.programs = KeptPrograms()
         self._lock = threading.Lock()
         self._kept: dict[tuple[Path, ...], _Kept] = {}
         self._worlds: dict[str, Path] = {}
+
+    @cached_property
+    def choices(self) -> Choices:
+        """What a new mission can begin with."""
+        return Choices(self.folder)
 
     def runs_of(self, path: str) -> list[str]:
         """The runs that are on of the mission of that path; none where it is of no file."""

@@ -8,10 +8,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from fastapi import APIRouter, WebSocket
-
 from kitrobot.server.background_work import BackgroundWork
-from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.sweep import (
     SWEEP_REQUEST,
     SweepMapMessage,
@@ -20,20 +17,12 @@ from kitrobot.server.shapes.sweep import (
     sweep_map,
 )
 from kitrobot.text import Sentence
-from kitrobot.workspace import RunOptions
+from kitrobot.workspace import OpenMission, RunOptions
 from kitrobot.workspace.child_processes import cores
 from kitrobot.workspace.sweep import SweepError, SweepOptions, run_sweep
 
 MOST_FIELDS = 5000
 """Fields of a sweep in a page, which draws each of them."""
-
-sweep_routes = APIRouter()
-
-
-@sweep_routes.websocket("/api/sweep")
-async def sweep(socket: WebSocket) -> None:
-    """Serves one socket until it closes."""
-    await _Sweep.serve(socket)
 
 
 class _Sweep(BackgroundWork):
@@ -43,8 +32,7 @@ class _Sweep(BackgroundWork):
     progress = SweepProgressMessage
     busy = Sentence("this studio is at a sweep already")
 
-    def work(self, request: SweepStartRequest) -> SweepMapMessage:
-        opened = self.studio.open(mission_from_shape(request.mission), request.path)
+    def work(self, request: SweepStartRequest, opened: OpenMission) -> SweepMapMessage:
         fields = len(opened.mission.team.agents) * request.moments
         if fields > MOST_FIELDS:
             message = Sentence("this sweep has {total} fields; the studio shows at most {most}", fields, MOST_FIELDS)
@@ -57,3 +45,6 @@ class _Sweep(BackgroundWork):
         """Each hundredth is told."""
         if done * 100 // total != (done - 1) * 100 // total:
             self.tell(SweepProgressMessage(done=done, total=total))
+
+
+sweep_routes = _Sweep.at("/api/sweep")

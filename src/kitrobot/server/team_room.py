@@ -290,7 +290,13 @@ class TeamRoom:
                 "message": Sentence("no robot of the team is started, since this failed: {names}", listed(failed))
                 if sent
                 else Sentence("nothing was sent, since this failed: {names}", listed(failed)),
-                "help": Sentence("what each says stands beside it; mend that, then send again"),
+                "help": Sentence(
+                    "mend what stands beside it, then send again; the new program is already on the boards of these,"
+                    " where it waits: {names}",
+                    listed(has),
+                )
+                if (has := [one.name for one in agents if one.state == "sent"])
+                else Sentence("what each says stands beside it; mend that, then send again"),
             }
         if any(one.state != "sent" for one in agents):
             return {"message": Sentence("the sending was broken off"), "help": ""}

@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.routing import ThisStudio, api_router
 from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.tutorial import TutorialFitShape, TutorialShape, TutorialWatchShape, tutorial_shape
-from kitrobot.text import Sentence
 from kitrobot.workspace import watched
 
 tutorial_routes = api_router()
-
-
-class NoTutorialError(KitRobotError):
-    """A tutorial that was there is there no more, or has a mistake now."""
 
 
 @tutorial_routes.get("/tutorials")
@@ -25,12 +19,6 @@ def tutorials(studio: ThisStudio) -> list[TutorialShape]:
 @tutorial_routes.post("/tutorial/watch")
 def tutorial_watch(studio: ThisStudio, wanted: TutorialWatchShape) -> TutorialFitShape:
     """Holds a mission against the steps of a tutorial."""
-    found = studio.tutorials.found(wanted.tutorial)
-    if found.lesson is None:
-        raise NoTutorialError(
-            Sentence("this tutorial cannot be used any more"),
-            Sentence("look at its file, or leave it"),
-            tuple(found.problems),
-        )
+    tutorial, _ = studio.tutorials.usable(wanted.tutorial)
     mission = mission_from_shape(wanted.mission)
-    return TutorialFitShape(fits=watched(found.lesson, mission, studio.parts_of(mission, wanted.path)))
+    return TutorialFitShape(fits=watched(tutorial, mission, studio.parts_of(mission, wanted.path)))

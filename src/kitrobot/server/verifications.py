@@ -7,10 +7,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from fastapi import APIRouter, WebSocket
-
 from kitrobot.server.background_work import BackgroundWork
-from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.verification import (
     VERIFY_REQUEST,
     VerifyEndMessage,
@@ -19,20 +16,12 @@ from kitrobot.server.shapes.verification import (
     verify_message,
 )
 from kitrobot.text import Sentence
-from kitrobot.workspace import RunOptions
+from kitrobot.workspace import OpenMission, RunOptions
 from kitrobot.workspace.background_check import verify_apart
 from kitrobot.workspace.verification import VerificationOptions
 
 RUN_S = 600.0
 """Simulated seconds of each run in which the simulator looks for what the model found."""
-
-verify_routes = APIRouter()
-
-
-@verify_routes.websocket("/api/verify")
-async def verify(socket: WebSocket) -> None:
-    """Serves one socket until it closes."""
-    await _Verification.serve(socket)
 
 
 class _Verification(BackgroundWork):
@@ -42,10 +31,12 @@ class _Verification(BackgroundWork):
     progress = VerifyProgressMessage
     busy = Sentence("this studio is at a check already")
 
-    def work(self, request: VerifyStartRequest) -> VerifyEndMessage:
-        opened = self.studio.open(mission_from_shape(request.mission), request.path)
+    def work(self, request: VerifyStartRequest, opened: OpenMission) -> VerifyEndMessage:
         prepared = opened.prepare(RunOptions(request.seed, RUN_S))
         tick_ms = prepared.simulation.tick_ms
         options = VerificationOptions(failures=request.failures, seconds=request.seconds, stop=self.stop.is_set)
         ended = verify_apart(prepared, options, lambda told: self.tell(verify_message(told, tick_ms)))
         return VerifyEndMessage(limits=[] if ended is None else list(ended.limits))
+
+
+verify_routes = _Verification.at("/api/verify")

@@ -162,8 +162,9 @@ TOGETHER, SEES, MOST_EVENTS, FAILS_EVERY, RULE, TOW_AFTER = range(6)
     SOUND,  # programs that have not ended, of robots that have not failed, stalled or lost their radio
     PLANS,  # how long the schedule of failures is
     OFF_ROADS,  # robots that failed on a road and are to be taken off it
-) = range(21)
-CLOCKS = 21
+    THINGS,  # things that moved in the last step
+) = range(22)
+CLOCKS = 22
 
 # ---- what happens, as five numbers: kind, agent, what, how much, tick
 

@@ -31,7 +31,7 @@ class Packing:
         robots, machines, actuators, shared = state.robots, state.machines, state.actuators, state.shared
         for row in (*robots.ints, *state.sensors.ints, *actuators.ints, *shared.ints, *shared.apart):
             yield "q", row, len(row)
-        for column in (*robots.floats, *actuators.floats, *state.pens.rows):
+        for column in (*robots.floats, *actuators.floats, *state.pens.rows, *state.things.floats[:4]):
             yield "d", column, len(column)
         for ints in (robots.guided, state.sensors.past, actuators.queue, state.docks.stock):
             yield "q", ints, len(ints)

@@ -228,6 +228,16 @@ class Pens:
 
 
 @dataclass(frozen=True, slots=True)
+class Things:
+    """Boxes and balls that are pushed (see things), their grid, and half the size of the largest one."""
+
+    floats: FloatRows
+    ints: IntRows
+    grid: Grid
+    numbers: Floats
+
+
+@dataclass(frozen=True, slots=True)
 class State:
     """The tables, in groups. Lists of whole numbers named after a thing hold its numbers: robots, actuators, docks."""
 
@@ -253,6 +263,8 @@ class State:
     rays: Rays
     contacts: Contacts
     pens: Pens
+    things: Things
+    thing_walls: Walls
     held: FloatRows
     """Of a step that may change nothing (deadlock_detection): poses and speeds of robots, numbers of devices."""
 

@@ -34,6 +34,7 @@ from kitrobot.sim.columns import (
     SEES,
     SOUND,
     STUCK,
+    THINGS,
     TICK,
     WIDEST,
 )
@@ -57,6 +58,7 @@ from kitrobot.sim.sharing import exchange
 from kitrobot.sim.state import State
 from kitrobot.sim.substitution import look_for_silent, settle
 from kitrobot.sim.team_columns import TEAM_DUE, TEAM_LEASED, TEAM_OVER, TEAM_PENDING
+from kitrobot.sim.things import move_things
 
 
 def advance(state: State, steps: int) -> int:
@@ -93,6 +95,8 @@ def advance(state: State, steps: int) -> int:
         if has_team:
             settle(state)
         move_robots(state)
+        if len(state.things.floats[0]) > 0:
+            move_things(state)
         if len(state.pens.actuators) > 0:
             draw(state)
         if by_radio:
@@ -102,10 +106,10 @@ def advance(state: State, steps: int) -> int:
         clock[TICK] = step + 1
         done += 1
 
-        if clock[ROLLING] == 0:
+        if clock[ROLLING] == 0 and clock[THINGS] == 0:
             stirs = is_stirring(step, state)
         else:
-            stirs = not looks or is_at_work(step, state) or not is_held(state)
+            stirs = clock[THINGS] > 0 or not looks or is_at_work(step, state) or not is_held(state)
         if stirs or clock[EVENTS] > events_before or clock[OFF_ROADS] > 0 or is_waited_for(team):
             stirred(clock)
         elif clock[RUNNING] > 0:

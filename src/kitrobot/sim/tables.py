@@ -39,6 +39,7 @@ from kitrobot.sim.state import (
     Team,
 )
 from kitrobot.sim.team_tables import Beginnings, TeamSetup, no_team, team_tables
+from kitrobot.sim.things import thing_tables, thing_walls
 from kitrobot.sim.world_tables import dock_tables, floor_tables, line_tables, road_tables, wall_tables
 from kitrobot.world import Pose, World
 
@@ -244,6 +245,8 @@ class Tables:
                 pairs=[0] * (2 * pairs), before=[0] * (2 * pairs), buckets=[-1] * buckets, chain=[0] * pairs
             ),
             pens=pen_tables(pens, [actuator.fitted[k].robot for k in pens], floats[c.X], floats[c.Y]),
+            things=thing_tables(self.world, self.dt),
+            thing_walls=thing_walls(wall_tables(self.world, 0.0), self.world),
             held=[[0.0] * max(count, len(self._actuators)) for _ in range(HELD_ROWS)],
         )
         if guided:

@@ -29,7 +29,7 @@ from kitrobot.trace.model import (
     TracePoint,
 )
 from kitrobot.trace.reading import TraceReader
-from kitrobot.trace.source import Ability, AbilityError, NewEvents, RecordingSource, RunSource
+from kitrobot.trace.source import Ability, AbilityError, NewEvents, RecordingSource, RunSource, UnchangeableSource
 from kitrobot.trace.writing import TraceWriter
 
 __all__ = [
@@ -71,6 +71,7 @@ __all__ = [
     "TracePoint",
     "TraceReader",
     "TraceWriter",
+    "UnchangeableSource",
     "drawing_svg",
     "marks_of",
 ]

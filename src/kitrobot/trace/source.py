@@ -9,7 +9,7 @@ A source stands at one tick of its run. `record` is the run there, `advance` and
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
-from typing import Literal, NamedTuple, NoReturn, Protocol
+from typing import ClassVar, Literal, NamedTuple, NoReturn, Protocol
 
 from kitrobot.text import Recorded, Sentence
 from kitrobot.trace.drawing import Drawing, DrawingReader
@@ -104,14 +104,56 @@ class RunSource(Protocol):
         """Releases what it holds."""
 
 
-class RecordingSource:
+class UnchangeableSource:
+    """What sources have in common that stand at a record, and in whose run nothing can be changed.
+
+    `refusal`: why not, and what can be done instead.
+    """
+
+    abilities: frozenset[Ability] = frozenset({"seek", "step"})
+    refusal: ClassVar[tuple[Sentence, Sentence]]
+    _now: TickRecord
+
+    @property
+    def tick(self) -> int:
+        """The tick that it stands at."""
+        return self._now.tick
+
+    def record(self, in_full: Collection[int] | None = None) -> TickRecord:
+        """The record of the tick that it stands at, whole."""
+        return self._now
+
+    def active(self) -> Sequence[Threads]:
+        """Where the threads of each agent stand."""
+        return self._now.active
+
+    def force(self, agent: str, sensor: str, value: int | None) -> None:
+        """Cannot be done."""
+        self._refuse()
+
+    def set_variable(self, agent: str, variable: str, value: int) -> None:
+        """Cannot be done."""
+        self._refuse()
+
+    def fail(self, agent: str, kind: str) -> None:
+        """Cannot be done."""
+        self._refuse()
+
+    def _refuse(self) -> NoReturn:
+        raise AbilityError(*self.refusal)
+
+
+class RecordingSource(UnchangeableSource):
     """A recording: all of it has happened, and nothing can be done to it. It closes the file when it is closed.
 
     Raises:
         TraceError: the recording is damaged.
     """
 
-    abilities: frozenset[Ability] = frozenset({"seek", "step"})
+    refusal = (
+        Sentence("this is a recording: what happened cannot be changed"),
+        Sentence("run its mission, and do it in that run"),
+    )
 
     def __init__(self, reader: TraceReader) -> None:
         self.reader = reader
@@ -124,11 +166,6 @@ class RecordingSource:
     def header(self) -> TraceHeader:
         """As recorded."""
         return self.reader.header
-
-    @property
-    def tick(self) -> int:
-        """The tick that it stands at."""
-        return self._now.tick
 
     @property
     def latest(self) -> int:
@@ -165,14 +202,6 @@ class RecordingSource:
                     break
                 drawn.take(record)
         return drawn.drawing
-
-    def record(self, in_full: Collection[int] | None = None) -> TickRecord:
-        """The record of the tick that it stands at, whole."""
-        return self._now
-
-    def active(self) -> Sequence[Threads]:
-        """Where the threads of each agent stand."""
-        return self._now.active
 
     def events(self, most: int) -> Sequence[TraceEvent]:
         """The last events of the recording."""
@@ -215,24 +244,6 @@ class RecordingSource:
     def _stand(self, record: TickRecord) -> None:
         self._now = record
         self._ahead = None
-
-    def force(self, agent: str, sensor: str, value: int | None) -> None:
-        """Cannot be done."""
-        self._refuse()
-
-    def set_variable(self, agent: str, variable: str, value: int) -> None:
-        """Cannot be done."""
-        self._refuse()
-
-    def fail(self, agent: str, kind: str) -> None:
-        """Cannot be done."""
-        self._refuse()
-
-    def _refuse(self) -> NoReturn:
-        raise AbilityError(
-            Sentence("this is a recording: what happened cannot be changed"),
-            Sentence("run its mission, and do it in that run"),
-        )
 
     def stop(self) -> None:
         """There are no motors."""

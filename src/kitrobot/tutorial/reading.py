@@ -6,7 +6,6 @@ used, and its diagnostics say where it is wrong. Left to others: whether `start`
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from typing import cast, get_args
 
@@ -27,19 +26,17 @@ from kitrobot.tutorial.model import (
     Tutorial,
 )
 from kitrobot.xml import (
-    ICON,
-    LONGEST_NAME,
     NAME,
     TEXT,
     TEXTS,
     Element,
-    Kind,
     Reader,
     Tag,
+    lesson_tag,
     needed,
     one,
     optional,
-    version,
+    require_label,
     whole,
 )
 
@@ -58,8 +55,6 @@ BUTTONS = (
 PANELS = ("palette", "canvas", "inspector", "code", "arena", "roster", "spare", "members")
 _POINTS = get_args(PointKind)
 _INNER = {"setting": "vertex", "slot": "vertex", "failure": "group"}
-
-_START = re.compile(r"""[^\\/:*?"<>|\x00-\x1f]+\.krt""", re.IGNORECASE)
 
 _Hole = tuple[str, Range]
 _LARGEST = 65_535
@@ -84,12 +79,7 @@ def read_tutorial(data: bytes, name: str) -> tuple[Tutorial | None, list[Diagnos
     start = root.matching("start")
     icon = root.matching("icon", "graduation-cap")
     steps = root.found(Step)
-    if "" not in root.texts.get("label", {}):
-        root.report(
-            rules.START,
-            Sentence("expected a <label> in English, found none"),
-            help=Sentence("say what the tutorial is called"),
-        )
+    require_label(root, rules.START, Sentence("say what the tutorial is called"))
     if not 1 <= len(steps) <= MOST_STEPS:
         root.report(rules.START, Sentence("expected 1 to {most} steps, found {count}", MOST_STEPS, len(steps)))
     if root.faulty:
@@ -287,23 +277,11 @@ _STEP = Tag(
     about="One thing to do: done when all patterns, one of each any and all that is said of the team hold, and an "
     "event came. A step with none of these is read.",
 )
-_MISSION_NAME = Kind(
-    longest=LONGEST_NAME,
-    pattern=r"""[^\\/:*?"<>|]+\.[kK][rR][tT]""",
-    fits=_START.fullmatch,
-    words=Sentence("the name of a .krt in the same folder"),
-)
 TUTORIAL = {
-    "tutorial": Tag(
-        None,
-        {
-            "version": version(VERSION),
-            "start": needed(_MISSION_NAME, about="The mission to begin with, in the same folder."),
-            "icon": optional(ICON),
-        },
-        {**TEXTS, "step": _STEP},
-        open=lambda element: element.version(VERSION),
-        least=1,
+    "tutorial": lesson_tag(
+        VERSION,
+        {"step": _STEP},
+        {},
         about="A tutorial: steps, and what a program has to be like so that each is done.",
     )
 }

@@ -12,6 +12,7 @@ from kitrobot.lazy import lazy_names
 
 if TYPE_CHECKING:
     from kitrobot.workspace.adding import AddedParts, PartsFileError, add_parts
+    from kitrobot.workspace.beginnings import Choices, FoundPlace, Kit, NoBeginningError, Starter, Track, tracks
     from kitrobot.workspace.checking import FileReport, check_file
     from kitrobot.workspace.compile_cache import KeptPrograms
     from kitrobot.workspace.conversion import ConversionError, Converted, convert
@@ -63,6 +64,7 @@ else:
                 "read_mission_data",
                 "with_mission",
             ),
+            "beginnings": ("Choices", "FoundPlace", "Kit", "NoBeginningError", "Starter", "Track", "tracks"),
             "program_report": ("ProgramReport", "Span"),
             "replay": ("state_at", "summary_of"),
             "robot_programs": ("board_program", "load_board_program", "look_at_boards", "send_program"),
@@ -82,6 +84,7 @@ else:
 __all__ = [
     "AddedParts",
     "Change",
+    "Choices",
     "ConversionError",
     "Converted",
     "Executable",
@@ -91,10 +94,13 @@ __all__ = [
     "FleetPlan",
     "FleetTold",
     "FoundExercise",
+    "FoundPlace",
     "FoundTutorial",
     "FoundWorld",
     "Inputs",
     "KeptPrograms",
+    "Kit",
+    "NoBeginningError",
     "NoProgramError",
     "OpenMission",
     "OpenTrace",
@@ -106,7 +112,9 @@ __all__ = [
     "RunOptions",
     "SearchPath",
     "Span",
+    "Starter",
     "Timing",
+    "Track",
     "Tutorials",
     "VariableError",
     "WantedVariable",
@@ -140,6 +148,7 @@ __all__ = [
     "send_team",
     "state_at",
     "summary_of",
+    "tracks",
     "unpack",
     "watched",
     "with_mission",

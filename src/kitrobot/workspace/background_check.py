@@ -16,6 +16,7 @@ from typing import Any
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.text import Sentence
 from kitrobot.verifier import Answer, Confirmed, Timing
+from kitrobot.verifier.scenes import Guilty, Scene
 from kitrobot.workspace.child_processes import end_with_parent
 from kitrobot.workspace.running import PreparedRun
 from kitrobot.workspace.verification import (
@@ -70,6 +71,7 @@ class Answered:
         left_out: how many of them are left out in the middle.
         confirmed: the run of the simulator that breaks it too, if one was found.
         searched: whether the simulator was looked through for one.
+        scenes, guilty: the run as pictures, and where it is broken.
     """
 
     name: str
@@ -81,6 +83,8 @@ class Answered:
     left_out: int = 0
     confirmed: Confirmed | None = None
     searched: bool = True
+    scenes: tuple[Scene, ...] = ()
+    guilty: tuple[Guilty, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -179,7 +183,7 @@ def _check(parts: tuple[Any, ...], seed: int, chosen: VerificationOptions, leave
             last = now
             out.send(Explored(timing, failures, states, depth, now - began, _memory()))
 
-    options = replace(chosen, stop=leave_off.is_set)
+    options = replace(chosen, stop=leave_off.is_set, draws=True)
     try:
         made = verify_runs(runs_of(parts), seed, options, progress, lambda column: out.send(_plain(column)))
         out.send(_end(made))
@@ -223,6 +227,8 @@ def _answered(finding: Finding) -> Answered:
         left_out,
         finding.confirmed,
         finding.searched,
+        finding.scenes,
+        finding.guilty,
     )
 
 

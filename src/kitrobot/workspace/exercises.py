@@ -24,6 +24,7 @@ _KIND = LessonKind(
     MissionFolder.exercises,
     START,
     lambda start: Sentence("there is no mission `{mission}` beside this exercise", start),
+    Sentence("this exercise cannot be used any more"),
 )
 
 

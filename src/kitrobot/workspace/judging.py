@@ -1,8 +1,8 @@
 """Judging what was made of an exercise: its programs are looked at, run with every seed, and checked.
 
 The work is bounded by steps: each run ends after the exercise's simulated seconds, each check after its states. `stop`
-breaks off between two stretches of a run and within a check. Nothing the clock decides is in the result. Left to
-others: what a goal is (`exercise`), processes and tables for a class (`grading`).
+breaks off between two stretches of a run and within a check; what was found until then is kept. Nothing the clock
+decides is in the result. Left to others: what a goal is (`exercise`), processes and tables for a class (`grading`).
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
-from kitrobot.diagnostics import Diagnostic, KitRobotError, ProblemsError
+from kitrobot.diagnostics import Diagnostic, ProblemsError
 from kitrobot.exercise import (
     CheckGoal,
     CheckSeen,
@@ -29,8 +29,9 @@ from kitrobot.exercise import (
 from kitrobot.graph import IN, RETURN, START, STOP, Program
 from kitrobot.lll import Call, Hole, Number, Seq, nodes
 from kitrobot.mission import Mission
-from kitrobot.sim import Simulation
+from kitrobot.sim import Simulation, pens_of, strokes_now
 from kitrobot.text import Sentence
+from kitrobot.trace import Drawing
 from kitrobot.verifier import AbstractionError, Answer, Timing
 from kitrobot.workspace.exercises import handed_in
 from kitrobot.workspace.opening import OpenMission, with_mission
@@ -59,10 +60,6 @@ Progress = Callable[[int, int], None]
 
 def _never() -> bool:
     return False
-
-
-class JudgingStoppedError(KitRobotError):
-    """Judging was broken off."""
 
 
 @dataclass(frozen=True)
@@ -119,7 +116,7 @@ class JudgingOptions:
         seeds: these seeds only, in place of the exercise's; none: the exercise's.
         runs: goals of runs too.
         checks: goals of checking too, which take longest.
-        stop: asked now and then whether to break off.
+        stop: asked now and then whether to break off; goals that are not decided by then are not judged.
     """
 
     hidden: bool = False
@@ -141,11 +138,7 @@ def open_handed_in(start: OpenMission, submission: Mission, search: SearchPath) 
 def judge(
     exercise: Exercise, opened: OpenMission, options: JudgingOptions | None = None, progress: Progress | None = None
 ) -> Judgement:
-    """Judges a submission that was put into the mission of its exercise.
-
-    Raises:
-        JudgingStoppedError: `stop` said so.
-    """
+    """Judges a submission that was put into the mission of its exercise."""
     options = options or JudgingOptions()
     goals = exercise.goals_for(options.hidden)
     seeds = options.seeds or exercise.seeds_for(options.hidden)
@@ -174,26 +167,25 @@ def judge(
     if run_goals:
         paths = any(goal.needs_path for goal in run_goals)
         for seed in seeds:
-            _go_on(options.stop)
             run = run_seen(_simulation(prepared, seed), seed, paths, options.stop)
+            if run is None:
+                break
             for goal in run_goals:
                 verdicts[id(goal)].append((seed, goal.fault(run)))
             tell()
     for goal in run_goals:
-        found[id(goal)] = _of_runs(goal, verdicts[id(goal)])
+        found[id(goal)] = _of_runs(goal, verdicts[id(goal)], len(seeds))
     for alike in _alike(checks):
-        _go_on(options.stop)
+        if options.stop():
+            break
         seen_of = checks_seen(prepared, alike, options.stop)
-        _go_on(options.stop)
+        cut = options.stop()
         for check in alike:
-            found[id(check)] = _verdict(check, check.fault(seen_of[check.property]))
-            tell()
+            # Only what is broken is known of a check that was cut.
+            if not cut or seen_of[check.property].answer == "broken":
+                found[id(check)] = _verdict(check, check.fault(seen_of[check.property]))
+                tell()
     return Judgement(tuple(found.get(id(goal), GoalVerdict(goal, None)) for goal in goals))
-
-
-def _go_on(stop: Callable[[], bool]) -> None:
-    if stop():
-        raise JudgingStoppedError(Sentence("judging was broken off"))
 
 
 def _unusable(goals: Iterable[Goal], problems: list[Diagnostic]) -> Judgement:
@@ -207,11 +199,11 @@ def _verdict(goal: Goal, fault: Fault | None) -> GoalVerdict:
     return GoalVerdict(goal, False, fault.sentence, fault.seed, fault.seconds)
 
 
-def _of_runs(goal: RunGoal, found: list[tuple[int, Fault | None]]) -> GoalVerdict:
+def _of_runs(goal: RunGoal, found: list[tuple[int, Fault | None]], wanted: int) -> GoalVerdict:
     wrong = [(seed, fault) for seed, fault in found if fault is not None]
     reached = len(found) - len(wrong)
     if not wrong:
-        return GoalVerdict(goal, True, runs=reached, of=len(found))
+        return GoalVerdict(goal, True if reached == wanted else None, runs=reached, of=len(found))
     seed, fault = wrong[0]
     return GoalVerdict(goal, False, fault.sentence, seed, fault.seconds, reached, len(found))
 
@@ -264,25 +256,23 @@ def _simulation(prepared: PreparedRun, seed: int) -> Simulation:
     return prepared.opened.prepare(replace(prepared.options, seed=seed)).simulation
 
 
-def run_seen(simulation: Simulation, seed: int, with_paths: bool, stop: Callable[[], bool] = _never) -> RunSeen:
-    """Runs a simulation that has a time limit to its end.
-
-    Raises:
-        JudgingStoppedError: `stop` said so.
-    """
+def run_seen(simulation: Simulation, seed: int, with_paths: bool, stop: Callable[[], bool] = _never) -> RunSeen | None:
+    """Runs a simulation that has a time limit to its end; None when `stop` said so before."""
     # Compiling takes longer than the runs of an exercise.
     simulation.stays_plain = True
     names = [agent.name for agent in simulation.members]
     paths: list[list[PathPoint]] = [[PathPoint(x, y, 0.0)] for x, y, *_ in simulation.poses()]
     contacts: list[Contact] = []
+    drawing = Drawing(pens_of(simulation.members))
     while simulation.outcome is None:
-        if simulation.tick % STRETCH == 0:
-            _go_on(stop)
+        if simulation.tick % STRETCH == 0 and stop():
+            return None
         simulation.advance(1 if with_paths else STRETCH)
         for event in simulation.events:
             if event.kind == "collision":
                 contacts.append(Contact(event.agent, event.tick * simulation.tick_ms / 1000, event.text))
         if with_paths:
+            drawing.add(simulation.drawn)
             _follow(simulation, paths)
     if with_paths:
         for path, (x, y, *_) in zip(paths, simulation.poses(), strict=True):
@@ -294,7 +284,17 @@ def run_seen(simulation: Simulation, seed: int, with_paths: bool, stop: Callable
         simulation.seconds,
         tuple(contacts),
         {name: tuple(path) for name, path in zip(names, paths, strict=True)} if with_paths else None,
+        _lines(simulation, drawing) if with_paths else None,
     )
+
+
+def _lines(simulation: Simulation, drawing: Drawing) -> dict[str, tuple[tuple[PathPoint, ...], ...]]:
+    """What each agent's pens drew."""
+    found: dict[str, tuple[tuple[PathPoint, ...], ...]] = {agent.name: () for agent in simulation.members}
+    for stroke in strokes_now(simulation, drawing):
+        name = simulation.members[drawing.pens[stroke.pen].agent].name
+        found[name] += (tuple(PathPoint(x, y, simulation.seconds) for x, y in stroke.points),)
+    return found
 
 
 def _follow(simulation: Simulation, paths: list[list[PathPoint]]) -> None:

@@ -20,6 +20,10 @@ MOST_KEPT = 200
 """Lessons of a kind that are kept as they were read."""
 
 
+class LessonGoneError(KitRobotError):
+    """A lesson that was there is there no more, or has a mistake now."""
+
+
 class Lesson(Protocol):
     """What begins with a mission; `start` is its file in the same folder."""
 
@@ -46,13 +50,16 @@ _Stamp = tuple[int, int]
 
 @dataclass(frozen=True)
 class LessonKind(Generic[L]):
-    """One kind: the ending of its files, how they are read, and the rule and sentence for one without its mission."""
+    """One kind: the ending of its files, how they are read, the rule and sentence for one without its mission, and the
+    sentence for one that can be used no more.
+    """
 
     ending: str
     read: Callable[[bytes, str], tuple[L | None, list[Diagnostic]]]
     names: Callable[[MissionFolder], list[str]]
     no_start: Rule
     no_start_words: Callable[[str], Sentence]
+    gone: Sentence
 
 
 class Lessons(Generic[L]):
@@ -105,6 +112,18 @@ class Lessons(Generic[L]):
             self._kept.clear()
         self._kept[name] = (stamp, found)
         return self._with_start(found)
+
+    def usable(self, name: str) -> tuple[L, str]:
+        """The one of that name, to be used, and the name of its mission.
+
+        Raises:
+            MissionNameError: as `found`.
+            LessonGoneError: it is there no more, or has a mistake.
+        """
+        found = self.found(name)
+        if found.lesson is None:
+            raise LessonGoneError(self._kind.gone, Sentence("look at its file, or leave it"), found.problems)
+        return found.lesson, found.start
 
     def _with_start(self, found: Found[L]) -> Found[L]:
         """The same; without its mission it cannot begin, and says so."""

@@ -20,6 +20,7 @@ _KIND = LessonKind(
     MissionFolder.tutorials,
     START,
     lambda start: Sentence("there is no mission `{mission}` beside this tutorial", start),
+    Sentence("this tutorial cannot be used any more"),
 )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from kitrobot.diagnostics import KitRobotError
@@ -28,6 +28,7 @@ from kitrobot.verifier import (
     told,
     variables_asked,
 )
+from kitrobot.verifier.scenes import Guilty, Scene, guilty, scenes
 from kitrobot.workspace.running import PreparedRun
 
 MOST_FAILURES = 3
@@ -61,6 +62,7 @@ class VerificationOptions:
         confirms: whether broken properties are looked for in the simulator.
         stop: asked now and then whether to break off.
         memory: at most about so many bytes under each assumption; None for no limit.
+        draws: whether runs that break a property are wanted as scenes.
     """
 
     properties: tuple[str, ...] = ()
@@ -71,19 +73,23 @@ class VerificationOptions:
     confirms: bool = True
     stop: Callable[[], bool] = _never
     memory: int | None = 2_000_000_000
+    draws: bool = False
 
 
 @dataclass(frozen=True)
 class Finding:
     """A verdict, with the run of the simulator that confirms it where one was found, and the model's run in words.
 
-    `searched`: whether the simulator was looked through for such a run, or need not be.
+    `searched`: whether the simulator was looked through for such a run, or need not be. `scenes`, `guilty`: the run as
+    pictures, where they are wanted.
     """
 
     verdict: Verdict
     confirmed: Confirmed | None = None
     story: tuple[tuple[int, Sentence], ...] = ()
     searched: bool = True
+    scenes: tuple[Scene, ...] = ()
+    guilty: tuple[Guilty, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -252,7 +258,8 @@ def _told(verdict: Verdict, model: Model, options: VerificationOptions) -> Findi
     """A verdict with its run in words."""
     if verdict.way is None:
         return Finding(verdict)
-    return Finding(verdict, None, tuple(told(model, verdict.way)), searched=not options.confirms)
+    made = Finding(verdict, None, tuple(told(model, verdict.way)), searched=not options.confirms)
+    return replace(made, scenes=scenes(model, verdict.way), guilty=guilty(model, verdict)) if options.draws else made
 
 
 class _Search:
@@ -287,4 +294,4 @@ class _Search:
             if confirmed is None and stop():
                 return finding
             self._known[key] = confirmed
-        return Finding(verdict, self._known[key], finding.story)
+        return replace(finding, confirmed=self._known[key], searched=True)

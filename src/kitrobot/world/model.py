@@ -160,6 +160,29 @@ class Start:
 
 
 @dataclass(frozen=True)
+class Box:
+    """A box that can be pushed, around its middle; friction is that of its underside (0: it slides for ever)."""
+
+    x_mm: float
+    y_mm: float
+    width_mm: float
+    height_mm: float
+    mass_g: float
+    friction: float
+
+
+@dataclass(frozen=True)
+class Ball:
+    """A ball that can be pushed, around its middle; friction is what slows it down (0: it rolls for ever)."""
+
+    x_mm: float
+    y_mm: float
+    radius_mm: float
+    mass_g: float
+    friction: float
+
+
+@dataclass(frozen=True)
 class World:
     """A whole world; `unknown` is XML of its file that nobody knows, kept word for word."""
 
@@ -173,6 +196,8 @@ class World:
     storehouses: tuple[Storehouse, ...] = ()
     starts: tuple[Start, ...] = ()
     floors: tuple[Floor, ...] = ()
+    boxes: tuple[Box, ...] = ()
+    balls: tuple[Ball, ...] = ()
     unknown: tuple[str, ...] = ()
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)

@@ -18,6 +18,8 @@ from kitrobot.world.model import (
     LOAD,
     RIGHT,
     UNLOAD,
+    Ball,
+    Box,
     ColouredLine,
     Dock,
     Floor,
@@ -191,12 +193,23 @@ def _start(element: Element) -> Start:
     return Start(name, pose=Pose(in_mm(element, "x"), in_mm(element, "y"), normalised(heading)))
 
 
+def _box(element: Element) -> Box:
+    return Box(*(in_mm(element, name) for name in ("x", "y", "width", "height", "mass", "friction")))
+
+
+def _ball(element: Element) -> Ball:
+    return Ball(*(in_mm(element, name) for name in ("x", "y", "radius", "mass", "friction")))
+
+
 _COORDINATE = decimal(-MAX_SIZE_MM, MAX_SIZE_MM, "coordinate")
 _LENGTH = decimal(0.0, MAX_SIZE_MM, "length")
 _THICKNESS = decimal(0.1, MAX_SIZE_MM, "thickness")
 SIZE = decimal(1.0, MAX_SIZE_MM, "size")
 """A side of what is at least a millimetre wide."""
 
+_THING_SIZE = decimal(5.0, 100_000.0, "thing-size")
+_MASS = decimal(1.0, 1_000_000.0, "mass")
+_FRICTION = decimal(0.0, 10.0, "friction")
 _COUNT = whole(0, MAX_NUMBER, "count")
 _COLOUR = {"colour": needed(one(*COLOURS, name="floor-colour"))}
 _CLOSED = {"closed": optional(YES_NO, "no")}
@@ -273,6 +286,27 @@ PARTS = {
             "heading": optional(decimal(-360.0, 360.0), "0"),
         },
         about="Where an agent begins: road and at, or dock, or storehouse, or x, y and heading in degrees.",
+    ),
+    "box": Tag(
+        _box,
+        {
+            **_POSITION,
+            "width": needed(_THING_SIZE),
+            "height": needed(_THING_SIZE),
+            "mass": optional(_MASS, "200", about="In grams."),
+            "friction": optional(_FRICTION, "0.5", about="That of its underside: 0 slides for ever."),
+        },
+        about="A box that robots push, around its middle. It keeps its direction.",
+    ),
+    "ball": Tag(
+        _ball,
+        {
+            **_POSITION,
+            "radius": needed(_THING_SIZE),
+            "mass": optional(_MASS, "50", about="In grams."),
+            "friction": optional(_FRICTION, "0.02", about="What slows it down: 0 rolls for ever."),
+        },
+        about="A ball that robots push, around its middle.",
     ),
 }
 """What a `<world>` may hold."""

@@ -17,7 +17,7 @@ from kitrobot.diagnostics import Diagnostic
 from kitrobot.text import Sentence, shown
 from kitrobot.world import rules
 from kitrobot.world.geometry import Corner, distance_to_stretch
-from kitrobot.world.model import ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World
+from kitrobot.world.model import Ball, Box, ColouredLine, Dock, Floor, Road, Start, Storehouse, Wall, World
 from kitrobot.world.parts import PARTS, SIZE, in_mm, mm
 from kitrobot.world.writing import write_world
 from kitrobot.xml import TEXTS, Element, Reader, Tag, needed, version
@@ -45,6 +45,8 @@ KINDS: Mapping[str, tuple[str, type[object]]] = {
     "storehouse": ("storehouses", Storehouse),
     "dock": ("docks", Dock),
     "start": ("starts", Start),
+    "box": ("boxes", Box),
+    "ball": ("balls", Ball),
 }
 """Kind of thing → the field of a world that holds them, and what they are."""
 
@@ -211,7 +213,9 @@ class _Whole:
         self.so_far = replace(self.so_far, roads=tuple(self._named(Road, "road", self._line)))
         self.so_far = replace(self.so_far, storehouses=tuple(self._named(Storehouse, "storehouse", self._storehouse)))
         self.so_far = replace(self.so_far, docks=tuple(self._named(Dock, "dock", self._dock)))
-        return replace(self.so_far, starts=tuple(self._named(Start, "start", self._start)))
+        self.so_far = replace(self.so_far, starts=tuple(self._named(Start, "start", self._start)))
+        boxes, balls = tuple(self._sound(Box, self._thing)), tuple(self._sound(Ball, self._thing))
+        return replace(self.so_far, boxes=boxes, balls=balls)
 
     def _sound(self, kind: type[P], check: Callable[[P, Element], None]) -> list[P]:
         sound = []
@@ -233,6 +237,9 @@ class _Whole:
 
     def _line(self, line: Road | ColouredLine | Floor, where: Element) -> None:
         self._inside(where, zip(line.line.xs, line.line.ys, strict=True))
+
+    def _thing(self, thing: Box | Ball, where: Element) -> None:
+        self._inside(where, [(thing.x_mm, thing.y_mm)])
 
     def _storehouse(self, house: Storehouse, where: Element) -> None:
         far = (house.x_mm + house.width_mm, house.y_mm + house.height_mm)

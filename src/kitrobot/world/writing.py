@@ -44,6 +44,12 @@ def world_lines(world: World) -> Iterator[str]:
         yield f"  <dock{_dock(dock)}/>"
     for start in world.starts:
         yield f"  <start{_start(start)}/>"
+    for box in world.boxes:
+        sides = _numbers(x=box.x_mm, y=box.y_mm, width=box.width_mm, height=box.height_mm)
+        yield f"  <box{sides}{_numbers(mass=box.mass_g, friction=box.friction)}/>"
+    for ball in world.balls:
+        sides = _numbers(x=ball.x_mm, y=ball.y_mm, radius=ball.radius_mm)
+        yield f"  <ball{sides}{_numbers(mass=ball.mass_g, friction=ball.friction)}/>"
     for raw in world.unknown:
         yield f"  {raw}"
     yield "</world>"

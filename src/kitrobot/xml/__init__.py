@@ -16,6 +16,7 @@ from kitrobot.xml.attributes import (
 )
 from kitrobot.xml.decoding import MAX_BYTES
 from kitrobot.xml.element import LONGEST_NAME, Element, Tag
+from kitrobot.xml.lessons import lesson_tag, require_label
 from kitrobot.xml.parsing import DoctypeError, ExpatError, new_parser
 from kitrobot.xml.reading import LANGUAGE, MAX_DEPTH, TEXT, TEXTS, Reader
 from kitrobot.xml.writing import attributes, escape_text, escape_value, text_element
@@ -42,10 +43,12 @@ __all__ = [
     "decimal",
     "escape_text",
     "escape_value",
+    "lesson_tag",
     "needed",
     "new_parser",
     "one",
     "optional",
+    "require_label",
     "text_element",
     "version",
     "whole",

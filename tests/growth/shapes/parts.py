@@ -1,4 +1,4 @@
-"""Robots, constructors and tutorials."""
+"""Robots, constructors, tutorials and exercises."""
 
 from __future__ import annotations
 
@@ -115,6 +115,23 @@ lines(
                 "Wheel.Stop();",
                 "</code></contains></step>",
             ),
+        }.items()
+    },
+)
+
+lines(
+    "exercise.xml",
+    {
+        what: ('<exercise version="1" start="x.krt"><label>E</label>\n' + before, one + "\n", after + "</exercise>\n")
+        for what, (before, one, after) in {
+            "goals": ("", '<uses part="Wheel.Advance"><label>G #</label></uses>', ""),
+            "goals that lack all": ("", "<visits/>", ""),
+            "times longer than a run": ("", '<within seconds="600"><label>G</label></within>', ""),
+            "seeds": ("<done><label>D</label></done>", '<seed value="#"/>', ""),
+            "seeds of one value": ("<done><label>D</label></done>", '<seed value="1"/>', ""),
+            "unknown properties": ("", '<holds property="p#"><label>H</label></holds>', ""),
+            "labels of one goal": ("<done>", '<label xml:lang="fr">D #</label>', "<label>D</label></done>"),
+            "unknown things": ("", "<thing/>", ""),
         }.items()
     },
 )

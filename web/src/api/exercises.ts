@@ -5,7 +5,9 @@ import type { Exercise, Judged } from "./generated";
 
 export const exerciseApi = {
   all: () => ask<Exercise[]>("exercises"),
-  /** The run of that seed, or without one what is checked. */
-  judge: (exercise: string, mission: Mission, seed: number | null, signal: AbortSignal) =>
-    ask<Judged>("exercise/judge", { method: "POST", json: { exercise, mission, seed }, signal }),
+  /** The run of that seed, or without one what is checked; `judging` names it for `stop`. */
+  judge: (exercise: string, mission: Mission, seed: number | null, judging: string, signal: AbortSignal) =>
+    ask<Judged>("exercise/judge", { method: "POST", json: { exercise, mission, seed, judging }, signal }),
+  /** The judging of that name answers with what it has found. */
+  stop: (judging: string) => ask<boolean>("exercise/stop", { method: "POST", json: { judging } }),
 };

@@ -4,6 +4,12 @@
  * Written by `python tools/api_types.py` from the models in `src/kitrobot/server/shapes`: change those instead.
  */
 
+/** A part of a robot, as it is called, and its picture. */
+export interface Ability {
+  icon: string;
+  label: Record<string, string>;
+}
+
 /** The constructor, and its slot, that a branch adds itself to. */
 export interface Adds {
   constructor: string;
@@ -73,6 +79,21 @@ export interface AskedProperty {
   form: "never" | "after" | "eventually" | "stays";
   first: string;
   second?: string;
+}
+
+/** A world to begin in. */
+export interface BeginningPlace {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  world: World;
+}
+
+/** All there is to choose from. The starter `nothing`, without parts, fits every kit in each of its places. */
+export interface Beginnings {
+  kits: Kit[];
+  places: BeginningPlace[];
+  starters: Starter[];
 }
 
 /** Break off the sending; the robot keeps the program that it had. */
@@ -270,6 +291,8 @@ export interface CheckedProperty {
   left_out: number;
   confirmed: ConfirmingRun | null;
   searched: boolean;
+  scenes: Scene[];
+  guilty: Guilty[];
 }
 
 /** An offer that becomes a slot under that name; numbers with one name become one slot. */
@@ -385,6 +408,31 @@ export interface Dock {
 export interface Drawing {
   keep: number;
   marks: [number, 1 | 2 | 4, number, number, number, number][];
+}
+
+/** What was found: all there is to tell. */
+export interface DrawingCheckMessage {
+  type: "found";
+  findings: DrawingFinding[];
+}
+
+/** Look through this mission; it takes some seconds at most. */
+export interface DrawingCheckStartRequest {
+  type: "start";
+  mission: Mission;
+  path: string;
+  seed: number;
+}
+
+/** Break it off; nothing is told then. */
+export interface DrawingCheckStopRequest {
+  type: "stop";
+}
+
+/** A problem, and the run of the simulator that shows it, if one does. */
+export interface DrawingFinding {
+  problem: Problem;
+  shown: ConfirmingRun | null;
 }
 
 /** What became of the program of a text: rows of the lists of the program that was sent with it. */
@@ -534,6 +582,15 @@ export interface Group {
   constructors: Constructor[];
 }
 
+/** A vertex at which a property is broken, whose robot, what happens there, and whether it goes on for ever. */
+export interface Guilty {
+  agent: string;
+  program: string;
+  vertex: string;
+  sentence: string;
+  repeats: boolean;
+}
+
 /** Let an agent fail for good, miss its ticks or lose its radio, or make it well again. */
 export interface HarmRequest {
   type: "harm";
@@ -590,17 +647,32 @@ export interface JournalSize {
   bytes: number;
 }
 
-/** A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked. */
+/**
+ * A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked. `judging` is
+ * a name by which it can be stopped.
+ */
 export interface Judge {
   exercise: string;
   mission: Mission;
   seed?: number | null;
+  judging?: string;
 }
 
 /** What came of each goal, in order; `mission` is what was judged: the programs in the exercise's mission. */
 export interface Judged {
   goals: GoalVerdict[];
   mission: Mission;
+}
+
+/** Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors. */
+export interface Kit {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  robots: string[];
+  can: Ability[];
+  feels: Ability[];
+  places: string[];
 }
 
 /** Unsaved work that was left behind; `modified` is a moment in UTC (ISO 8601). */
@@ -778,6 +850,25 @@ export interface Offered {
   problems: Problem[];
 }
 
+/** A ball that can be pushed, around its middle. */
+export interface OwnBall {
+  x_mm: number;
+  y_mm: number;
+  radius_mm: number;
+  mass_g: number;
+  friction: number;
+}
+
+/** A box that can be pushed, around its middle. */
+export interface OwnBox {
+  x_mm: number;
+  y_mm: number;
+  width_mm: number;
+  height_mm: number;
+  mass_g: number;
+  friction: number;
+}
+
 /** Where stock goes from a storehouse onto a carrier, or back. */
 export interface OwnDock {
   name: string;
@@ -869,6 +960,8 @@ export interface OwnWorld {
   storehouses: OwnStorehouse[];
   docks: OwnDock[];
   starts: OwnStart[];
+  boxes?: OwnBox[];
+  balls?: OwnBall[];
   unknown: string[];
   label: Record<string, string>;
   help: Record<string, string>;
@@ -991,6 +1084,13 @@ export interface Point {
   kind: "part" | "vertex" | "button" | "panel" | "program" | "group";
   name: string;
   inner: string;
+}
+
+/** A starter with its first program, and what its agents do in the first seconds. */
+export interface Preview {
+  starter: string;
+  program: Program;
+  tracks: Track[];
 }
 
 /** A diagnostic; lines and columns count from 1 and are 0 where there is no file. */
@@ -1198,6 +1298,12 @@ export interface Saved {
   locked?: boolean;
 }
 
+/** What a run of the model looks like before a step; the robots are in the order of the mission's agents. */
+export interface Scene {
+  step: number;
+  robots: Stand[];
+}
+
 /** What happens to an agent at so many simulated seconds. */
 export interface ScheduledFailure {
   agent: string;
@@ -1307,6 +1413,14 @@ export interface SpeedRequest {
   value: number;
 }
 
+/** A robot in a scene; `at` are the vertices at which its program stands, each with the name of its program. */
+export interface Stand {
+  x_mm: number;
+  y_mm: number;
+  heading_rad: number;
+  at: [string, string][];
+}
+
 /** Where an agent may start. */
 export interface StartPose {
   name: string;
@@ -1365,6 +1479,14 @@ export interface StartedMessage {
   pens: number[];
 }
 
+/** A first program; `places` says for each kit that it fits where it can be had. */
+export interface Starter {
+  name: string;
+  label: Record<string, string>;
+  help: Record<string, string>;
+  places: Record<string, string[]>;
+}
+
 /**
  * What became of the run; `sentence` says why it ended, `hits` why it pauses. "end" is that of a recording only.
  * `problems` are hints on a run that ended before anything could be seen.
@@ -1385,6 +1507,11 @@ export interface StepRequest {
   by?: "tick" | "vertex";
   back?: boolean;
   agent?: string;
+}
+
+/** The name of the judging that is to be broken off. */
+export interface StopJudging {
+  judging: string;
 }
 
 /** End the run. */
@@ -1533,6 +1660,15 @@ export interface TextEdit {
   text: string;
 }
 
+/** Something that can be pushed, around its middle; of a ball width and height are its diameter. */
+export interface Thing {
+  kind: "box" | "ball";
+  x_mm: number;
+  y_mm: number;
+  width_mm: number;
+  height_mm: number;
+}
+
 /**
  * The run as it stands; `agents` holds only those that changed since the last message, and of very many only those that
  * are looked at. `latest` is the furthest tick of this future: less than before when another one has begun. `events`
@@ -1552,6 +1688,13 @@ export interface TickMessage {
   events: RunEvent[];
   team: TeamNow | null;
   drawing: Drawing | null;
+}
+
+/** The way of an agent: (x mm, y mm, heading rad), one each tenth of a second. */
+export interface Track {
+  agent: string;
+  robot: string;
+  points: [number, number, number][];
 }
 
 /** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */
@@ -1705,6 +1848,7 @@ export interface World {
   docks: Dock[];
   storehouses: Storehouse[];
   starts: StartPose[];
+  things?: Thing[];
 }
 
 /** A world that a mission can take place in; `href` is what the mission calls it, "" for the empty one. */

@@ -50,6 +50,8 @@ export const MUTED = 64;
 export interface PoseFrame {
   tick: number;
   poses: Pose[];
+  /** Where things are that can be pushed, in mm. */
+  things?: readonly (readonly [number, number])[];
 }
 
 const FIELDS = 5;
@@ -61,7 +63,7 @@ export function decodeFrame(data: ArrayBuffer): PoseFrame | null {
   const view = new DataView(data);
   const read = (index: number) => view.getFloat32(index * 4, true);
   const count = read(1);
-  if (!Number.isInteger(count) || count < 0 || data.byteLength !== (HEAD + count * FIELDS) * 4) return null;
+  if (!Number.isInteger(count) || count < 0 || data.byteLength < (HEAD + count * FIELDS) * 4) return null;
   const poses: Pose[] = [];
   for (let robot = 0; robot < count; robot++) {
     const at = HEAD + robot * FIELDS;
@@ -73,5 +75,7 @@ export function decodeFrame(data: ArrayBuffer): PoseFrame | null {
       flags: read(at + 4),
     });
   }
-  return { tick: read(0), poses };
+  const things: [number, number][] = [];
+  for (let at = HEAD + count * FIELDS; (at + 2) * 4 <= data.byteLength; at += 2) things.push([read(at), read(at + 1)]);
+  return { tick: read(0), poses, things };
 }

@@ -141,6 +141,7 @@ function Studio() {
   const { sizes, folded } = useLayout();
   const ready = useDocument((document) => document.ready);
   const opening = useDocument((document) => document.opening);
+  const covered = useDocument((document) => document.overlay === "new");
   const room = useNarrow((narrow) => narrow.room);
   const team = useTeam((state) => state.open || state.world);
   const large = useStage((stage) => stage.large);
@@ -174,7 +175,7 @@ function Studio() {
       </header>
       <Banner />
       <Slot name="banner" />
-      <div className="middle">
+      <div className="middle" inert={covered}>
         {folded.palette ? null : (
           <nav className="parts-frame" aria-label={t("app.parts")}>
             <div className="parts" style={{ width: sizes.palette }}>
@@ -207,7 +208,7 @@ function Studio() {
           </aside>
         ) : null}
       </div>
-      <footer className="bottom-bar">
+      <footer className="bottom-bar" inert={covered}>
         <Slot name="bottom" />
       </footer>
       <Slot name="over-page" />

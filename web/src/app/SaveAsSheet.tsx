@@ -4,16 +4,10 @@ import { type FormEvent, useState } from "react";
 import { ApiError } from "../api/client";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
-import { closeOverlay, fileName, show, useDocument } from "../session/document";
+import { asMissionPath, closeOverlay, fileName, show, useDocument } from "../session/document";
 import { hasPlace, saveAs } from "../session/saving";
 import { Icon } from "../theme";
 import { Sheet } from "../ui/Sheet";
-
-/** Always a .krt, whatever was typed. */
-export function asMissionPath(text: string): string {
-  const name = text.trim();
-  return name === "" || name.toLowerCase().endsWith(".krt") ? name : `${name}.krt`;
-}
 
 interface Refusal {
   path: string;

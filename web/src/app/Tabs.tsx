@@ -17,6 +17,7 @@ import { TEAM_ROBOT } from "../model/team-robot";
 import { removeProgramNamed } from "../session/actions";
 import { complain } from "../session/document";
 import type { FeatureTab } from "../session/features";
+import { useIsGuilty } from "../session/guilty";
 import { isLive, type RunState, useRun, watchedAgent } from "../session/run";
 import { closeTeam, useTeam } from "../session/team-view";
 import { Icon } from "../theme";
@@ -111,6 +112,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
     studio.report?.problems.some((one) => one.program === name && one.severity === "error"),
   );
   const state = useRun((run) => stateShown(run, name));
+  const guilty = useIsGuilty(name);
   return (
     <button
       type="button"
@@ -136,6 +138,11 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
       </span>
       <Count count={count === 1 || (count === 0 && inTeam) ? undefined : count} sign="×" />
       <Errors there={errors === true} />
+      {guilty ? (
+        <span className="guilty-cross">
+          <Icon name="x" size={14} label={t("guilty.broken")} />
+        </span>
+      ) : null}
     </button>
   );
 }

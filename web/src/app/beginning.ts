@@ -53,7 +53,7 @@ async function beginInFolder(): Promise<void> {
     return;
   }
   await take(await api.newMission());
-  if (first !== undefined) show("open");
+  show(first === undefined ? "new" : "open");
 }
 
 /**

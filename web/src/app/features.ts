@@ -16,6 +16,7 @@ import { exporting } from "../features/export";
 import { gallery } from "../features/gallery";
 import { importFiles } from "../features/import-files";
 import { inspector } from "../features/inspector";
+import { newMission } from "../features/new-mission";
 import { palette } from "../features/palette";
 import { problems } from "../features/problems";
 import { robots } from "../features/robots";
@@ -42,6 +43,7 @@ export const FEATURES: readonly Feature[] = [
   check,
   robots,
   world,
+  newMission,
   gallery,
   tutorial,
   exercise,

@@ -8,7 +8,6 @@ import { type Feature, stopEverything } from "../session/features";
 import { keyFor } from "../session/key-table";
 import { type Panel, useLayout } from "../session/layout";
 import type { MenuEntries } from "../session/menu-table";
-import { newMission } from "../session/open-requests";
 import { save } from "../session/saving";
 import { type ThemeChoice, useTheme } from "../theme";
 import { later } from "../ui/later";
@@ -24,7 +23,7 @@ function fileEntries({ activeProgram, report }: StudioState): MenuEntries {
   const lll = t("file.download-lll", { name: activeProgram });
   return {
     open: [
-      menuItem("file-new", t("file.new"), keyFor.page("create"), newMission),
+      menuItem("file-new", t("file.new"), keyFor.page("create"), () => show("new")),
       menuItem("file-open", t("file.open"), keyFor.page("open"), () => show("open")),
     ],
     save: [
@@ -134,7 +133,7 @@ export const page: Feature = {
   name: "page",
   commands: {
     stop: stopEverything,
-    create: newMission,
+    create: () => show("new"),
     open: () => show("open"),
     save: () => void save(),
     saveAs: () => show("save-as"),

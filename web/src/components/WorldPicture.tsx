@@ -2,7 +2,7 @@
  * A small picture of a mission, drawn from the mission itself: its graph in the colours of its parts, laid out as on the
  * canvas, or for a team and a place of its own the world from above. Nothing here has words; the card around it has.
  */
-import { useMemo } from "react";
+import { type ReactNode, useMemo } from "react";
 
 import type { Picture as MissionPicture } from "../api/generated";
 import { headPath, layoutStructure, type LayoutNode, roundedPath } from "../model/layout";
@@ -23,7 +23,7 @@ export function Picture({ picture: { program, world, agents } }: { picture: Miss
   return place ? <WorldPicture world={world} agents={agents} /> : <GraphPicture program={program} />;
 }
 
-function GraphPicture({ program }: { program: Program }) {
+export function GraphPicture({ program }: { program: Program }) {
   const catalogue = useStudio((studio) => studio.catalogue);
   const layout = useMemo(
     () => layoutStructure(readStructure(program, partsOf(catalogue, program.robot))),
@@ -72,6 +72,7 @@ function NodeShape({ node: { kind, colour, x, y, w, h } }: { node: LayoutNode })
       <polygon className="picture-node" data-colour={colour} points={points.map((at) => at.join(",")).join(" ")} />
     );
   }
+  if (kind === "place") return <rect className="picture-place" x={x} y={y} width={w} height={h} rx={8} />;
   const end = kind === "start" || kind === "stop";
   const flat = kind === "bar" || kind === "barEnd";
   // A bar is thin on its box; here the box would be a slab.
@@ -100,14 +101,24 @@ function isIndoors({ x_mm, y_mm }: World["starts"][number], { storehouses }: Wor
   );
 }
 
+interface WorldPictureProps {
+  world: World;
+  /** Whose starts are shown, by their names in the world. */
+  agents: readonly string[];
+  /** What of it is seen: left, top, width and height in mm; all of it without. */
+  view?: readonly [number, number, number, number];
+  /** What is drawn above it, in mm, with y downward. */
+  children?: ReactNode;
+}
+
 /** A world from above, with those who start in it. */
-export function WorldPicture({ world, agents }: { world: World; agents: readonly string[] }) {
+export function WorldPicture({ world, agents, view, children }: WorldPictureProps) {
   const { width_mm: width, height_mm: height } = world;
   const size = Math.max(135, width * ROBOT_PART);
   const path = (points: [number, number][], closed: boolean) =>
     `M${points.map(([x, y]) => `${String(x)} ${String(height - y)}`).join("L")}${closed ? "Z" : ""}`;
   return (
-    <svg className="picture picture-world" viewBox={`0 0 ${String(width)} ${String(height)}`} aria-hidden="true">
+    <svg className="picture picture-world" viewBox={(view ?? [0, 0, width, height]).join(" ")} aria-hidden="true">
       {world.floors.map((floor, index) => (
         <path
           key={index}
@@ -163,6 +174,7 @@ export function WorldPicture({ world, agents }: { world: World; agents: readonly
             <path className="picture-front" d="M14 -11V11" />
           </g>
         ))}
+      {children}
     </svg>
   );
 }

@@ -1,6 +1,8 @@
 /** English for the check of a mission, which is fetched later. */
 export const CHECK_EN = {
   "work.problems": "Show the problems",
+  "problems.show-run": "Show me",
+  "problems.show-run-of": "Show me: {message}",
   "check.title": "Check",
   "check.close": "Close the check",
   "check.what":
@@ -78,5 +80,14 @@ export const CHECK_EN = {
   "check.repeats": "And so on for ever:",
   "check.stays": "And so it stays.",
   "check.at-once": "It is so from the start.",
+  "check.zone-by-zone": "The run of the model, zone by zone",
+  "check.step-back": "One step back",
+  "check.step-on": "One step on",
+  "check.step-play": "Play the steps",
+  "check.step-first": "Before the first step",
+  "check.step-of": "Step {step} of {steps}",
+  "guilty.broken": "A property is broken here",
+  "guilty.repeats": "And so on for ever: {robots}",
+  "guilty.steps": "Steps {steps}",
   "check.left-out": { one: "… {count} event …", other: "… {count} events …" },
 } as const;

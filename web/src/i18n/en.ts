@@ -214,16 +214,12 @@ export const EN = {
 
   "problems.title": "Problems",
   "problems.count": { one: "{count} problem", other: "{count} problems" },
-  "problems.none": "No problems. Press Run to see the program at work.",
   "problems.error": "Error",
   "problems.warning": "Warning",
   "problems.hint": "Hint",
   "problems.fix": "Fix",
-  "problems.fix-this": "Fix: {message}",
   "problems.next": "Next problem",
   "problems.previous": "Previous problem",
-  "problems.close": "Close the list",
-  "problems.more": "Show {count} more of {all}",
 
   "arena.title": "Arena",
   "arena.label": "Arena: the world with its robots",

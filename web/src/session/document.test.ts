@@ -1,11 +1,12 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 import { begin } from "../app/beginning";
+import { api } from "../api/client";
 import { emptyProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
 import type { Mission, MissionFile } from "../model/types";
 import { shownName, useDocument } from "./document";
-import { newMission, openFromComputer, openPath } from "./open-requests";
+import { beginMission, openFromComputer, openPath } from "./open-requests";
 import { useRun } from "./run";
 import { hasPlace, save, saveAs } from "./saving";
 
@@ -74,7 +75,7 @@ describe("the first mission", () => {
       "GET api/mission/new": [[200, file("")]],
     });
     const first = begin();
-    newMission();
+    beginMission(() => api.newMission(), "n");
     await first;
     await vi.waitFor(() => expect(opened()).toBe(""));
   });
@@ -95,7 +96,7 @@ describe("the first mission", () => {
 
   it.each([
     ["is chosen where the folder has several", [own("x.krt"), own("y.krt"), example], "open"],
-    ["is a new one where the folder has none", [example], null],
+    ["is a new one, begun with pictures, where the folder has none", [example], "new"],
   ])("%s", async (_, missions, overlay) => {
     serve({
       "GET api/session": [[200, { ...session, path: null }]],
@@ -211,7 +212,7 @@ describe("unsaved changes", () => {
   it("go when the person says so", async () => {
     edit();
     serve({ "GET api/mission/new": [[200, file("")]] });
-    newMission();
+    beginMission(() => api.newMission(), "n");
     choose("Go on without saving");
     // Here nobody keeps a journal.
     await vi.waitFor(() => expect(banner()?.message).toContain("without saving they would be lost"));

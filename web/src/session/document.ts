@@ -23,7 +23,7 @@ export interface Banner {
   actions: BannerAction[];
 }
 
-export type Overlay = "open" | "save-as" | "shortcuts" | "about" | "difference" | null;
+export type Overlay = "new" | "open" | "save-as" | "shortcuts" | "about" | "difference" | null;
 
 interface DocumentState {
   session: Session | null;
@@ -86,6 +86,12 @@ export function question(message: string, choices: [Key, () => void][], kind: Ba
     },
   }));
   set({ banner: { kind, message, help, actions } });
+}
+
+/** Always a .krt, whatever was typed. */
+export function asMissionPath(text: string): string {
+  const name = text.trim();
+  return name === "" || name.toLowerCase().endsWith(".krt") ? name : `${name}.krt`;
 }
 
 /** A file's name without its folders. */

@@ -5,7 +5,8 @@ import { journalApi } from "../api/journal";
 import { traceApi } from "../api/traces";
 import { type Key, t } from "../i18n/words";
 import { useStudio } from "../model/studio";
-import { complain, fileName, question, shownName, useDocument } from "./document";
+import type { MissionFile } from "../model/types";
+import { asMissionPath, complain, fileName, question, shownName, useDocument } from "./document";
 import { flush, isKept } from "./journal";
 import { bringMission, bringRecording, takeLeft, whileOpening } from "./opening";
 import { isRecording } from "./recordings";
@@ -92,8 +93,9 @@ export function offerLeft(left: readonly Left[]): void {
   question(t("journal.left", { name: shownName(first.name) }), choices);
 }
 
-export function newMission(): void {
-  unlessUnsaved(() => bringMission(api.newMission));
+/** Opens a mission that has no file yet, under the name that it is to have. */
+export function beginMission(get: () => Promise<MissionFile>, name: string): void {
+  unlessUnsaved(() => bringMission(async () => ({ ...(await get()), name: asMissionPath(name) })));
 }
 
 export function openPath(path: string): void {

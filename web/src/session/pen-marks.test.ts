@@ -19,7 +19,15 @@ describe("what pens drew", () => {
   });
   it("is lines in mm, and a pen that is down has drawn as far as its robot is", () => {
     expect(strokesOf([begun, corner, ended], () => [7, 7])).toEqual([
-      { colour: 1, width_mm: 3, points: [[0, 0], [100, 0], [100, 50]] },
+      {
+        colour: 1,
+        width_mm: 3,
+        points: [
+          [0, 0],
+          [100, 0],
+          [100, 50],
+        ],
+      },
     ]);
     expect(strokesOf([begun, corner], () => [100, 20])[0]?.points.at(-1)).toEqual([100, 20]);
     expect(strokesOf([corner], () => undefined)).toEqual([]);

@@ -56,6 +56,11 @@ function between(a: Pose, b: Pose, share: number): Pose {
   };
 }
 
+/** Where the things are that can be pushed, in the order of the world. */
+export function placesOfThings(): readonly (readonly [number, number])[] {
+  return last?.things ?? [];
+}
+
 export interface Shown {
   poses: readonly Pose[];
   /** False while robots are still on their way between two frames. */

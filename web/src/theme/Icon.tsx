@@ -1,8 +1,8 @@
 /**
  * An icon by its lucide name, as robots and constructors name theirs in XML.
  *
- * Names of the bounded set are drawn at once. For another one the whole set is fetched (once, from our own server); until
- * it is there, and for an unknown name, a plain square is drawn.
+ * Names of the bounded set are drawn at once. For another one a second, small set is fetched (once, from our own server), and
+ * where it is not in that the whole one; until it is there, and for an unknown name, a plain square is drawn.
  */
 import type { LucideIcon } from "lucide-react";
 import { createElement, useEffect, useState } from "react";
@@ -19,29 +19,52 @@ interface IconProps {
 
 const FALLBACK = "square-dashed";
 
-let all: Readonly<Record<string, LucideIcon>> | null = null;
+type Icons = Readonly<Record<string, LucideIcon>>;
+
+/** The sets that were fetched, by kebab-case and by PascalCase names. */
+let more: Icons | null = null;
+let all: Icons | null = null;
 let loading: Promise<void> | null = null;
+let loadingAll: Promise<void> | null = null;
 
 function pascal(name: string): string {
   return name.replace(/(?:^|-)([a-z0-9])/g, (_, letter: string) => letter.toUpperCase());
 }
 
-/** Every lucide icon by its PascalCase name, from a chunk of its own. */
+/** Every lucide icon, from chunks of their own. */
 export function loadIcons(): Promise<void> {
-  loading ??= import("./all-icons").then(
-    (module) => {
+  loadingAll ??= Promise.all([loadMore(), import("./all-icons")]).then(
+    ([, module]) => {
       all = module.ALL_ICONS;
     },
     () => {
       // Offline or cut off: the fallback stays.
+      loadingAll = null;
+    },
+  );
+  return loadingAll;
+}
+
+function loadMore(): Promise<void> {
+  loading ??= import("./more-icons").then(
+    (module) => {
+      more = module.MORE_ICONS;
+    },
+    () => {
       loading = null;
     },
   );
   return loading;
 }
 
+async function load(name: string): Promise<void> {
+  await loadMore();
+  if (known(name) === undefined) await loadIcons();
+}
+
 function known(name: string): LucideIcon | undefined {
-  return Object.hasOwn(ICONS, name) ? ICONS[name] : all?.[pascal(name)];
+  if (Object.hasOwn(ICONS, name)) return ICONS[name];
+  return more !== null && Object.hasOwn(more, name) ? more[name] : all?.[pascal(name)];
 }
 
 export function Icon({ name, size = 16, label, className }: IconProps) {
@@ -51,13 +74,13 @@ export function Icon({ name, size = 16, label, className }: IconProps) {
   useEffect(() => {
     if (!missing) return;
     let alive = true;
-    void loadIcons().then(() => {
+    void load(name).then(() => {
       if (alive) setLoaded((n) => n + 1);
     });
     return () => {
       alive = false;
     };
-  }, [missing]);
+  }, [missing, name]);
   const drawn = found ?? ICONS[FALLBACK];
   if (drawn === undefined) return null;
   return createElement(drawn, {

@@ -1,13 +1,13 @@
 /**
- * The icons that travel with the page: the lucide names that it and what ships with it use, no more; every load pays for them.
+ * The icons that travel with the page: the lucide names that most pages show at once, no more; every load pays for them.
  *
- * A robot's or constructor's XML may name any lucide icon; `Icon.tsx` fetches the whole set for a name that is not here.
+ * What only some pages show is in `more-icons.ts`. A robot's or constructor's XML may name any lucide icon: `Icon.tsx` fetches
+ * the whole set for a name that is in neither.
  */
 import type { LucideIcon } from "lucide-react";
 
 import Ampersand from "lucide-react/icons/ampersand";
 import ArrowDown from "lucide-react/icons/arrow-down";
-import ArrowRight from "lucide-react/icons/arrow-right";
 import ArrowUp from "lucide-react/icons/arrow-up";
 import Ban from "lucide-react/icons/ban";
 import Bell from "lucide-react/icons/bell";
@@ -25,9 +25,6 @@ import CircleDot from "lucide-react/icons/circle-dot";
 import CircleHelp from "lucide-react/icons/circle-help";
 import CircleSlash2 from "lucide-react/icons/circle-slash-2";
 import CircleX from "lucide-react/icons/circle-x";
-import Clapperboard from "lucide-react/icons/clapperboard";
-import ClipboardCheck from "lucide-react/icons/clipboard-check";
-import ClipboardList from "lucide-react/icons/clipboard-list";
 import Columns2 from "lucide-react/icons/columns-2";
 import Compass from "lucide-react/icons/compass";
 import Copy from "lucide-react/icons/copy";
@@ -37,18 +34,13 @@ import DoorClosed from "lucide-react/icons/door-closed";
 import DoorOpen from "lucide-react/icons/door-open";
 import Ellipsis from "lucide-react/icons/ellipsis";
 import Equal from "lucide-react/icons/equal";
-import Eraser from "lucide-react/icons/eraser";
 import Dices from "lucide-react/icons/dices";
 import Eye from "lucide-react/icons/eye";
 import File from "lucide-react/icons/file";
 import Flag from "lucide-react/icons/flag";
-import Footprints from "lucide-react/icons/footprints";
 import Gauge from "lucide-react/icons/gauge";
 import GitFork from "lucide-react/icons/git-fork";
-import Grab from "lucide-react/icons/grab";
 import GraduationCap from "lucide-react/icons/graduation-cap";
-import Grid3x3 from "lucide-react/icons/grid-3x3";
-import Hand from "lucide-react/icons/hand";
 import Hash from "lucide-react/icons/hash";
 import Hourglass from "lucide-react/icons/hourglass";
 import ImageIcon from "lucide-react/icons/image";
@@ -65,14 +57,13 @@ import Maximize2 from "lucide-react/icons/maximize-2";
 import MessageCircle from "lucide-react/icons/message-circle";
 import Minus from "lucide-react/icons/minus";
 import MousePointer2 from "lucide-react/icons/mouse-pointer-2";
-import Music from "lucide-react/icons/music";
 import OctagonX from "lucide-react/icons/octagon-x";
 import Package from "lucide-react/icons/package";
-import PackageMinus from "lucide-react/icons/package-minus";
 import PackageOpen from "lucide-react/icons/package-open";
-import PackagePlus from "lucide-react/icons/package-plus";
 import Palette from "lucide-react/icons/palette";
 import Pause from "lucide-react/icons/pause";
+import PencilOff from "lucide-react/icons/pencil-off";
+import Ruler from "lucide-react/icons/ruler";
 import Pencil from "lucide-react/icons/pencil";
 import Play from "lucide-react/icons/play";
 import Plus from "lucide-react/icons/plus";
@@ -85,7 +76,6 @@ import RedoDot from "lucide-react/icons/redo-dot";
 import RefreshCw from "lucide-react/icons/refresh-cw";
 import Repeat from "lucide-react/icons/repeat";
 import RotateCw from "lucide-react/icons/rotate-cw";
-import ScanEye from "lucide-react/icons/scan-eye";
 import Search from "lucide-react/icons/search";
 import Settings from "lucide-react/icons/settings";
 import Signpost from "lucide-react/icons/signpost";
@@ -96,7 +86,6 @@ import SquareDashed from "lucide-react/icons/square-dashed";
 import StepBack from "lucide-react/icons/step-back";
 import StepForward from "lucide-react/icons/step-forward";
 import Timer from "lucide-react/icons/timer";
-import ToggleLeft from "lucide-react/icons/toggle-left";
 import ToggleRight from "lucide-react/icons/toggle-right";
 import Trash2 from "lucide-react/icons/trash-2";
 import TriangleAlert from "lucide-react/icons/triangle-alert";
@@ -104,24 +93,14 @@ import Undo2 from "lucide-react/icons/undo-2";
 import Upload from "lucide-react/icons/upload";
 import Users from "lucide-react/icons/users";
 import Variable from "lucide-react/icons/variable";
-import Vibrate from "lucide-react/icons/vibrate";
-import Warehouse from "lucide-react/icons/warehouse";
-import Wrench from "lucide-react/icons/wrench";
 import X from "lucide-react/icons/x";
 import Zap from "lucide-react/icons/zap";
 import ZoomIn from "lucide-react/icons/zoom-in";
 import ZoomOut from "lucide-react/icons/zoom-out";
-import ArrowRightLeft from "lucide-react/icons/arrow-right-left";
-import FileCode from "lucide-react/icons/file-code";
-import ListOrdered from "lucide-react/icons/list-ordered";
-import Rows3 from "lucide-react/icons/rows-3";
-import UserCheck from "lucide-react/icons/user-check";
-import Vote from "lucide-react/icons/vote";
 
 export const ICONS: Readonly<Record<string, LucideIcon>> = {
   ampersand: Ampersand,
   "arrow-down": ArrowDown,
-  "arrow-right": ArrowRight,
   "arrow-up": ArrowUp,
   ban: Ban,
   bell: Bell,
@@ -139,9 +118,6 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "circle-help": CircleHelp,
   "circle-slash-2": CircleSlash2,
   "circle-x": CircleX,
-  clapperboard: Clapperboard,
-  "clipboard-check": ClipboardCheck,
-  "clipboard-list": ClipboardList,
   "columns-2": Columns2,
   compass: Compass,
   copy: Copy,
@@ -151,18 +127,13 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "door-open": DoorOpen,
   ellipsis: Ellipsis,
   equal: Equal,
-  eraser: Eraser,
   dices: Dices,
   eye: Eye,
   file: File,
   flag: Flag,
-  footprints: Footprints,
   gauge: Gauge,
   "git-fork": GitFork,
-  grab: Grab,
   "graduation-cap": GraduationCap,
-  "grid-3x3": Grid3x3,
-  hand: Hand,
   hash: Hash,
   hourglass: Hourglass,
   image: ImageIcon,
@@ -179,14 +150,13 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "message-circle": MessageCircle,
   minus: Minus,
   "mouse-pointer-2": MousePointer2,
-  music: Music,
   "octagon-x": OctagonX,
   package: Package,
-  "package-minus": PackageMinus,
   "package-open": PackageOpen,
-  "package-plus": PackagePlus,
   palette: Palette,
   pause: Pause,
+  "pencil-off": PencilOff,
+  ruler: Ruler,
   pencil: Pencil,
   play: Play,
   plus: Plus,
@@ -199,7 +169,6 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "refresh-cw": RefreshCw,
   repeat: Repeat,
   "rotate-cw": RotateCw,
-  "scan-eye": ScanEye,
   search: Search,
   settings: Settings,
   signpost: Signpost,
@@ -210,7 +179,6 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   "step-back": StepBack,
   "step-forward": StepForward,
   timer: Timer,
-  "toggle-left": ToggleLeft,
   "toggle-right": ToggleRight,
   "trash-2": Trash2,
   "triangle-alert": TriangleAlert,
@@ -218,17 +186,8 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   upload: Upload,
   users: Users,
   variable: Variable,
-  vibrate: Vibrate,
-  warehouse: Warehouse,
-  wrench: Wrench,
   x: X,
   zap: Zap,
   "zoom-in": ZoomIn,
   "zoom-out": ZoomOut,
-  "arrow-right-left": ArrowRightLeft,
-  "file-code": FileCode,
-  "list-ordered": ListOrdered,
-  "rows-3": Rows3,
-  "user-check": UserCheck,
-  vote: Vote,
 };

@@ -15,6 +15,7 @@ from kitrobot.workspace import FoundExercise
 from kitrobot.workspace.judging import Judgement
 
 GoalKind = Literal["program", "run", "check"]
+JudgingName = Annotated[str, Field(max_length=100)]
 
 
 class ExerciseGoalShape(BaseModel):
@@ -41,11 +42,20 @@ class ExerciseShape(BaseModel):
 
 
 class JudgeShape(BaseModel):
-    """A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked."""
+    """A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked.
+    `judging` is a name by which it can be stopped.
+    """
 
     exercise: Annotated[str, Field(max_length=1000)]
     mission: MissionShape
     seed: Annotated[int, Field(ge=0, le=min(MAX_SEED, 2**53))] | None = None
+    judging: JudgingName = ""
+
+
+class StopJudgingShape(BaseModel):
+    """The name of the judging that is to be broken off."""
+
+    judging: JudgingName
 
 
 class GoalVerdictShape(BaseModel):

@@ -14,6 +14,8 @@ from pydantic import BaseModel, Field
 from kitrobot.world import (
     MAX_NUMBER,
     MAX_SIZE_MM,
+    Ball,
+    Box,
     ColouredLine,
     Corner,
     Dock,
@@ -127,6 +129,27 @@ class OwnStartShape(BaseModel):
     heading_deg: Annotated[float, Field(ge=-360, le=360, allow_inf_nan=False)]
 
 
+class OwnBoxShape(BaseModel):
+    """A box that can be pushed, around its middle."""
+
+    x_mm: Millimetres
+    y_mm: Millimetres
+    width_mm: Length
+    height_mm: Length
+    mass_g: Length
+    friction: Length
+
+
+class OwnBallShape(BaseModel):
+    """A ball that can be pushed, around its middle."""
+
+    x_mm: Millimetres
+    y_mm: Millimetres
+    radius_mm: Length
+    mass_g: Length
+    friction: Length
+
+
 class OwnWorldShape(BaseModel):
     """All of a world; `unknown` is XML that nobody knows, kept word for word."""
 
@@ -140,6 +163,8 @@ class OwnWorldShape(BaseModel):
     storehouses: Annotated[list[OwnStorehouseShape], Field(max_length=MOST_THINGS)]
     docks: Annotated[list[OwnDockShape], Field(max_length=MOST_THINGS)]
     starts: Annotated[list[OwnStartShape], Field(max_length=MOST_THINGS)]
+    boxes: Annotated[list[OwnBoxShape], Field(max_length=MOST_THINGS)] = []
+    balls: Annotated[list[OwnBallShape], Field(max_length=MOST_THINGS)] = []
     unknown: list[str]
     label: dict[str, str]
     help: dict[str, str]
@@ -191,6 +216,8 @@ def own_world_shape(world: World) -> OwnWorldShape:
             for one in world.docks
         ],
         starts=[_start_shape(one) for one in world.starts],
+        boxes=[OwnBoxShape(**vars(one)) for one in world.boxes],
+        balls=[OwnBallShape(**vars(one)) for one in world.balls],
         unknown=list(world.unknown),
         label=dict(world.label),
         help=dict(world.help),
@@ -215,6 +242,8 @@ def own_world(shape: OwnWorldShape) -> World:
             Dock(one.name, one.road, one.at_mm, one.reach_mm, one.storehouse, one.kind, one.side) for one in shape.docks
         ),
         starts=tuple(_start(one) for one in shape.starts),
+        boxes=tuple(Box(**one.model_dump()) for one in shape.boxes),
+        balls=tuple(Ball(**one.model_dump()) for one in shape.balls),
         unknown=tuple(shape.unknown),
         label=dict(shape.label),
         help=dict(shape.help),

@@ -9,6 +9,7 @@ from pydantic import BaseModel, Field, TypeAdapter
 from kitrobot.server.sentences import Clause, Spoken
 from kitrobot.server.shapes.mission import MissionShape
 from kitrobot.server.shapes.work import WorkMessage, WorkRefusedMessage
+from kitrobot.verifier import Confirmed
 from kitrobot.workspace.background_check import Answered, Checked, Explored
 from kitrobot.workspace.verification import MOST_FAILURES
 
@@ -73,6 +74,32 @@ class ConfirmingRunShape(BaseModel):
     failures: list[ConfirmingFailureShape]
 
 
+class StandShape(BaseModel):
+    """A robot in a scene; `at` are the vertices at which its program stands, each with the name of its program."""
+
+    x_mm: float
+    y_mm: float
+    heading_rad: float
+    at: list[tuple[str, str]]
+
+
+class SceneShape(BaseModel):
+    """What a run of the model looks like before a step; the robots are in the order of the mission's agents."""
+
+    step: int
+    robots: list[StandShape]
+
+
+class GuiltyShape(BaseModel):
+    """A vertex at which a property is broken, whose robot, what happens there, and whether it goes on for ever."""
+
+    agent: str
+    program: str
+    vertex: str
+    sentence: Spoken
+    repeats: bool
+
+
 class CheckedPropertyShape(BaseModel):
     """One answer: see `kitrobot.workspace.background_check.Answered`."""
 
@@ -85,6 +112,8 @@ class CheckedPropertyShape(BaseModel):
     left_out: int
     confirmed: ConfirmingRunShape | None
     searched: bool
+    scenes: list[SceneShape]
+    guilty: list[GuiltyShape]
 
 
 class VerifyColumnMessage(WorkMessage):
@@ -149,17 +178,45 @@ def _answer(one: Answered, tick_ms: int) -> CheckedPropertyShape:
         events=[CheckedEventShape(step=step, text=text) for step, text in one.story],
         left_out=one.left_out,
         searched=one.searched,
-        confirmed=None
-        if run is None
-        else ConfirmingRunShape(
-            seed=run.seed,
-            tick=run.tick,
-            seconds=run.tick * tick_ms / 1000,
-            failures=[
-                ConfirmingFailureShape.model_validate(
-                    {"agent": harm.agent, "at_s": harm.tick * tick_ms / 1000, "kind": harm.kind}
-                )
-                for harm in run.harms
-            ],
-        ),
+        scenes=[
+            SceneShape(
+                step=scene.step,
+                robots=[
+                    StandShape(
+                        x_mm=round(robot.x_mm, 1),
+                        y_mm=round(robot.y_mm, 1),
+                        heading_rad=round(robot.heading_rad, 3),
+                        at=list(robot.at),
+                    )
+                    for robot in scene.robots
+                ],
+            )
+            for scene in one.scenes
+        ],
+        guilty=[
+            GuiltyShape(
+                agent=found.agent,
+                program=found.vertex[0],
+                vertex=found.vertex[1],
+                sentence=found.sentence,
+                repeats=found.repeats,
+            )
+            for found in one.guilty
+        ],
+        confirmed=None if run is None else confirming_run_shape(run, tick_ms),
+    )
+
+
+def confirming_run_shape(run: Confirmed, tick_ms: int) -> ConfirmingRunShape:
+    """A run of the simulator that shows something, as the page plays it."""
+    return ConfirmingRunShape(
+        seed=run.seed,
+        tick=run.tick,
+        seconds=run.tick * tick_ms / 1000,
+        failures=[
+            ConfirmingFailureShape.model_validate(
+                {"agent": harm.agent, "at_s": harm.tick * tick_ms / 1000, "kind": harm.kind}
+            )
+            for harm in run.harms
+        ],
     )

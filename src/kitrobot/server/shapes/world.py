@@ -70,6 +70,16 @@ class StartPoseShape(BaseModel):
     heading_rad: float
 
 
+class ThingShape(BaseModel):
+    """Something that can be pushed, around its middle; of a ball width and height are its diameter."""
+
+    kind: Literal["box", "ball"]
+    x_mm: float
+    y_mm: float
+    width_mm: float
+    height_mm: float
+
+
 class WorldShape(BaseModel):
     """The place of a mission."""
 
@@ -83,6 +93,8 @@ class WorldShape(BaseModel):
     docks: list[DockShape]
     storehouses: list[StorehouseValue]
     starts: list[StartPoseShape]
+    things: list[ThingShape] = []
+    """Boxes and then balls, in the order of the frames of a run."""
 
 
 def world_shape(world: World) -> WorldShape:
@@ -120,6 +132,18 @@ def world_shape(world: World) -> WorldShape:
         docks=[_dock(world, dock) for dock in world.docks],
         storehouses=list(world.storehouses),
         starts=[_start(world, start) for start in world.starts],
+        things=[
+            *(
+                ThingShape(kind="box", x_mm=one.x_mm, y_mm=one.y_mm, width_mm=one.width_mm, height_mm=one.height_mm)
+                for one in world.boxes
+            ),
+            *(
+                ThingShape(
+                    kind="ball", x_mm=one.x_mm, y_mm=one.y_mm, width_mm=2 * one.radius_mm, height_mm=2 * one.radius_mm
+                )
+                for one in world.balls
+            ),
+        ],
     )
 
 

@@ -5,6 +5,7 @@
  * two frames, so painting goes on until they stand where the last frame says.
  */
 import type { World } from "../../model/types";
+import { drawnByPens } from "../../session/pen-marks";
 import { posesAt } from "../../session/poses";
 import { type Camera, fit, fitBox, type Room, toScreen, toWorld, zoomAt } from "./camera";
 import { readColours, type Colours } from "./colours";
@@ -12,7 +13,10 @@ import { CROWD } from "./crowd-size";
 import { type Boards, drawActors, ringOf, type Said, type Seldom } from "./draw-robots";
 import { type Brush, drawWorld, robotUnit, unitOf } from "./draw-world";
 import { contentOf } from "./geometry";
+import type * as OnFloorChunk from "./on-floor";
 import { lookAt, type Scene, type Seen } from "./scene";
+
+type OnFloor = typeof OnFloorChunk;
 
 const WALL_MARGIN = 26;
 /** How far from a robot a hand may be to take it, in px. */
@@ -47,6 +51,7 @@ export class Painter {
   private said: Said = { place: true, names: false };
   private layers: Layers | null = null;
   private fetching = false;
+  private onFloor: OnFloor | null = null;
   private carried: { name: string; x_mm: number; y_mm: number } | null = null;
 
   /** `seenFrom` is told where the eye is, whenever that changes; `margin` is the room around the world in px. */
@@ -258,9 +263,31 @@ export class Painter {
     }
     const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
+    this.drawOnFloor(brush, seen);
     const moves = this.layers?.under(brush, this.scene, seen) === true;
     drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom, this.said);
     if (this.layers?.over(brush, this.scene, seen) === true || moves || !still) this.paintSoon();
+  }
+
+  /** Fetches what draws there once there is something; a fetch that failed is tried again. */
+  private drawOnFloor(brush: Brush, seen: readonly Seen[]): void {
+    const scene = this.scene;
+    if (scene === null || (drawnByPens().marks.length === 0 && (scene.world.things ?? []).length === 0)) return;
+    if (this.onFloor !== null) {
+      this.onFloor.drawOnFloor(brush, scene, seen);
+      return;
+    }
+    if (this.fetching) return;
+    this.fetching = true;
+    void import("./on-floor")
+      .then((chunk) => {
+        this.onFloor = chunk;
+        this.paintSoon();
+      })
+      .catch(() => undefined)
+      .finally(() => {
+        this.fetching = false;
+      });
   }
 
   end(): void {

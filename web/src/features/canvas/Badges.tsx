@@ -4,8 +4,10 @@ import { moreWords, t } from "../../i18n/words";
 import type { LayoutNode } from "../../model/layout";
 import { otherNotes } from "../../model/notes";
 import { title } from "../../model/parts";
+import { shortName } from "../../model/short-name";
 import { useStudio } from "../../model/studio";
 import { complain } from "../../session/document";
+import { useMarkAt } from "../../session/guilty";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
@@ -14,6 +16,11 @@ import { NoteStrip } from "./Notes";
 import { useTroubled, useTroubles } from "./problem-badges";
 
 const Meeting = later(() => Promise.all([import("./Meeting"), moreWords()]).then(([chunk]) => chunk.Meeting), complain);
+
+const GuiltyVertex = later(
+  () => Promise.all([import("./GuiltyVertex"), moreWords()]).then(([chunk]) => chunk.GuiltyVertex),
+  complain,
+);
 
 /** Where members of the team wait for others, who is there and who is missing. */
 function MeetingAt({ vertex }: { vertex: string }) {
@@ -106,17 +113,14 @@ function Member({ at }: { at: number }) {
   );
 }
 
-/** The number at the end of a name, else the name. */
-export function shortName(name: string): string {
-  return /\d+$/.exec(name)?.[0] ?? name;
-}
-
 /** Told apart by shape, as in the list of problems; red is for STOP only. */
 const SIGNS = { error: "octagon-x", warning: "triangle-alert", hint: "lightbulb" } as const;
 
 export function Trouble({ id }: { id: string }) {
   const troubles = useTroubles(id);
+  const mark = useMarkAt(id);
   const [worst] = troubles;
+  if (mark !== undefined) return <GuiltyVertex mark={mark} />;
   if (worst === undefined) return null;
   const says = troubles.map(({ message, help }) => (help === "" ? message : `${message} ${help}`)).join("\n");
   return (

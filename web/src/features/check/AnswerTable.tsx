@@ -1,13 +1,12 @@
 /** The table of answers: a grid that keys walk in; a broken one opens its run. */
-import { type FocusEvent, type KeyboardEvent, type MouseEvent, useRef, useState } from "react";
+import { useEffect } from "react";
 
 import type { CheckedProperty, VerifyColumnMessage } from "../../api/generated";
-import { mirrored } from "../../i18n/language";
 import { decimal, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { Said } from "../../i18n/Said";
-import { type Cell, walkGrid } from "../../ui/grid";
-import { type Assumption, columnAt, sameAssumption, type Shape, shapeOf } from "./table";
+import { cellName, useGridWalk } from "../../ui/use-grid-walk";
+import { type Assumption, type Cell, columnAt, sameAssumption, type Shape, shapeOf } from "./table";
 import { useCheck } from "./verifying";
 
 function stepsWords({ steps, repeats_from: from }: CheckedProperty): string {
@@ -50,21 +49,12 @@ function Head({ assumption, column, now }: HeadProps) {
   );
 }
 
-function placeOf(target: EventTarget): Cell | null {
-  const cell = target instanceof Element ? target.closest<HTMLElement>("[data-cell]")?.dataset["cell"] : undefined;
-  if (cell === undefined) return null;
-  const [row = 0, column = 0] = cell.split(" ").map(Number);
-  return { row, column };
-}
-
 export function AnswerTable() {
   const plan = useCheck((check) => check.plan);
   const columns = useCheck((check) => check.columns);
   const busy = useCheck((check) => check.busy);
   const progress = useCheck((check) => check.progress);
   const open = useCheck((check) => check.open);
-  const [at, setAt] = useState<Cell>({ row: 0, column: 0 });
-  const table = useRef<HTMLTableElement>(null);
   const rows = columns[0]?.properties ?? [];
   const found = plan.map((_, place) => columnAt(plan, columns, place));
 
@@ -72,38 +62,16 @@ export function AnswerTable() {
     const answer = found[cell.column]?.properties[cell.row];
     useCheck.setState({ open: answer?.answer === "broken" ? cell : null });
   };
-  const pressed = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const enter = event.key === "Enter" || event.key === " ";
-    const size = { row: rows.length, column: plan.length };
-    const to = walkGrid(event.key, at, size, mirrored() ? "ArrowLeft" : "ArrowRight");
-    if (!enter && to === null) return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (enter) choose(at);
-    else table.current?.querySelector<HTMLElement>(`[data-cell="${String(to?.row)} ${String(to?.column)}"]`)?.focus();
-  };
-  const focused = (event: FocusEvent) => {
-    const place = placeOf(event.target);
-    if (place !== null) setAt(place);
-  };
-  const clicked = (event: MouseEvent) => {
-    const place = placeOf(event.target);
-    if (place !== null) choose(place);
-  };
+  const { at, table } = useGridWalk({ row: rows.length, column: plan.length }, choose);
+
+  useEffect(() => {
+    // The table is narrower beside a run. Not returned: newer browsers give a promise.
+    table.ref.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: "nearest", inline: "nearest" });
+  }, [open, table.ref]);
 
   return (
     <div className="check-scroll">
-      <table
-        className="check-table"
-        role="grid"
-        aria-label={t("check.table")}
-        data-testid="check-table"
-        ref={table}
-        onKeyDown={pressed}
-        onFocus={focused}
-        onClick={clicked}
-      >
+      <table className="check-table" role="grid" aria-label={t("check.table")} data-testid="check-table" {...table}>
         <thead>
           <tr>
             <th scope="col">{t("check.property")}</th>
@@ -133,7 +101,7 @@ export function AnswerTable() {
                   <td
                     key={column}
                     className="check-answer"
-                    data-cell={`${String(row)} ${String(column)}`}
+                    data-cell={cellName({ row, column })}
                     data-testid={`answer-${name}-${assumption.timing}-${String(assumption.failures)}`}
                     data-shape={shape}
                     tabIndex={at.row === row && at.column === column ? 0 : -1}

@@ -5,12 +5,19 @@ import type { CheckedEvent, CheckedProperty, ConfirmingRun } from "../../api/gen
 import { clock, grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { isHeldByRobots } from "../../session/confirming-run";
+import { useGuilty } from "../../session/guilty";
 import { useRun } from "../../session/run";
+import { closeTeam } from "../../session/team-view";
+import { useView } from "../../session/view";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
-import { type Cell, stretches } from "./table";
+import { StepArena } from "./StepArena";
+import { type Cell, guiltyMarks, stretches } from "./table";
 import { assumptionWords } from "./Verdict";
-import { answerAt, isHeldByRobots, play, useCheck } from "./verifying";
+import { answerAt, play, useCheck } from "./verifying";
+import "./broken-run.css";
 
 export function BrokenRun({ cell }: { cell: Cell }) {
   const shown = answerAt(
@@ -23,9 +30,24 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   const place = useRef<HTMLElement>(null);
   useEffect(() => {
     // Not returned: newer browsers give a promise.
-    place.current?.scrollIntoView({ block: "nearest" });
+    place.current?.scrollIntoView({ block: "start" });
   }, []);
-  if (shown === null) return null;
+  const mission = useCheck((check) => check.asked?.mission);
+  const wrong = shown?.answer;
+  useEffect(() => {
+    if (wrong === undefined || mission === undefined) return;
+    const marks = guiltyMarks(
+      wrong,
+      mission.agents.map(({ name }) => name),
+    );
+    useGuilty.setState({ marks });
+    return () => useGuilty.setState({ marks: [] });
+  }, [wrong, mission]);
+  const first = wrong?.guilty[0];
+  useEffect(() => {
+    if (first !== undefined) showVertex(first.program, first.vertex);
+  }, [first?.program, first?.vertex]); // eslint-disable-line react-hooks/exhaustive-deps
+  if (shown === null || mission === undefined) return null;
   const { answer, column } = shown;
   return (
     <section className="check-run" ref={place} data-testid="check-run" aria-label={t("check.run")}>
@@ -43,9 +65,21 @@ export function BrokenRun({ cell }: { cell: Cell }) {
         <Said text={answer.sentence} />
       </p>
       <Seen answer={answer} />
+      {answer.confirmed === null ? <StepArena answer={answer} mission={mission} /> : null}
       <Story answer={answer} />
     </section>
   );
+}
+
+/** Brings a vertex into view, where the mission still has it. */
+function showVertex(program: string, vertex: string): void {
+  const { mission, setActiveProgram } = useStudio.getState();
+  const there = mission.programs.find(({ name }) => name === program)?.vertices.some(({ id }) => id === vertex);
+  if (there !== true) return;
+  closeTeam();
+  setActiveProgram(program);
+  // The canvas draws the other program first.
+  requestAnimationFrame(() => useView.getState().viewport?.reveal(vertex));
 }
 
 function failureWords({ agent, at_s, kind }: ConfirmingRun["failures"][number]): string {
@@ -62,6 +96,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
     const words = searched ? t("check.not-reproduced") : busy ? t("check.searching") : t("check.not-searched");
     return (
       <p className="check-seen" data-testid="check-seen" data-confirmed="false">
+        <span className="check-dashed" aria-hidden="true" />
         {words}
       </p>
     );

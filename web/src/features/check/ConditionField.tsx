@@ -1,5 +1,6 @@
 /** A condition as text, with what may stand next in a list that arrows walk and Enter takes. */
 import { type KeyboardEvent, useEffect, useId, useRef, useState } from "react";
+import { flushSync } from "react-dom";
 
 import { useStudio } from "../../model/studio";
 import { type Suggestion, suggest } from "./suggest";
@@ -35,9 +36,12 @@ export function ConditionField({ label, testId, value, keep }: FieldProps) {
     const caret = field.current?.selectionStart ?? text.length;
     const after = text.slice(0, row.from) + row.text + text.slice(caret);
     const place = row.from + row.text.length;
-    setText(after);
-    look(after, place);
-    requestAnimationFrame(() => field.current?.setSelectionRange(place, place));
+    // At once, and the caret with it: the next letter may be there before the page is drawn again.
+    flushSync(() => {
+      setText(after);
+      look(after, place);
+    });
+    field.current?.setSelectionRange(place, place);
   };
   const pressed = (event: KeyboardEvent) => {
     const open = rows.length > 0;

@@ -1,5 +1,6 @@
 /** Check: what can go wrong in the mission, whatever the order of events; a broken property is played as a run. */
 import { moreWords, t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
 import { useBelow } from "../../session/below";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
@@ -18,9 +19,29 @@ function CheckDock() {
 
 const open = () => useBelow.setState({ open: "check" });
 
+/** The check while one draws is fetched at the first edit. */
+function start(): () => void {
+  let over = false;
+  let end = useStudio.subscribe((state, before) => {
+    if (state.mission === before.mission || state.change.kind === "open") return;
+    end();
+    import("./drawing").then(
+      ({ checkWhileDrawing }) => {
+        if (!over) end = checkWhileDrawing();
+      },
+      () => undefined,
+    );
+  });
+  return () => {
+    over = true;
+    end();
+  };
+}
+
 export const check: Feature = {
   name: "check",
   slots: { below: CheckDock },
   commands: { check: open },
+  start,
   useMenu: () => ({ sweep: [menuItem("run-check", t("run.check"), keyFor.page("check"), open)] }),
 };

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 
 import type { CheckedProperty, ConfirmingRun } from "../../api/generated";
-import { plan, shapeOf, stretches } from "./table";
-import { withFailures } from "./verifying";
+import { withFailures } from "../../session/confirming-run";
+import { guiltyMarks, plan, sceneAfter, shapeOf, stretches } from "./table";
 
 const BROKEN: CheckedProperty = {
   name: "contact",
@@ -14,6 +14,8 @@ const BROKEN: CheckedProperty = {
   left_out: 0,
   confirmed: null,
   searched: true,
+  scenes: [],
+  guilty: [],
 };
 
 test("assumptions go from the fast to the thorough", () => {
@@ -57,4 +59,42 @@ test("a run is played with what befell agents among the failures on the schedule
   expect(mission.failures).toEqual([later]);
   const { failures: _, ...plain } = mission;
   expect(withFailures(plain, { ...run, failures: [] })).toBe(plain);
+});
+
+const at = (vertex: string) => ({ x_mm: 0, y_mm: 0, heading_rad: 0, at: [["p", vertex]] as [string, string][] });
+const LASSO: CheckedProperty = {
+  ...BROKEN,
+  repeats_from: 1,
+  scenes: [
+    { step: 0, robots: [at("v1"), at("v9")] },
+    { step: 1, robots: [at("v2"), at("v8")] },
+    { step: 2, robots: [at("v3"), at("v9")] },
+    { step: 3, robots: [at("v2"), at("v9")] },
+  ],
+  guilty: [
+    { agent: "a", program: "p", vertex: "v2", sentence: "a waits", repeats: true },
+    { agent: "b", program: "p", vertex: "v9", sentence: "b waits", repeats: true },
+  ],
+};
+
+test("scenes play to the last one, and what repeats goes on from where it began", () => {
+  expect([0, 1, 2, 3].map((place) => sceneAfter(LASSO, place))).toEqual([1, 2, 3, 2]);
+  expect(sceneAfter({ ...LASSO, repeats_from: -1 }, 3)).toBeNull();
+  expect(sceneAfter({ ...LASSO, repeats_from: 3 }, 3), "it stays as it is").toBeNull();
+});
+
+test("guilty vertices have their robots and one sentence a program, and vertices on the way the steps that come to them", () => {
+  const found = guiltyMarks(LASSO, ["a", "b"]).map(({ vertex, sentence, robots, steps }) => [
+    vertex,
+    sentence,
+    robots.join(),
+    steps.join(),
+  ]);
+  expect(found).toEqual([
+    ["v2", "a waits", "a", "1,3"],
+    ["v9", "", "b", "2"],
+    ["v8", "", "", "1"],
+    ["v3", "", "", "2"],
+  ]);
+  expect(guiltyMarks(BROKEN, ["a"])).toEqual([]);
 });

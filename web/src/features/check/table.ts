@@ -1,5 +1,6 @@
 /** The table of a check: a row for each property, a column for each assumption. */
 import type { CheckedEvent, CheckedProperty, VerifyColumnMessage } from "../../api/generated";
+import type { GuiltyMark } from "../../session/guilty";
 import type { Cell } from "../../ui/grid";
 
 export type { Cell };
@@ -62,4 +63,47 @@ export function stretches({ events, repeats_from }: CheckedProperty): Stretch[] 
     { repeats: false, events: events.filter(({ step }) => step < repeats_from) },
     { repeats: true, events: events.filter(({ step }) => step >= repeats_from) },
   ];
+}
+
+/** The scene that follows one, by their places; what repeats goes on from where it began. Null after the last. */
+export function sceneAfter({ scenes, repeats_from }: CheckedProperty, at: number): number | null {
+  if (at + 1 < scenes.length) return at + 1;
+  const again = scenes.findIndex(({ step }) => step === repeats_from + 1);
+  return repeats_from < 0 || again < 0 || again > at ? null : again;
+}
+
+/** The last steps of a run before its end that are told on the graph. */
+const TOLD = 14;
+
+/** What the graph shows of a run: where the property is broken, and the vertices that those robots come to. */
+export function guiltyMarks({ guilty, scenes, steps }: CheckedProperty, agents: readonly string[]): GuiltyMark[] {
+  const marks = new Map<string, GuiltyMark>();
+  const at = (program: string, vertex: string): GuiltyMark => {
+    const key = `${program}\n${vertex}`;
+    const found = marks.get(key) ?? { program, vertex, sentence: "", robots: [], repeats: false, steps: [] };
+    marks.set(key, found);
+    return found;
+  };
+  const put = (mark: GuiltyMark) => marks.set(`${mark.program}\n${mark.vertex}`, mark);
+  const told = new Set<string>();
+  for (const { agent, program, vertex, sentence, repeats } of guilty) {
+    const mark = at(program, vertex);
+    // One sentence in each program: several would lie on each other.
+    const words = told.has(program) ? mark.sentence : sentence;
+    told.add(program);
+    put({ ...mark, sentence: words, repeats: mark.repeats || repeats, robots: [...mark.robots, agent] });
+  }
+  const robots = agents.flatMap((name, place) => (guilty.some(({ agent }) => agent === name) ? [place] : []));
+  scenes.forEach((scene, place) => {
+    if (place === 0 || scene.step <= steps - TOLD) return;
+    for (const robot of robots) {
+      const before = scenes[place - 1]?.robots[robot]?.at ?? [];
+      for (const [program, vertex] of scene.robots[robot]?.at ?? []) {
+        if (before.some(([one, other]) => one === program && other === vertex)) continue;
+        const mark = at(program, vertex);
+        if (!mark.steps.includes(scene.step)) put({ ...mark, steps: [...mark.steps, scene.step] });
+      }
+    }
+  });
+  return [...marks.values()];
 }

@@ -19,15 +19,12 @@ import { beginWork, type Work } from "../../api/work";
 import type { WhyRefused } from "../../components/Refused";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import type { Mission } from "../../model/types";
-import { isLive, useRun } from "../../session/run";
+import { isHeldByRobots, playConfirming } from "../../session/confirming-run";
+import { useRun } from "../../session/run";
 import { type Assumption, type Cell, columnAt, plan, sameAssumption } from "./table";
 
 type Message = VerifyProgressMessage | VerifyColumnMessage | VerifyEndMessage | WorkRefusedMessage;
 type Asked = Omit<VerifyStartRequest, "type">;
-
-/** Simulated seconds of a run in which the server looks for what is broken: those that are played take as long. */
-const RUN_S = 600;
 
 interface Checking {
   /** What was asked; null before the first check. */
@@ -119,42 +116,12 @@ export function answerAt(
   return column === undefined || answer === undefined ? null : { column, answer };
 }
 
-/** Whether nothing can be played now: real robots go on at their own pace, and are not left to themselves. */
-export function isHeldByRobots(): boolean {
-  const { real, status } = useRun.getState();
-  return real && isLive(status);
-}
-
-/** The mission with what befell agents in a run on its schedule. */
-export function withFailures(mission: Mission, run: ConfirmingRun): Mission {
-  const failures = [...(mission.failures ?? []), ...run.failures];
-  return failures.length === 0 ? mission : { ...mission, failures: failures.sort((a, b) => a.at_s - b.at_s) };
-}
-
-let following: (() => void) | null = null;
-
-/** Plays the run that breaks a property, as fast as it goes up to the moment in which it does, where it pauses. */
+/** Plays the run that breaks a property, up to the moment in which it does. */
 export function play(run: ConfirmingRun): void {
   const { asked } = useCheck.getState();
   if (asked === null || isHeldByRobots()) return;
-  following?.();
   useCheck.setState({ played: run });
-  const { path, mission } = asked;
-  const changed = withFailures(mission, run);
-  const like = { mission: changed, seed: run.seed, speed: 0, fail_rate: 0, seconds: RUN_S };
-  useRun.getState().start({ mission, path }, like);
-  const end = useRun.subscribe((now) => {
-    if (now.status === "connecting") return;
-    const there = now.tick >= run.tick;
-    if (now.status === "running" && !there) return;
-    end();
-    following = null;
-    if (!there) return;
-    now.pause();
-    now.seek(run.tick);
-    now.setSpeed(now.speed);
-  });
-  following = end;
+  playConfirming(asked, run);
 }
 
 useStudio.subscribe((studio, before) => {

@@ -1,8 +1,8 @@
 /**
  * The exercise that is open: entered with its mission, judged after each run and on demand, left with its mission.
  *
- * Judging asks the server for one piece after another (`marks.ts`), so it can be stopped between them. The marks are of the
- * mission as it was asked about; an edit makes them old and stops what is under way.
+ * Judging asks the server for one piece after another (`marks.ts`). Stop asks for no more, and the piece that is on answers
+ * with what it has found. The marks are of the mission as it was asked about; an edit makes them old and stops what is under way.
  */
 import { create } from "zustand";
 
@@ -45,6 +45,9 @@ export const useExercise = create<ExerciseState>(() => ({ all: null, ...NOTHING 
 
 const set = useExercise.setState;
 let asking = new AbortController();
+/** The name of the judging that is on, and whether it is to end. */
+let judging = "";
+let stopping = false;
 
 /** Asks which exercises there are; a folder may have got another one. */
 export async function lookForExercises(): Promise<void> {
@@ -78,22 +81,40 @@ export function leave(): void {
 }
 
 function reset(): void {
-  asking.abort();
+  drop();
   set(NOTHING);
+}
+
+/** Nobody waits for the judging that is on any more. */
+function drop(): void {
+  if (useExercise.getState().busy !== null) askToStop();
+  asking.abort();
+}
+
+function askToStop(): void {
+  stopping = true;
+  // Where the server does not hear it, the piece that is on ends by itself.
+  exerciseApi.stop(judging).catch(() => undefined);
 }
 
 async function judge(seeds: readonly (number | null)[], basis: Basis, of: Mission): Promise<void> {
   const exercise = openExercise();
   if (exercise === null) return;
-  asking.abort();
+  drop();
   const mine = (asking = new AbortController());
+  const name = (judging = String(Math.random()));
+  stopping = false;
   set({ marks: noMarks(exercise), basis: { kind: "none" }, old: false, busy: { done: 0, total: seeds.length } });
   try {
     for (const [done, seed] of seeds.entries()) {
-      const { goals, mission } = await exerciseApi.judge(exercise.name, of, seed, mine.signal);
+      const { goals, mission } = await exerciseApi.judge(exercise.name, of, seed, name, mine.signal);
       if (mine.signal.aborted) return;
       const marks = withVerdicts(useExercise.getState().marks, goals);
       set({ marks, judged: mission, busy: { done: done + 1, total: seeds.length } });
+      if (isStopping()) {
+        set({ basis: { kind: "stopped" }, busy: null });
+        return;
+      }
     }
     set({ basis, busy: null });
   } catch (cause) {
@@ -112,8 +133,12 @@ export function judgeAll(): void {
 
 /** What was found until now stays. */
 export function stopJudging(): void {
-  asking.abort();
-  set({ busy: null, basis: { kind: "stopped" } });
+  if (useExercise.getState().busy !== null) askToStop();
+}
+
+// As a function, so that what is awaited may change it.
+function isStopping(): boolean {
+  return stopping;
 }
 
 /** Whether a run cannot be played now: real robots are not left to themselves. */
@@ -164,7 +189,7 @@ export function keepExercise(): () => void {
   const onFocus = () => void lookForExercises();
   window.addEventListener("focus", onFocus);
   return () => {
-    asking.abort();
+    drop();
     offStudio();
     offRun();
     window.removeEventListener("focus", onFocus);

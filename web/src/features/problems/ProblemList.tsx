@@ -5,8 +5,10 @@ import { grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { sentence, t } from "../../i18n/words";
 import type { Problem } from "../../model/types";
+import { isHeldByRobots, runOf } from "../../session/confirming-run";
 import { applyFix, canFix } from "../../session/fixes";
 import { goTo, useProblemList, useProblems } from "../../session/problem-walk";
+import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 
@@ -22,6 +24,8 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
   useEffect(() => {
     if (current) button.current?.scrollIntoView({ block: "nearest" });
   }, [current]);
+  const play = runOf(problem);
+  const held = useRun(isHeldByRobots);
   const place = problem.program !== "" ? problem.program : (problem.file.split(/[\\/]/).at(-1) ?? "");
   return (
     <li className="problem-row">
@@ -58,6 +62,23 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
         </span>
         <code className="problem-code">{problem.code}</code>
       </button>
+      {play === null ? null : (
+        <button
+          type="button"
+          className="problem-fix"
+          data-testid={`show-${String(index + 1)}`}
+          disabled={held}
+          title={held ? t("check.real") : undefined}
+          aria-label={t("problems.show-run-of", { message: sentence(problem.message) })}
+          onClick={() => {
+            goTo(problem);
+            play();
+          }}
+        >
+          <Icon name="play" size={14} />
+          {t("problems.show-run")}
+        </button>
+      )}
       {canFix(problem) ? (
         <button
           type="button"

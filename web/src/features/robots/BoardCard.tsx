@@ -23,34 +23,9 @@ import {
   watchBoard,
 } from "./actions";
 import { isMine, type Place, programFor, useBoards } from "./boards";
+import { Act, Sending, TroubleBox, WayOut } from "./parts";
 import { playRecording, saveRecording } from "./recording";
 import type { Board } from "./wire";
-
-interface ActProps {
-  icon: string;
-  label: string;
-  testId: string;
-  onPress: () => void;
-  ink?: boolean;
-  disabled?: boolean;
-  title?: string;
-}
-
-function Act({ icon, label, testId, onPress, ink = false, disabled = false, title }: ActProps) {
-  return (
-    <button
-      type="button"
-      className={ink ? "button button-ink" : "button"}
-      data-testid={testId}
-      disabled={disabled}
-      title={title}
-      onClick={onPress}
-    >
-      <Icon name={icon} size={14} />
-      {label}
-    </button>
-  );
-}
 
 function SmallTool({
   icon,
@@ -108,19 +83,6 @@ function Stands({ board }: { board: Board }) {
   );
 }
 
-function Progress({ board }: { board: Board }) {
-  const label = useId();
-  if (board.phase !== "sending") return null;
-  const { step, done, total } = board.progress ?? { step: "connect" as const, done: 0, total: 0 };
-  return (
-    <div className="robot-progress" data-testid="robot-progress">
-      <span id={label}>{t(`boards.step-${step}`)}</span>
-      <progress aria-labelledby={label} value={total > 0 ? done : undefined} max={Math.max(total, 1)} />
-      <Act icon="x" label={t("boards.cancel")} testId="robot-cancel" onPress={() => cancelSending(board.address)} />
-    </div>
-  );
-}
-
 function Fault({ board }: { board: Board }) {
   const { fault } = board;
   if (fault === null) return null;
@@ -155,35 +117,21 @@ function Trouble({ address, board }: { address: string; board: Board | null }) {
   if (said === null) return null;
   const [first] = said.problems;
   return (
-    <div className="robot-trouble" role="alert" data-testid="robot-trouble">
-      <Icon name="triangle-alert" size={16} />
-      <p>
-        <strong>
-          <Said text={said.message} />
-        </strong>{" "}
-        <Said text={said.help} />
-        {first === undefined ? null : (
-          <button
-            type="button"
-            className="robot-link"
-            data-testid="robot-problems"
-            onClick={() => useProblemList.setState({ open: true, at: 0 })}
-          >
-            {t("boards.problems", { count: said.problems.length })}
-          </button>
-        )}
-        {refused !== undefined || board === null || board.way === "" ? null : (
-          <button
-            type="button"
-            className="robot-link"
-            data-testid={`robot-${board.way}`}
-            onClick={() => sendTo(address, "ready", board.way)}
-          >
-            {t(`boards.${board.way}`)}
-          </button>
-        )}
-      </p>
-    </div>
+    <TroubleBox said={said} testId="robot-trouble">
+      {first === undefined ? null : (
+        <button
+          type="button"
+          className="robot-link"
+          data-testid="robot-problems"
+          onClick={() => useProblemList.setState({ open: true, at: 0 })}
+        >
+          {t("boards.problems", { count: said.problems.length })}
+        </button>
+      )}
+      {refused !== undefined || board === null ? null : (
+        <WayOut way={board.way} of="robot" onPress={(way) => sendTo(address, "ready", way)} />
+      )}
+    </TroubleBox>
   );
 }
 
@@ -334,7 +282,11 @@ export function BoardCard({ place }: { place: Place }) {
         ) : null}
       </div>
       {board === null ? null : <Stands board={board} />}
-      {board === null ? null : <Progress board={board} />}
+      {board?.phase === "sending" ? (
+        <Sending progress={board.progress} testId="robot-progress">
+          <Act icon="x" label={t("boards.cancel")} testId="robot-cancel" onPress={() => cancelSending(address)} />
+        </Sending>
+      ) : null}
       {board === null ? null : <Fault board={board} />}
       <Trouble address={address} board={board} />
       {mine ? (

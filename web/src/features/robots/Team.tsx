@@ -9,8 +9,8 @@ import { Said } from "../../i18n/Said";
 import { type Key, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { stopEverything } from "../../session/features";
-import { Icon } from "../../theme";
 import { useBoards } from "./boards";
+import { Act, Sending, TroubleBox, WayOut } from "./parts";
 import { keepShown } from "./shown";
 import { showRobots } from "./state";
 import {
@@ -43,18 +43,6 @@ function stateWords(standing: TeamAgent | undefined): string {
   return standing.state === "idle" ? "" : t(`crew.state-${standing.state}`);
 }
 
-function Sending({ standing }: { standing: TeamAgent }) {
-  const label = useId();
-  if (standing.state !== "sending") return null;
-  const { step, done, total } = standing.progress ?? { step: "connect" as const, done: 0, total: 0 };
-  return (
-    <div className="robot-progress" data-testid="crew-progress">
-      <span id={label}>{t(`boards.step-${step}`)}</span>
-      <progress aria-labelledby={label} value={total > 0 ? done : undefined} max={Math.max(total, 1)} />
-    </div>
-  );
-}
-
 /** What it said last, or what went wrong with it. */
 function Message({ standing }: { standing: TeamAgent }) {
   if (standing.message === "") return null;
@@ -65,25 +53,9 @@ function Message({ standing }: { standing: TeamAgent }) {
       </p>
     );
   return (
-    <div className="robot-trouble" role="alert" data-testid="crew-trouble">
-      <Icon name="triangle-alert" size={16} />
-      <p>
-        <strong>
-          <Said text={standing.message} />
-        </strong>{" "}
-        <Said text={standing.help} />
-        {standing.way === "" ? null : (
-          <button
-            type="button"
-            className="robot-link"
-            data-testid={`crew-${standing.way}`}
-            onClick={() => sendToAll({ [standing.name]: standing.way })}
-          >
-            {t(`boards.${standing.way}`)}
-          </button>
-        )}
-      </p>
-    </div>
+    <TroubleBox said={standing} testId="crew-trouble">
+      <WayOut way={standing.way} of="crew" onPress={(way) => sendToAll({ [standing.name]: way })} />
+    </TroubleBox>
   );
 }
 
@@ -116,7 +88,7 @@ function Member({ name, disabled }: { name: string; disabled: boolean }) {
         </select>
         <span className="crew-state">{stateWords(standing)}</span>
       </div>
-      {standing === undefined ? null : <Sending standing={standing} />}
+      {standing?.state === "sending" ? <Sending progress={standing.progress} testId="crew-progress" /> : null}
       {standing === undefined ? null : <Message standing={standing} />}
     </li>
   );
@@ -134,50 +106,8 @@ function Status({ team, other }: { team: Team | null; other: boolean }) {
         {other && phase !== null ? <span>{t("crew.other", { mission: team?.path ?? "" })}</span> : null}
         {trouble === null && team !== null && !other && team.message !== "" ? <Said text={team.message} /> : null}
       </p>
-      {trouble === null ? null : (
-        <div className="robot-trouble" role="alert" data-testid="crew-refused">
-          <Icon name="triangle-alert" size={16} />
-          <p>
-            <strong>
-              <Said text={trouble.message} />
-            </strong>{" "}
-            <Said text={trouble.help} />
-          </p>
-        </div>
-      )}
+      {trouble === null ? null : <TroubleBox said={trouble} testId="crew-refused" />}
     </>
-  );
-}
-
-function Button({
-  icon,
-  label,
-  id,
-  on,
-  ink = false,
-  disabled = false,
-  title,
-}: {
-  icon: string;
-  label: string;
-  id: string;
-  on: () => void;
-  ink?: boolean;
-  disabled?: boolean;
-  title?: string;
-}) {
-  return (
-    <button
-      type="button"
-      className={ink ? "button button-ink" : "button"}
-      data-testid={id}
-      disabled={disabled}
-      title={title}
-      onClick={on}
-    >
-      <Icon name={icon} size={14} />
-      {label}
-    </button>
   );
 }
 
@@ -186,29 +116,29 @@ function Acts({ team, boards, ready }: { team: Team | null; boards: number; read
   if (busy && team?.phase !== "sending")
     return (
       <div className="robot-acts">
-        <Button ink icon="square" label={t("crew.stop")} id="crew-stop" on={stopEverything} />
-        <Button icon="eye" label={t("crew.watch")} id="crew-watch" on={() => showRobots(false)} />
+        <Act ink icon="square" label={t("crew.stop")} testId="crew-stop" onPress={stopEverything} />
+        <Act icon="eye" label={t("crew.watch")} testId="crew-watch" onPress={() => showRobots(false)} />
       </div>
     );
   return (
     <div className="robot-acts">
-      {busy ? <Button icon="x" label={t("boards.cancel")} id="crew-cancel" on={cancelTeam} /> : null}
-      <Button
+      {busy ? <Act icon="x" label={t("boards.cancel")} testId="crew-cancel" onPress={cancelTeam} /> : null}
+      <Act
         ink
         icon="play"
         label={t("crew.start")}
-        id="crew-start"
+        testId="crew-start"
         title={t("crew.start-help")}
         disabled={busy || !ready}
-        on={startTeam}
+        onPress={startTeam}
       />
-      <Button
+      <Act
         icon="upload"
         label={t("crew.send")}
-        id="crew-send"
+        testId="crew-send"
         title={t("crew.send-help")}
         disabled={busy || !ready || boards === 0}
-        on={() => sendToAll()}
+        onPress={() => sendToAll()}
       />
     </div>
   );
@@ -231,6 +161,8 @@ export function TeamPart() {
       <p className="robots-note">
         {tooMany ? t("crew.too-many", { most: MOST_AGENTS, count: agents.length }) : t("crew.about")}
       </p>
+      <Status team={team} other={other} />
+      <Acts team={team} boards={boards} ready={you !== "" && !tooMany} />
       {tooMany ? null : (
         <ul className="crew-list">
           {agents.map(({ name }) => (
@@ -238,8 +170,6 @@ export function TeamPart() {
           ))}
         </ul>
       )}
-      <Status team={team} other={other} />
-      <Acts team={team} boards={boards} ready={you !== "" && !tooMany} />
     </section>
   );
 }

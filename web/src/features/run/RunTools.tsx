@@ -1,6 +1,7 @@
 /** The tools of the run: begin, pause, step, stop, and its speed. */
 import { t } from "../../i18n/words";
 import { pause, run, stepVertex } from "../../session/actions";
+import { useDocument } from "../../session/document";
 import { stopEverything } from "../../session/features";
 import { keyFor } from "../../session/key-table";
 import { can, isLive, useRun } from "../../session/run";
@@ -15,13 +16,14 @@ export function RunTools() {
   // What another page steers is not paused here, whatever it does there.
   const paused = status === "paused" && !watching;
   const live = isLive(status);
+  const choosing = useDocument(({ overlay }) => overlay === "new");
   return (
     <>
       <button
         type="button"
         className="run-button"
         data-testid="run-button"
-        disabled={live && !paused}
+        disabled={(live && !paused) || choosing}
         title={`${paused ? t("run.resume") : t("run.run")} (${keyFor.page("run")})`}
         onClick={run}
       >

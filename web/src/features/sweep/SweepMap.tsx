@@ -1,15 +1,15 @@
 /** The map itself: a grid of fields that keys walk in and that plays whichever is chosen, with its legend above. */
-import { type FocusEvent, type KeyboardEvent, memo, type MouseEvent, useMemo, useRef, useState } from "react";
+import { memo, useMemo } from "react";
 
 import type { SweepField } from "../../api/generated";
-import { mirrored } from "../../i18n/language";
 import { axisTime, clock, grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
-import { countsOf, ENDINGS, type Place, rowsOf, SIGNS, walk } from "./map";
+import { cellName, useGridWalk } from "../../ui/use-grid-walk";
+import { countsOf, ENDINGS, rowsOf, SIGNS } from "./map";
 import { isHeldByRobots, play, type Swept, useSweep } from "./sweeping";
 
 /** Of so many columns one has its time above it. */
@@ -45,7 +45,7 @@ const Row = memo(function Row({ agent, at, moments, fields, current, played }: R
             key={moment}
             className="sweep-field"
             data-ending={ending}
-            data-field={`${String(at)} ${String(moment)}`}
+            data-cell={cellName({ row: at, column: moment })}
             data-testid={`field-${String(at)}-${String(moment)}`}
             data-played={moment === played}
             tabIndex={moment === current ? 0 : -1}
@@ -61,48 +61,17 @@ const Row = memo(function Row({ agent, at, moments, fields, current, played }: R
   );
 });
 
-function placeOf(target: EventTarget): Place | null {
-  const field = target instanceof Element ? target.closest<HTMLElement>("[data-field]")?.dataset["field"] : undefined;
-  if (field === undefined) return null;
-  const [agent = 0, moment = 0] = field.split(" ").map(Number);
-  return { agent, moment };
-}
-
 export function SweepMap({ swept }: { swept: Swept }) {
   const { map, asked } = swept;
   const rows = useMemo(() => rowsOf(map), [map]);
   const counts = useMemo(() => countsOf(map), [map]);
-  const [at, setAt] = useState<Place>({ agent: 0, moment: 0 });
+  const size = { row: map.agents.length, column: map.moments.length };
+  const { at: cell, table } = useGridWalk(size, ({ row, column }) => play({ agent: row, moment: column }));
+  const at = { agent: cell.row, moment: cell.column };
   const played = useSweep((sweep) => sweep.played);
   const held = useRun(isHeldByRobots);
   const changed = useStudio(({ mission }) => mission !== asked.mission);
-  const table = useRef<HTMLTableElement>(null);
   const field = rows[at.agent]?.[at.moment] ?? null;
-
-  const pressed = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    if (event.key === "Enter" || event.key === " ") {
-      event.preventDefault();
-      event.stopPropagation();
-      play(at);
-      return;
-    }
-    const size = { agent: map.agents.length, moment: map.moments.length };
-    const to = walk(event.key, at, size, mirrored() ? "ArrowLeft" : "ArrowRight");
-    if (to === null) return;
-    event.preventDefault();
-    event.stopPropagation();
-    const next = table.current?.querySelector<HTMLElement>(`[data-field="${String(to.agent)} ${String(to.moment)}"]`);
-    next?.focus();
-  };
-  const focused = (event: FocusEvent) => {
-    const place = placeOf(event.target);
-    if (place !== null) setAt(place);
-  };
-  const clicked = (event: MouseEvent) => {
-    const place = placeOf(event.target);
-    if (place !== null) play(place);
-  };
 
   return (
     <div className="sweep-found">
@@ -137,10 +106,7 @@ export function SweepMap({ swept }: { swept: Swept }) {
           aria-label={t("sweep.map")}
           aria-describedby="sweep-how"
           data-testid="sweep-map"
-          ref={table}
-          onKeyDown={pressed}
-          onFocus={focused}
-          onClick={clicked}
+          {...table}
         >
           <thead>
             <tr>

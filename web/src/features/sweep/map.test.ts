@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import type { SweepMapMessage } from "../../api/generated";
-import { countsOf, rowsOf, walk } from "./map";
+import { countsOf, rowsOf } from "./map";
 import { withFailure } from "./sweeping";
 
 const MAP: SweepMapMessage = {
@@ -24,17 +24,6 @@ test("each robot has a row, and what was not run is empty there and counted", ()
     ["", "", "stuck"],
   ]);
   expect(countsOf(MAP)).toEqual({ done: 1, failed: 0, stuck: 1, time: 0, none: 4 });
-});
-
-test("keys walk to the edges and no further, and turn with the way of writing", () => {
-  const size = { agent: 2, moment: 3 };
-  const from = { agent: 0, moment: 2 };
-  expect(walk("ArrowRight", from, size, "ArrowRight")).toEqual(from);
-  expect(walk("ArrowRight", from, size, "ArrowLeft")).toEqual({ agent: 0, moment: 1 });
-  expect(walk("ArrowDown", from, size, "ArrowRight")).toEqual({ agent: 1, moment: 2 });
-  expect(walk("Home", from, size, "ArrowRight")).toEqual({ agent: 0, moment: 0 });
-  expect(walk("PageDown", from, size, "ArrowRight")).toEqual({ agent: 1, moment: 2 });
-  expect(walk("a", from, size, "ArrowRight")).toBeNull();
 });
 
 test("a field is played with its failure among those on the schedule, and the mission stays as it is", () => {

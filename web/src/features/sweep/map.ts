@@ -1,6 +1,5 @@
 /** The map of a sweep as rows of fields, and how one walks in it. */
 import type { SweepField, SweepMapMessage } from "../../api/generated";
-import { walkGrid } from "../../ui/grid";
 
 /** A field, by the places of its robot and of its moment. */
 export interface Place {
@@ -29,11 +28,4 @@ export function countsOf({ fields, total }: SweepMapMessage): Record<Ending, num
   const counts: Record<Ending, number> = { done: 0, failed: 0, stuck: 0, time: 0, none: total - fields.length };
   for (const { outcome } of fields) counts[outcome] += 1;
   return counts;
-}
-
-/** Where a key leads from a field, or null; see `walkGrid`. */
-export function walk(key: string, at: Place, size: Place, forward: "ArrowRight" | "ArrowLeft"): Place | null {
-  const cell = ({ agent, moment }: Place) => ({ row: agent, column: moment });
-  const to = walkGrid(key, cell(at), cell(size), forward);
-  return to === null ? null : { agent: to.row, moment: to.column };
 }

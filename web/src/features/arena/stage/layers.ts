@@ -9,10 +9,9 @@ import { ROBOT_MM } from "../../../components/scene/geometry";
 import { LIDS } from "../../../components/scene/lids";
 import type { Layers } from "../../../components/scene/painter";
 import type { Scene, Seen } from "../../../components/scene/scene";
-import { drawStrokes, PEN_COLOURS, strokesOf } from "../../../components/scene/pen-strokes";
+import { PEN_COLOURS } from "../../../components/scene/pen-strokes";
 import { decimal } from "../../../i18n/numbers";
 import { useStudio } from "../../../model/studio";
-import { drawnByPens } from "../../../session/pen-marks";
 import { useRun } from "../../../session/run";
 import { token, useTheme } from "../../../theme";
 import { Confetti, reachedGoal } from "./confetti";
@@ -49,17 +48,6 @@ function tintsOf(colours: Colours): Tints {
 function lineColour(lid: number): string {
   const dark = useTheme.getState().theme !== "light";
   return LIDS[lid]?.[dark ? "dark" : "light"] ?? "#888";
-}
-
-/** What pens drew, and of those that are down the line so far. */
-function drawPens(brush: Brush, seen: readonly Seen[]): void {
-  const { marks, pens } = drawnByPens();
-  if (marks.length === 0) return;
-  const strokes = strokesOf(marks, (pen) => {
-    const at = seen[pens[pen] ?? -1]?.pose;
-    return at === undefined ? undefined : [at.x_mm, at.y_mm];
-  });
-  drawStrokes(brush, strokes);
 }
 
 export class StageLayers implements Layers {
@@ -114,7 +102,6 @@ export class StageLayers implements Layers {
   under(brush: Brush, scene: Scene, seen: readonly Seen[]): boolean {
     this.rays = [];
     if (this.on === null || !scene.running || scene.real) return false;
-    drawPens(brush, seen);
     if (this.on.trails) this.trails.draw(brush, (index) => lineColour(scene.actors[index]?.lid ?? 0));
     if (this.on.radio) this.drawRadio(brush, seen);
     if (this.on.ahead) this.drawAhead(brush, seen);

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 
-import { asMissionPath } from "./SaveAsSheet";
+import { asMissionPath } from "./document";
 
 it.each([
   ["walk", "walk.krt"],

@@ -1,0 +1,44 @@
+"""`WS /api/drawing-check`: what a mission that is being drawn may do for ever; asked after an edit, and only told.
+
+Left to others: finding it (`workspace.drawing_check`). The page closes the socket at the next edit, which ends it.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from fastapi import APIRouter, WebSocket
+
+from kitrobot.server.background_work import BackgroundWork
+from kitrobot.server.shapes import mission_from_shape
+from kitrobot.server.shapes.drawing_check import (
+    DRAWING_CHECK_REQUEST,
+    DrawingCheckMessage,
+    DrawingCheckStartRequest,
+    drawing_check_message,
+)
+from kitrobot.text import Sentence
+from kitrobot.workspace import RunOptions
+from kitrobot.workspace.drawing_check import EXPLORE_S, RUN_S, look_through
+
+drawing_check_routes = APIRouter()
+
+
+@drawing_check_routes.websocket("/api/drawing-check")
+async def drawing_check(socket: WebSocket) -> None:
+    """Serves one socket until it closes."""
+    await _DrawingCheck.serve(socket)
+
+
+class _DrawingCheck(BackgroundWork):
+    kind = "check while drawing"
+    request: ClassVar = DRAWING_CHECK_REQUEST
+    start = DrawingCheckStartRequest
+    progress = DrawingCheckMessage
+    busy = Sentence("this studio is at a check already")
+
+    def work(self, request: DrawingCheckStartRequest) -> DrawingCheckMessage:
+        opened = self.studio.open(mission_from_shape(request.mission), request.path)
+        prepared = opened.prepare(RunOptions(request.seed, RUN_S))
+        found = look_through(prepared, self.stop.is_set, EXPLORE_S)
+        return drawing_check_message(found, prepared.simulation.tick_ms)

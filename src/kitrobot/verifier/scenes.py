@@ -1,0 +1,162 @@
+"""A run of the model as pictures: of each state where every robot is and where its program stands, and who is to blame.
+
+A robot on a road is drawn in the middle of its zone, several in one zone one behind the other; one on no road where it
+starts. Left to others: sentences (`telling`), which vertex an instruction comes from (`image.DebugMap`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kitrobot.image.instructions import FORK, JOIN
+from kitrobot.sim import columns as c
+from kitrobot.text import Sentence
+from kitrobot.verifier.bodies import FAILED
+from kitrobot.verifier.events import What
+from kitrobot.verifier.judging import Verdict, Way
+from kitrobot.verifier.model import Model, State
+from kitrobot.verifier.properties import Condition, OfAgent, Sensed, Stands
+from kitrobot.verifier.telling import say
+
+MOST_SCENES = 120
+"""Scenes of one run; of a longer one the first and the last."""
+_MOST_GUILTY = 6
+
+Vertex = tuple[str, str]
+"""A program and one of its vertices."""
+
+
+@dataclass(frozen=True)
+class Stand:
+    """One robot in a scene: mm, radians, and the vertices at which its program stands."""
+
+    x_mm: float
+    y_mm: float
+    heading_rad: float
+    at: tuple[Vertex, ...]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What it looks like before a step; the last one: after all steps. Robots are in the order of the team."""
+
+    step: int
+    robots: tuple[Stand, ...]
+
+
+@dataclass(frozen=True)
+class Guilty:
+    """A vertex at which a property is broken: whose, what happens there, and whether it goes on for ever."""
+
+    agent: str
+    vertex: Vertex
+    sentence: Sentence
+    repeats: bool
+
+
+def scenes(model: Model, way: Way) -> tuple[Scene, ...]:
+    """The scenes of a run."""
+    count = len(way.states)
+    numbers = list(range(count))
+    if count > MOST_SCENES:
+        numbers = [*numbers[: MOST_SCENES // 2], *numbers[count - MOST_SCENES // 2 :]]
+    return tuple(Scene(number, _robots(model, way.states[number])) for number in numbers)
+
+
+def guilty(model: Model, verdict: Verdict) -> tuple[Guilty, ...]:
+    """Where a property is broken; nothing where no program stands anywhere."""
+    way = verdict.way
+    if way is None:
+        return ()
+    if way.repeats_from >= 0:
+        return tuple(_for_ever(model, verdict, way)[:_MOST_GUILTY])
+    before = way.states[-2] if len(way.states) > 1 else way.states[-1]
+    event = (
+        next((one for one in reversed(way.steps[-1].events) if one.what is not What.TICK), None) if way.steps else None
+    )
+    condition = verdict.property.never or (verdict.property.breaks or (None,))[0]
+    if isinstance(condition, Sensed):
+        return _at(model, before, condition.agents, verdict.property.sentence)
+    if event is None:
+        return ()
+    return _at(model, before, (event.agent,), say(model, event, way.states[-1]))
+
+
+def _at(model: Model, state: State, agents: tuple[int, ...], sentence: Sentence) -> tuple[Guilty, ...]:
+    return tuple(
+        Guilty(model.parts[i].agent.name, vertex, sentence, False)
+        for i in agents[:_MOST_GUILTY]
+        for vertex in _vertices(model, state, i)[:1]
+    )
+
+
+def _for_ever(model: Model, verdict: Verdict, way: Way) -> list[Guilty]:
+    """Who stands at the same vertex in all that repeats; where there is nobody, who goes round."""
+    states = way.states[way.repeats_from :]
+    asked = _agents_of(verdict.property.waits)
+    agents = [
+        i
+        for i in range(model.count)
+        if (not asked or i in asked)
+        and not model.has_ended(i, inside := model.inside(i, states[0][1 + i]))
+        and inside.down != FAILED
+    ]
+    waits, rounds = [], []
+    for i in agents:
+        name = model.parts[i].agent.name
+        places = [_vertices(model, state, i) for state in states]
+        if not places[0]:
+            continue
+        if all(one == places[0] for one in places):
+            waits.append(Guilty(name, places[0][0], Sentence("{agent} waits here for ever", name), True))
+        else:
+            rounds.append(Guilty(name, places[0][0], Sentence("{agent} goes round here for ever", name), True))
+    return waits or rounds
+
+
+def _agents_of(condition: Condition | None) -> set[int]:
+    """Whom a condition speaks of; none: all."""
+    if condition is None:
+        return set()
+    if isinstance(condition, Sensed):
+        return set(condition.agents)
+    return {fact.agent for clause in condition for fact in clause if isinstance(fact, (OfAgent, Stands))}
+
+
+def _vertices(model: Model, state: State, i: int) -> tuple[Vertex, ...]:
+    """Where the threads of an agent stand, but for those that wait for others."""
+    part = model.parts[i]
+    debug, code = model.run.debug[part.agent.image_name], part.table.machine.image.code
+    found: dict[Vertex, None] = {}
+    for _, pc in part.table.places(model.inside(i, state[1 + i]).local):
+        origin = debug.origins[pc] if pc < len(debug.origins) else None
+        if origin is not None and origin.vertex and code[4 * pc] not in (FORK, JOIN):
+            found[origin.program or part.agent.program, origin.vertex] = None
+    return tuple(found)
+
+
+def _robots(model: Model, state: State) -> tuple[Stand, ...]:
+    floats = model.run.state.robots.floats
+    found = []
+    for i, part in enumerate(model.parts):
+        k = part.agent.index
+        pose = float(floats[c.X][k]), float(floats[c.Y][k]), float(floats[c.HEADING][k])
+        if part.track is not None:
+            begin, end = part.track.zones.ends(model.zone(state, i))
+            ahead, behind = _neighbours(model, state, i)
+            at = begin + (end - begin) * (behind + 1) / (ahead + behind + 2)
+            place = model.run.world.roads[part.road].line.pose_at(at)
+            pose = place.x_mm, place.y_mm, place.heading_rad
+        found.append(Stand(*pose, _vertices(model, state, i)))
+    return tuple(found)
+
+
+def _neighbours(model: Model, state: State, i: int) -> tuple[int, int]:
+    """How many robots are in the same zone ahead of one, and behind it."""
+    found = []
+    for way in ("leader", "follower"):
+        count, other = 0, getattr(model.parts[i], way)
+        while 0 <= other != i and model.zone(state, other) == model.zone(state, i) and count < model.count:
+            count, other = count + 1, getattr(model.parts[other], way)
+        found.append(count)
+    return found[0], found[1]

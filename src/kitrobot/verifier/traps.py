@@ -1,0 +1,246 @@
+"""What an agent can never get out of, and what no run comes to: found in all states of a mission that were explored.
+
+An agent is *trapped* in a loop of its program where one of its threads is in it and, in every state that can be reached
+from there, still is, though the loop has a way out. A loop without one (Forever) is meant so. Where a mission has
+goals, only states count from which they cannot be reached any more: whoever waits when all is done waits rightly.
+
+Left to others: exploring (`exploring`), words and places for people (`workspace.drawing_check`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+
+from kitrobot.image import Image
+from kitrobot.image.instructions import BY_NUMBER, FORK, JOIN
+from kitrobot.sim import Simulation
+from kitrobot.verifier.exploring import Explored
+from kitrobot.verifier.parts import Parts
+from kitrobot.verifier.programs import ProgramTable, Reaction
+
+_CHUNK = 10
+"""Steps of the simulator between two looks at where a thread stands."""
+SEEDS = 4
+"""Seeds with which the simulator is run in search of a trap."""
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A loop of a program: its first instruction, and all of them; it can be left."""
+
+    head: int
+    body: frozenset[int]
+
+
+@dataclass(frozen=True)
+class Trap:
+    """A loop that an agent cannot leave any more.
+
+    Attributes:
+        agent: the number of the agent.
+        slot: the thread.
+        loop: the innermost loop that holds it.
+        standing: the instructions at which the thread stands from then on.
+        state: the number of the first state in which it is so.
+    """
+
+    agent: int
+    slot: int
+    loop: Loop
+    standing: frozenset[int]
+    state: int
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A run of the simulator in which an agent is trapped, from a step on."""
+
+    seed: int
+    tick: int
+
+
+class _WatchedTable(ProgramTable):
+    """Reactions of a program, with the instructions that ran in any of them."""
+
+    ran: frozenset[int] = frozenset()
+
+    def _tick(self, *args: object) -> tuple[Reaction, set[int]]:
+        made = super()._tick(*args)  # type: ignore[arg-type]
+        self.ran |= {pc for pc, ran in enumerate(self.machine.seen) if ran}
+        return made
+
+
+def watch_programs(parts: Parts) -> None:
+    """Has tables of programs remember which instructions ran; before a model is made of the parts."""
+    watched: dict[int, ProgramTable] = {}
+    for part in parts.parts:
+        old = part.table
+        if id(old) not in watched:
+            watched[id(old)] = _WatchedTable(old.machine.image, old.machine.robot)
+        part.table = watched[id(old)]
+
+
+def never_ran(parts: Parts) -> dict[str, frozenset[int]]:
+    """By the name of the image the instructions that ran in no reaction of any agent; see `watch_programs`."""
+    found = {}
+    for part in parts.parts:
+        assert isinstance(part.table, _WatchedTable)
+        every = range(part.table.machine.image.instructions)
+        found[part.agent.image_name] = frozenset(every) - part.table.ran
+    return found
+
+
+@lru_cache(64)
+def loops_of(image: Image) -> tuple[Loop, ...]:
+    """The loops of an image that can be left, from the inner to the outer ones."""
+    code = image.code
+    nexts: list[list[int]] = []
+    for pc in range(image.instructions):
+        number, _, b, c = code[4 * pc : 4 * pc + 4]
+        op = BY_NUMBER[number]
+        nexts.append(([pc + 1] if op.falls_through else []) + ([b + 256 * c] if op.jumps else []))
+    before: dict[int, list[int]] = {}
+    for pc, tos in enumerate(nexts):
+        for to in tos:
+            before.setdefault(to, []).append(pc)
+    bodies: dict[int, set[int]] = {}
+    for pc, tos in enumerate(nexts):
+        for head in tos:
+            if head <= pc:  # Only loops jump back.
+                body = bodies.setdefault(head, {head})
+                waiting = [pc]
+                while waiting:
+                    one = waiting.pop()
+                    if one not in body:
+                        body.add(one)
+                        waiting += before.get(one, [])
+    found = [
+        Loop(head, frozenset(body))
+        for head, body in bodies.items()
+        if any(to not in body for pc in body for to in nexts[pc])
+    ]
+    return tuple(sorted(found, key=lambda loop: len(loop.body)))
+
+
+def traps(made: Explored, stop: Callable[[], bool]) -> list[Trap]:
+    """The first trap of each loop of each program; none where not all was explored, or it was stopped."""
+    if not made.complete:
+        return []
+    model = made.model
+    places = _Places(made)
+    reached = 1 << len(places.known)
+    out = []
+    for number in range(len(made)):
+        if number % 1000 == 0 and stop():
+            return []
+        state = made.state(number)
+        leaves = (reached - 1) & ~places.held(state)
+        out.append(leaves | (reached if model.goals and model.goals_hold(model.shareds()[state[0]]) else 0))
+    graph = made.graph
+    changed = True
+    while changed:
+        changed = False
+        if stop():
+            return []
+        for number in range(len(made) - 1, -1, -1):
+            now = out[number]
+            for e in range(graph.first_edge[number], graph.first_edge[number + 1]):
+                now |= out[graph.targets[e]]
+            if now != out[number]:
+                out[number] = now
+                changed = True
+    every = 2 * reached - 1 if model.goals else reached - 1
+    found: dict[tuple[str, int], Trap] = {}
+    for number, leaves in enumerate(out):
+        if leaves != every and not leaves & reached:
+            for agent, slot, loop in places.trapped(leaves, made.state(number)):
+                name = model.parts[agent].agent.image_name
+                if (name, loop.head) not in found:
+                    standing = places.standing_from(made, number, agent, slot)
+                    found[name, loop.head] = Trap(agent, slot, loop, standing, number)
+    return list(found.values())
+
+
+class _Places:
+    """Where threads stand: a bit for each agent, thread and loop."""
+
+    def __init__(self, made: Explored) -> None:
+        self._model = made.model
+        self.known: list[tuple[int, int, Loop]] = []
+        self._held: list[list[int]] = []
+        for i, part in enumerate(self._model.parts):
+            image = part.table.machine.image
+            bits: dict[tuple[int, int], int] = {}
+            for slot in range(len(image.slots)):
+                for n, loop in enumerate(loops_of(image)):
+                    bits[slot, n] = 1 << len(self.known)
+                    self.known.append((i, slot, loop))
+            self._held.append(
+                [
+                    sum(
+                        bits[slot, n]
+                        for slot, pc in part.table.places(inside.local)
+                        for n, loop in enumerate(loops_of(image))
+                        if pc in loop.body
+                    )
+                    for inside in self._model.insides(i)
+                ]
+            )
+
+    def held(self, state: tuple[int, ...]) -> int:
+        """The loops that agents are in."""
+        found = 0
+        for i, held in enumerate(self._held):
+            found |= held[state[1 + i]]
+        return found
+
+    def at(self, state: tuple[int, ...], agent: int, slot: int) -> int:
+        """Where a thread stands; -1 nowhere."""
+        inside = self._model.inside(agent, state[1 + agent])
+        return dict(self._model.parts[agent].table.places(inside.local)).get(slot, -1)
+
+    def trapped(self, leaves: int, state: tuple[int, ...]) -> Iterator[tuple[int, int, Loop]]:
+        """Of each agent and thread the innermost loop that it is not to leave, but for threads that wait for others."""
+        seen = set()
+        for bit, (agent, slot, loop) in enumerate(self.known):
+            if leaves >> bit & 1 or (agent, slot) in seen:
+                continue
+            seen.add((agent, slot))
+            code = self._model.parts[agent].table.machine.image.code
+            if code[4 * self.at(state, agent, slot)] not in (FORK, JOIN):
+                yield agent, slot, loop
+
+    def standing_from(self, made: Explored, number: int, agent: int, slot: int) -> frozenset[int]:
+        """Where a thread stands in all states that can be reached from one."""
+        graph, seen, waiting, found = made.graph, {number}, [number], set()
+        while waiting:
+            one = waiting.pop()
+            found.add(self.at(made.state(one), agent, slot))
+            for e in range(graph.first_edge[one], graph.first_edge[one + 1]):
+                to = int(graph.targets[e])
+                if to not in seen:
+                    seen.add(to)
+                    waiting.append(to)
+        return frozenset(found)
+
+
+def show(trap: Trap, fresh: Callable[[int], Simulation], stop: Callable[[], bool]) -> Shown | None:
+    """A run of the simulator in which the agent is in its loop from a step on up to the end, or for half of the run
+    where its time is up; None where none was found. `fresh` gives the run of a seed, which has a time limit.
+    """
+    for seed in range(1, SEEDS + 1):
+        run = fresh(seed)
+        since = -1
+        while run.outcome is None:
+            if stop():
+                return None
+            run.advance(_CHUNK)
+            if dict(run.members[trap.agent].active).get(trap.slot, -1) not in trap.loop.body:
+                since = -1
+            elif since < 0:
+                since = run.tick
+        if since >= 0 and run.outcome != "done" and (run.outcome != "time" or 2 * since <= run.tick):
+            return Shown(seed, since)
+    return None

@@ -1,0 +1,313 @@
+"""What a new mission can begin with: a kit of robots, a place, and a first program that moves.
+
+`shipped/beginnings.xml` names kits, places and starters; what they are called is said by the robots, worlds and
+missions themselves. What fits what follows from them: a kit fits a place that has a start for each of its agents, a
+starter fits the kits for which it has a mission. Left to others: showing it (server, page).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+
+from kitrobot.diagnostics import Diagnostic, KitRobotError
+from kitrobot.files import MissionFolder
+from kitrobot.files.folder import EXAMPLE
+from kitrobot.graph import Program, empty_program
+from kitrobot.mission import Mission, read_mission
+from kitrobot.text import Sentence
+from kitrobot.workspace.opening import NEW_PROGRAM, OpenMission, mission_of
+from kitrobot.workspace.running import RunOptions, prepare
+from kitrobot.workspace.worlds import read_world_file
+from kitrobot.world import EMPTY, World, find_world
+from kitrobot.xml import LONGEST_NAME, NAME, TEXTS, Element, Kind, Reader, Tag, needed, optional, version
+
+VERSION = 1
+"""The newest version of the list that is read."""
+
+NOTHING = "nothing"
+"""The starter without parts: start and stop alone. It fits every kit in every place."""
+
+TRACK_S = 8.0
+"""Simulated seconds that a preview shows."""
+TICKS_A_POINT = 5
+"""Steps of the simulator between two points of a track: a tenth of a second."""
+
+_SHIPPED = Path(__file__).parent / "shipped" / "beginnings.xml"
+
+
+class NoBeginningError(KitRobotError):
+    """A kit, a place or a starter that is not there, or that does not fit the others."""
+
+
+@dataclass(frozen=True)
+class Kit:
+    """Robots to begin with: one, or the team of a mission. `places`: only these, where it says any."""
+
+    name: str
+    robot: str
+    mission: str
+    places: tuple[str, ...]
+    label: Mapping[str, str]
+    help: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Starter:
+    """A first program: for each kit its mission among the examples, and the places it is for (none: any)."""
+
+    missions: Mapping[str, str]
+    places: Mapping[str, tuple[str, ...]]
+
+    @property
+    def name(self) -> str:
+        """By what it is known: the first of its missions."""
+        return next(iter(self.missions.values()))
+
+
+@dataclass(frozen=True)
+class Beginnings:
+    """All there is to choose from."""
+
+    kits: tuple[Kit, ...]
+    places: tuple[str, ...]
+    starters: tuple[Starter, ...]
+
+
+@dataclass(frozen=True)
+class Track:
+    """The way of an agent in a preview: (x mm, y mm, heading rad), one each tenth of a second."""
+
+    agent: str
+    robot: str
+    points: tuple[tuple[float, float, float], ...]
+
+
+# -- reading
+
+_WORLD = Kind(longest=LONGEST_NAME, fits=re.compile(r"[\w.-]+\.xml").fullmatch, words=Sentence("the name of a world"))
+_MISSION = Kind(
+    longest=LONGEST_NAME,
+    fits=re.compile(r"[\w-][\w.-]*(/[\w-][\w.-]*)*\.krt").fullmatch,
+    words=Sentence("the path of a .krt"),
+)
+
+
+@dataclass(frozen=True)
+class _For:
+    kit: str
+    mission: str
+    places: tuple[str, ...]
+
+
+def _kit(element: Element) -> Kit:
+    return Kit(
+        element.matching("name"),
+        element.optional("robot"),
+        element.optional("mission"),
+        tuple(element.optional("places").split()),
+        element.texts.get("label", {}),
+        element.texts.get("help", {}),
+    )
+
+
+def _place(element: Element) -> str:
+    return element.matching("world")
+
+
+def _for(element: Element) -> _For:
+    return _For(element.matching("kit"), element.matching("mission"), tuple(element.optional("places").split()))
+
+
+def _starter(element: Element) -> Starter | None:
+    found = element.found(_For)
+    if not found:
+        return None
+    return Starter({one.kit: one.mission for one in found}, {one.kit: one.places for one in found})
+
+
+BEGINNINGS = {
+    "beginnings": Tag(
+        None,
+        {"version": version(VERSION)},
+        {
+            "kit": Tag(
+                _kit,
+                {"name": needed(), "robot": optional(), "mission": optional(_MISSION), "places": optional()},
+                TEXTS,
+            ),
+            "place": Tag(_place, {"world": needed(_WORLD)}),
+            "starter": Tag(
+                _starter,
+                {},
+                {"for": Tag(_for, {"kit": needed(NAME), "mission": needed(_MISSION), "places": optional()})},
+            ),
+        },
+        open=lambda root: root.version(VERSION),
+    )
+}
+
+
+def read_beginnings(data: bytes, name: str) -> tuple[Beginnings | None, list[Diagnostic]]:
+    """Reads a list of beginnings; None when it has an error, which the diagnostics tell."""
+    reader = Reader(data, name)
+    root = reader.read(BEGINNINGS)
+    if root is None or root.faulty:
+        return None, reader.diagnostics
+    made = Beginnings(tuple(root.found(Kit)), tuple(root.found(str)), tuple(root.found(Starter)))
+    return made, reader.diagnostics
+
+
+@cache
+def shipped_beginnings() -> Beginnings:
+    """Those that come with KitRobot."""
+    made, problems = read_beginnings(_SHIPPED.read_bytes(), _SHIPPED.name)
+    assert made is not None, problems
+    return made
+
+
+# -- what fits
+
+
+@dataclass(frozen=True)
+class FoundPlace:
+    """A place with its world; `href` is what a mission in it says, "" for the empty one."""
+
+    name: str
+    href: str
+    world: World
+
+
+class Choices:
+    """The beginnings of a studio: with their worlds and missions, which are read once.
+
+    What is not at hand (an installation without examples) is left out.
+    """
+
+    def __init__(self, folder: MissionFolder, beginnings: Beginnings | None = None) -> None:
+        self._folder = folder
+        self._missions: dict[str, Mission] = {}
+        made = beginnings or shipped_beginnings()
+        self.starters = tuple(one for one in made.starters if all(map(self._there, one.missions.values())))
+        self.kits = tuple(one for one in made.kits if one.robot or self._there(one.mission))
+        self.places = tuple(filter(None, map(_found_place, made.places)))
+
+    def _there(self, path: str) -> bool:
+        return (self._folder.examples / path).is_file()
+
+    def mission(self, path: str) -> Mission:
+        """A mission among the examples, to be copied and not changed."""
+        made = self._missions.get(path)
+        if made is None:
+            data, _ = self._folder.read(f"{EXAMPLE}{path}")
+            made, problems = read_mission(data, path)
+            assert made is not None, problems
+            self._missions[path] = made
+        return made
+
+    def robots_of(self, kit: Kit) -> list[str]:
+        """The kinds of robots of a kit, each once."""
+        return list(dict.fromkeys(program.target for program in self._team(kit).programs))
+
+    def places_of(self, kit: Kit) -> list[str]:
+        """The names of the places that a kit fits."""
+        starts = {agent.start_name for agent in self._team(kit).team.agents}
+        return [
+            place.name
+            for place in self.places
+            if (not kit.places or place.name in kit.places) and starts <= {one.name for one in place.world.starts}
+        ]
+
+    def places_for(self, starter: Starter, kit: Kit) -> list[str]:
+        """The places in which a starter can be had for a kit."""
+        only = starter.places.get(kit.name, ())
+        if kit.name not in starter.missions:
+            return []
+        return [name for name in self.places_of(kit) if not only or name in only]
+
+    def starters_of(self, kit: Kit, place: str) -> list[str]:
+        """The names of the starters for a kit in a place, the one without parts first."""
+        return [NOTHING, *(one.name for one in self.starters if place in self.places_for(one, kit))]
+
+    def kit(self, name: str) -> Kit:
+        """The kit of that name.
+
+        Raises:
+            NoBeginningError: there is none.
+        """
+        for one in self.kits:
+            if one.name == name:
+                return one
+        raise _no_beginning(name)
+
+    def begin(self, kit: str, place: str, starter: str) -> Mission:
+        """The mission that begins with these; it has no title, and no file yet.
+
+        Raises:
+            NoBeginningError: one of them is not there, or they do not fit each other.
+        """
+        chosen = self.kit(kit)
+        if place not in self.places_of(chosen):
+            raise _no_beginning(place)
+        if starter not in self.starters_of(chosen, place):
+            raise _no_beginning(starter)
+        href = next(one.href for one in self.places if one.name == place)
+        if starter == NOTHING:
+            return replace(self._team(chosen), world_href=href)
+        made = _untitled(self.mission(starter_mission(self.starters, starter, kit)))
+        if chosen.robot:
+            # One robot starts where every place has a start.
+            made = replace(made, team=mission_of(made.programs[0]).team)
+        return replace(made, world_href=href)
+
+    def _team(self, kit: Kit) -> Mission:
+        """The team of a kit, with programs without parts."""
+        if kit.robot:
+            return mission_of(empty_program(NEW_PROGRAM, kit.robot))
+        made = self.mission(kit.mission)
+        programs = [_emptied(program) for program in made.programs]
+        return replace(_untitled(made), programs=programs)
+
+
+def starter_mission(starters: tuple[Starter, ...], name: str, kit: str) -> str:
+    """The path of a starter's mission for a kit."""
+    return next(one.missions[kit] for one in starters if one.name == name)
+
+
+def _untitled(mission: Mission) -> Mission:
+    """Without what belongs to the example alone: its title, its place, what was tried with it."""
+    return replace(mission, own_world=None, label={}, help={}, unknown=[], breakpoints=[], failures=[])
+
+
+def _emptied(program: Program) -> Program:
+    return empty_program(program.name, program.target)
+
+
+def _found_place(name: str) -> FoundPlace | None:
+    path = find_world(name, [])
+    world = None if path is None else read_world_file(path)[0]
+    return None if world is None else FoundPlace(name, "" if name == EMPTY else name, world)
+
+
+def _no_beginning(name: str) -> NoBeginningError:
+    return NoBeginningError(
+        Sentence("a new mission cannot begin with `{choice}` here", name), Sentence("choose again under File, New")
+    )
+
+
+# -- what is shown of one
+
+
+def tracks(opened: OpenMission, seconds: float = TRACK_S) -> list[Track]:
+    """The ways of the agents in the first seconds of a run, as the simulator drives them."""
+    run = prepare(opened, RunOptions(seconds=seconds)).simulation
+    run.stays_plain = True
+    points = [[pose[:3]] for pose in run.poses()]
+    while run.outcome is None:
+        run.advance(TICKS_A_POINT)
+        for known, pose in zip(points, run.poses(), strict=True):
+            known.append(pose[:3])
+    return [Track(agent.name, agent.robot.name, tuple(known)) for agent, known in zip(run.members, points, strict=True)]

@@ -1,0 +1,212 @@
+"""A quick check of a mission that is being drawn: what can wait or go round for ever in it, and parts that never run.
+
+All orders of events are gone through in lockstep, in a process of its own at the lowest priority, for `EXPLORE_S`. What
+does not fit says nothing, and neither does a mission that has no discrete form, or one with errors. A trap that the
+model finds is told only where a run of the simulator shows it too: while drawing, no alarm may be false.
+
+Left to others: finding (`verifier.traps`), a check of properties (`background_check`).
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from typing import Any, NamedTuple
+
+from kitrobot.diagnostics import Diagnostic, KitRobotError, Severity, rule
+from kitrobot.mission import BreakdownRule, Mission
+from kitrobot.sim import Simulation
+from kitrobot.text import Sentence
+from kitrobot.verifier import Budget, Confirmed, Model, Timing, take_apart
+from kitrobot.verifier.parts import Parts
+from kitrobot.workspace.child_processes import end_with_parent
+from kitrobot.workspace.running import PreparedRun
+from kitrobot.workspace.verification import VerificationError, runs_of
+
+EXPLORE_S = 1.0
+"""Seconds for going through the states; a mission that needs longer is left to Check."""
+MOST_STATES = 40_000
+SHOW_S = 2.0
+"""Seconds for finding runs of the simulator that show what was found."""
+RUN_S = 120.0
+"""Simulated seconds of such a run."""
+PATIENCE_S = 15.0
+"""Seconds after which the process is ended, whatever it does."""
+_LOOK_S = 0.05
+
+WAITS = rule(
+    "waits-for-ever",
+    Severity.WARNING,
+    "A wait that nothing can end",
+    "In some order of events a robot comes to wait here, and from then on nothing that can happen ends it, though the"
+    " mission is not done. A run of the simulator shows it.",
+)
+GOES_ROUND = rule(
+    "loops-for-ever",
+    Severity.WARNING,
+    "A loop that never lets go",
+    "In some order of events a robot comes into this loop, and from then on nothing that can happen leads out of it,"
+    " though it has a way out and the mission is not done. A run of the simulator shows it.",
+)
+NEVER_REACHED = rule(
+    "never-reached",
+    Severity.HINT,
+    "Parts that no run comes to",
+    "All orders of events were gone through as long as no robot fails, and these parts ran in none of them.",
+)
+
+
+@dataclass(frozen=True)
+class DrawingFinding:
+    """A problem that was found while drawing, and the run of the simulator that shows it, if it is one that a run
+    shows; `Confirmed.tick` is the step from which on it is so.
+    """
+
+    problem: Diagnostic
+    shown: Confirmed | None = None
+
+
+class _Trapped(NamedTuple):
+    program: str
+    vertex: str
+    agent: str
+    waits: bool
+    seed: int
+    tick: int
+
+
+class _Found(NamedTuple):
+    """What the process found: traps, and by the program the vertices that never run."""
+
+    traps: tuple[_Trapped, ...] = ()
+    idle: tuple[tuple[str, tuple[str, ...]], ...] = ()
+
+
+def look_through(
+    prepared: PreparedRun, stop: Callable[[], bool], explore_s: float | None = EXPLORE_S
+) -> list[DrawingFinding]:
+    """What a mission that is being drawn may do for ever, and what no run comes to; nothing where `stop` says so, or
+    where it is not known in time; `explore_s` of None: however long it takes.
+
+    Raises:
+        VerificationError: the process died.
+    """
+    if prepared.simulation.team_plan is not None:
+        return []  # No discrete form: a process would only find that out.
+    context = multiprocessing.get_context("spawn")
+    mine, its = context.Pipe(duplex=False)
+    process = context.Process(target=_look, args=(prepared.parts(), prepared.options.seed, explore_s, its), daemon=True)
+    process.start()
+    its.close()
+    until = time.monotonic() + PATIENCE_S
+    try:
+        while not mine.poll(_LOOK_S):
+            if stop() or (explore_s is not None and time.monotonic() > until):
+                return []
+        found: _Found = mine.recv()
+    except (EOFError, OSError) as error:
+        raise VerificationError(Sentence("the process of the check died"), "") from error
+    finally:
+        mine.close()
+        process.kill()
+        process.join()
+    known = {(one.program, vertex) for one in prepared.opened.before_setup for vertex in one.vertices}
+    return [
+        *map(_trap, found.traps),
+        *(one for row in found.idle for one in _idle(prepared.opened.mission, *row, known)),
+    ]
+
+
+def _trap(one: _Trapped) -> DrawingFinding:
+    if one.waits:
+        message = Sentence("`{agent}` can come to wait here for ever", one.agent)
+        help = Sentence("nothing that can happen from then on ends it: wait for something that comes for sure")
+        problem = WAITS(message, help=help, program=one.program, vertices=(one.vertex,))
+    else:
+        message = Sentence("`{agent}` can come into this loop and never leave it", one.agent)
+        help = Sentence("nothing that can happen from then on leads out of it: look at its condition")
+        problem = GOES_ROUND(message, help=help, program=one.program, vertices=(one.vertex,))
+    return DrawingFinding(problem, Confirmed(one.seed, (), one.tick))
+
+
+def _idle(mission: Mission, name: str, vertices: tuple[str, ...], known: set[tuple[str, str]]) -> list[DrawingFinding]:
+    program = mission.program(name)
+    order = [vertex.id for vertex in program.vertices] if program is not None else []
+    told = tuple(one for one in order if one in vertices and (name, one) not in known)
+    if not told:
+        return []
+    message = Sentence.counted(
+        "{count} part of `{program}` never runs", "{count} parts of `{program}` never run", len(told), name
+    )
+    help = Sentence("no order of events leads there, as long as no robot fails")
+    return [DrawingFinding(NEVER_REACHED(message, help=help, program=name, vertices=told))]
+
+
+def _look(parts: tuple[Any, ...], seed: int, explore_s: float | None, out: Connection) -> None:
+    """In the process."""
+    end_with_parent()
+    with suppress(OSError, AttributeError):  # Windows has no nice
+        os.nice(19)
+    try:
+        found = look(runs_of(parts), seed, explore_s)
+    except KitRobotError:
+        found = _Found()
+    with suppress(OSError):
+        out.send(found)
+    out.close()
+
+
+def look(runs: Callable[[int], Simulation], seed: int, explore_s: float | None = EXPLORE_S) -> _Found:
+    """What `look_through` tells, as plain values, in this process.
+
+    Raises:
+        AbstractionError: the mission cannot be checked.
+    """
+    from kitrobot.verifier.engines import PLAIN
+    from kitrobot.verifier.exploring import explore
+    from kitrobot.verifier.traps import never_ran, show, traps, watch_programs
+
+    run = runs(seed)
+    parts = take_apart(run)
+    watch_programs(parts)
+    made = explore(Model(run, parts, 0, Timing.LOCKSTEP), Budget(MOST_STATES, explore_s), True, PLAIN)
+    if not made.complete:
+        return _Found()
+    until = time.monotonic() + SHOW_S
+
+    def late() -> bool:
+        return explore_s is not None and time.monotonic() > until
+
+    found: dict[tuple[str, str], _Trapped] = {}
+    for trap in traps(made, late):
+        agent = run.members[trap.agent]
+        debug = run.debug[agent.image_name]
+        origin = debug.origins[trap.loop.head]
+        shown = show(trap, runs, late)
+        if origin.vertex and shown is not None:
+            waits = len({debug.vertex(pc) for pc in trap.standing}) == 1
+            one = _Trapped(origin.program or agent.program, origin.vertex, agent.name, waits, shown.seed, shown.tick)
+            found.setdefault((one.program, one.vertex), one)
+    idle = []
+    if _says_all(run.mission, parts):
+        for name, never in never_ran(parts).items():
+            vertices = run.debug[name].vertices_of(name)
+            ran = {vertex for pc, vertex in enumerate(vertices) if pc not in never}
+            left = {vertex for vertex in vertices if vertex is not None} - ran
+            if left:
+                idle.append((name, tuple(sorted(left))))
+    return _Found(tuple(found.values()), tuple(idle))
+
+
+def _says_all(mission: Mission, parts: Parts) -> bool:
+    """Whether all that a run can do is in the model: failures on schedule, towing, a radio and contacts between roads
+    are not.
+    """
+    roads = {part.road for part in parts.parts}
+    is_plain = not mission.failures and mission.radio is None and mission.breakdown.rule is BreakdownRule.STAY
+    return is_plain and len(roads - {-1}) <= 1

@@ -1,0 +1,69 @@
+"""A new mission begins with pictures: robot, place and first program, and what is chosen moves before it begins."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import Studio
+from tests.studio.test_reach import find_nothing
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[..., Studio]
+
+
+def choose(studio: Studio, testid: str) -> None:
+    studio.page.locator("label", has=studio.at(testid)).click()
+
+
+def test_two_keys_lead_from_nothing_to_a_square_that_is_driven(open_studio: OpenStudio) -> None:
+    studio = open_studio(None)
+    studio.page.keyboard.press("Control+Alt+n")
+    expect(studio.at("new-starter-square/square.krt")).to_be_checked()
+    expect(studio.at("run-button")).to_be_disabled()
+    find_nothing(studio, "a new mission")
+    expect(studio.at("new-kit-mini-robot")).to_be_focused()
+    studio.page.keyboard.press("Enter")
+    studio.expect_opened()
+    studio.expect_code("4*(")
+    expect(studio.at("title")).to_contain_text("my-first-mission.krt")
+    studio.full_speed()
+    studio.page.keyboard.press("F5")
+    studio.wait_until_done()
+    assert list(studio.folder.iterdir()) == []
+
+
+def test_what_does_not_fit_gives_way_and_says_so_and_escape_keeps_what_was_open(open_studio: OpenStudio) -> None:
+    studio = open_studio("blink/blink.krt")
+    code = studio.code()
+    studio.page.keyboard.press("Control+Alt+n")
+    choose(studio, "new-kit-microbit")
+    expect(studio.at("new-place-desk.world.xml")).to_be_checked()
+    expect(studio.at("new-place-empty.world.xml")).to_be_disabled()
+    expect(studio.page.locator("label", has=studio.at("new-place-empty.world.xml"))).to_contain_text(
+        "Not for this robot"
+    )
+    expect(studio.at("new-starter-heart/heart.krt")).to_be_checked()
+    expect(studio.at("new-starter-square/square.krt")).to_have_count(0)
+    choose(studio, "new-kit-carriers")
+    expect(studio.page.locator(".new-stage .new-track")).to_have_count(7)
+    studio.at("new-name").press("Escape")
+    expect(studio.at("new-mission")).to_have_count(0)
+    assert studio.code() == code
+
+
+def test_the_robot_of_a_team_and_its_place_are_what_was_chosen(open_studio: OpenStudio) -> None:
+    studio = open_studio(None)
+    studio.page.keyboard.press("Control+Alt+n")
+    choose(studio, "new-kit-line-follower")
+    choose(studio, "new-place-maze.world.xml")
+    choose(studio, "new-starter-nothing")
+    studio.at("new-name").fill("Łukasz' maze")
+    studio.at("new-begin").click()
+    studio.expect_opened()
+    expect(studio.at("title")).to_contain_text("Łukasz' maze.krt")
+    expect(studio.at("part-LeftWheel.Forward")).to_be_visible()
+    expect(studio.at("first-place")).to_be_visible()

@@ -1,0 +1,55 @@
+"""What is too large to be looked at whole has its answer in bounded memory and work."""
+
+from __future__ import annotations
+
+import pytest
+
+from kitrobot.exercise.reading import PROPERTIES
+from kitrobot.mission.asked import READY, SERVED
+from kitrobot.sim import Simulation
+from kitrobot.verifier import AbstractionError, Budget, Model, Timing, judge, ready_properties, take_apart
+from tests.sim.building import avatar, empty_world, run_of, transport
+
+KEY = '<sensor name="Key" device="button" type="boolean"><operation name="IsPressed" test="equal" to="1"/></sensor>'
+LEVEL = """<sensor name="Level" device="range" min="0" max="65535"><operation name="Value" value="yes"/></sensor>
+<variable name="Seen" type="integer" min="0" max="65535"/>"""
+COUNT = '<variable name="Count" type="integer" min="0" max="99"/>'
+
+
+def alone(count: int, parts: str, text: str) -> Simulation:
+    """So many robots in the empty room, each with these parts and this program."""
+    names = [f"robot-{number}" for number in range(1, count + 1)]
+    world = empty_world(**{name: (300.0 * number, 300, 0) for number, name in enumerate(names, 1)})
+    return run_of({name: (avatar(parts, name=name), text) for name in names}, world)
+
+
+@pytest.mark.parametrize("timing", Timing)
+def test_six_robots_that_each_count_to_a_hundred_have_a_million_million_states_and_end_in_an_answer(
+    timing: Timing,
+) -> None:
+    run = alone(6, KEY + COUNT, "*[Count.LessThan(99)]( [Key.IsPressed()]( Count.Add(1); ); );")
+    model = Model(run, take_apart(run), 0, timing)
+    made = judge(model, ready_properties(model), Budget(5_000))
+    assert not made.complete
+    assert 4_000 < made.states <= 5_000
+    assert made.memory < 10_000_000
+    assert {verdict.answer.value for verdict in made.verdicts} == {"not finished"}
+
+
+@pytest.mark.parametrize("timing", Timing)
+def test_a_sensor_of_65536_values_that_is_copied_into_a_variable_is_refused_with_a_way_out(timing: Timing) -> None:
+    run = alone(1, LEVEL, "*[Seen.LessThan(60000)]( Seen.Set(Level.Value()); );")
+    model = Model(run, take_apart(run), 0, timing)
+    with pytest.raises(AbstractionError, match="`robot-1` may read too many different values") as refused:
+        judge(model, ready_properties(model), Budget())
+    assert "compare a sensor with numbers" in refused.value.help
+
+
+def test_the_names_of_ready_properties_are_the_same_everywhere() -> None:
+    """The mission's file keeps them for no others, exercises ask for them; both lie below the verifier."""
+    run = transport(stock=1, carriers=2)
+    names = [one.name for one in ready_properties(Model(run, take_apart(run)))]
+    served = [name for name in names if name.startswith(SERVED)]
+    assert served == [f"{SERVED}carrier-1", f"{SERVED}carrier-2"]
+    assert set(names) - set(served) == set(READY)
+    assert set(PROPERTIES) == {*READY, SERVED.removesuffix("-")}

@@ -1,0 +1,97 @@
+"""What a new mission can begin with: every choice that fits opens without an error and moves; no other is given."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kitrobot.server.studio import Studio
+from kitrobot.workspace import NoBeginningError, tracks
+from kitrobot.workspace.beginnings import NOTHING, read_beginnings
+
+
+@pytest.fixture(scope="module")
+def studio(tmp_path_factory: pytest.TempPathFactory) -> Studio:
+    return Studio(tmp_path_factory.mktemp("missions"), None)
+
+
+def test_every_choice_that_fits_opens_without_an_error_and_has_no_title(studio: Studio) -> None:
+    choices = studio.choices
+    count = 0
+    for kit in choices.kits:
+        assert choices.places_of(kit), kit.name
+        for place in choices.places_of(kit):
+            starters = choices.starters_of(kit, place)
+            assert len(starters) >= 2, (kit.name, place)
+            for starter in starters:
+                opened = studio.open(choices.begin(kit.name, place, starter), "")
+                assert [problem for problem in opened.report.problems if problem.is_error] == [], (kit.name, starter)
+                assert (opened.mission.label, opened.mission.help) == ({}, {})
+                count += 1
+    assert count > 20
+
+
+def test_all_that_is_listed_is_there(studio: Studio) -> None:
+    made, problems = read_beginnings(
+        (Path(__file__).parents[2] / "src/kitrobot/workspace/shipped/beginnings.xml").read_bytes(), "beginnings.xml"
+    )
+    assert made is not None
+    assert problems == []
+    choices = studio.choices
+    assert (len(choices.kits), len(choices.places), len(choices.starters)) == (
+        len(made.kits),
+        len(made.places),
+        len(made.starters),
+    )
+    used = {starter.name for starter in made.starters}
+    fitting = {
+        name for kit in choices.kits for place in choices.places_of(kit) for name in choices.starters_of(kit, place)
+    }
+    assert fitting == used | {NOTHING}
+
+
+def test_a_preview_is_the_run(studio: Studio) -> None:
+    square = studio.choices.begin("mini-robot", "empty.world.xml", "square/square.krt")
+    [track] = tracks(studio.open(square, ""))
+    assert (track.agent, track.robot, len(track.points)) == ("robot-1", "mini-robot", 81)
+    xs = [x for x, _, _ in track.points]
+    assert max(xs) - min(xs) > 100
+
+
+def test_a_preview_of_nothing_has_only_its_beginning(studio: Studio) -> None:
+    [track] = tracks(studio.open(studio.choices.begin("microbit", "desk.world.xml", NOTHING), ""))
+    assert {point[:2] for point in track.points} == {(120.0, 90.0)}
+
+
+@pytest.mark.parametrize(
+    ("kit", "place", "starter"),
+    [
+        ("nobody", "empty.world.xml", NOTHING),
+        ("microbit", "empty.world.xml", NOTHING),
+        ("mini-robot", "../empty.world.xml", NOTHING),
+        ("mini-robot", "empty.world.xml", "heart/heart.krt"),
+        ("mini-robot", "empty.world.xml", "/etc/passwd"),
+    ],
+)
+def test_what_does_not_fit_is_refused_with_a_way_out(studio: Studio, kit: str, place: str, starter: str) -> None:
+    with pytest.raises(NoBeginningError, match="a new mission cannot begin with") as refused:
+        studio.choices.begin(kit, place, starter)
+    assert "File, New" in str(refused.value.help)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<beginnings version="1"><kit/></beginnings>',
+        '<beginnings version="2"/>',
+        '<beginnings version="1"><starter><for kit="a" mission="../../x.krt"/></starter></beginnings>',
+        '<beginnings version="1"><place world="/etc/passwd"/></beginnings>',
+        '<beginnings version="1"',
+    ],
+)
+def test_a_list_with_a_mistake_is_told_with_its_place(text: str) -> None:
+    made, problems = read_beginnings(text.encode(), "beginnings.xml")
+    assert made is None
+    assert problems[0].place is not None
+    assert problems[0].place.line == 1

@@ -1,0 +1,116 @@
+/** A run of the model in its world, zone by zone: robots have dashed rings, since only the model has seen it. */
+import { type KeyboardEvent, useEffect, useState } from "react";
+
+import type { CheckedProperty } from "../../api/generated";
+import { WorldPicture } from "../../components/WorldPicture";
+import { mirrored } from "../../i18n/language";
+import { grouped } from "../../i18n/numbers";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { shortName } from "../../model/short-name";
+import { useStudio } from "../../model/studio";
+import type { Mission } from "../../model/types";
+import { drawnWorld } from "../../model/world/drawn";
+import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
+import { sceneAfter } from "./table";
+
+/** How long a step is shown while it plays. */
+const STEP_MS = 700;
+/** The radius of a ring, as a part of the world's width. */
+const RING = 0.045;
+
+export function StepArena({ answer, mission }: { answer: CheckedProperty; mission: Mission }) {
+  const read = useStudio((studio) => studio.world);
+  const [at, setAt] = useState(0);
+  const [plays, setPlays] = useState(false);
+  const { scenes } = answer;
+  const last = scenes.length - 1;
+  const after = sceneAfter(answer, at);
+  useEffect(() => {
+    if (!plays) return;
+    const timer = setTimeout(() => (after === null ? setPlays(false) : setAt(after)), STEP_MS);
+    return () => clearTimeout(timer);
+  }, [plays, after]);
+  const world = mission.own_world == null ? read : drawnWorld(mission.own_world);
+  const scene = scenes[at];
+  if (world === null || scene === undefined || scenes.length < 2) return null;
+
+  const go = (to: number) => {
+    setPlays(false);
+    setAt(Math.min(Math.max(to, 0), last));
+  };
+  const pressed = (event: KeyboardEvent) => {
+    const forward = mirrored() ? "ArrowLeft" : "ArrowRight";
+    if (event.key === forward) go(at + 1);
+    else if (event.key === (mirrored() ? "ArrowRight" : "ArrowLeft")) go(at - 1);
+    else if (event.key === "Home") go(0);
+    else if (event.key === "End") go(last);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  const { width_mm: width, height_mm: height } = world;
+  const ring = Math.max(width, height) * RING;
+  const said = answer.events.filter(({ step }) => step === scene.step - 1);
+  const repeats = answer.repeats_from >= 0 && scene.step >= answer.repeats_from;
+  return (
+    <div className="check-steps" data-testid="check-steps" data-step={scene.step}>
+      <div className="check-arena" style={{ aspectRatio: `${String(width)} / ${String(height)}` }}>
+        <WorldPicture world={world} agents={[]} />
+        <svg viewBox={`0 0 ${String(width)} ${String(height)}`} aria-hidden="true">
+          {scene.robots.map(({ x_mm: x, y_mm: y, heading_rad: turn }, robot) => (
+            <g
+              key={robot}
+              className="check-robot"
+              style={{ transform: `translate(${String(x)}px, ${String(height - y)}px)` }}
+            >
+              <circle r={ring} />
+              <path
+                d={`M${String(ring)} ${String(-ring / 3)}L${String(ring * 1.4)} 0L${String(ring)} ${String(ring / 3)}Z`}
+                transform={`rotate(${String((-turn * 180) / Math.PI)})`}
+              />
+              <text fontSize={ring} textAnchor="middle" dominantBaseline="central">
+                {shortName(mission.agents[robot]?.name ?? "").slice(0, 2)}
+              </text>
+            </g>
+          ))}
+        </svg>
+      </div>
+      <div className="check-steps-row" role="group" aria-label={t("check.zone-by-zone")} onKeyDown={pressed}>
+        <Tool small icon="step-back" label={t("check.step-back")} disabled={at === 0} onClick={() => go(at - 1)} />
+        <Tool
+          small
+          icon={plays ? "pause" : "play"}
+          label={plays ? t("run.pause") : t("check.step-play")}
+          testId="check-steps-play"
+          onClick={() => {
+            if (!plays && at === last) setAt(0);
+            setPlays(!plays);
+          }}
+        />
+        <Tool
+          small
+          icon="step-forward"
+          label={t("check.step-on")}
+          testId="check-step-on"
+          disabled={at === last}
+          onClick={() => go(at + 1)}
+        />
+        <span className="check-count" role="status">
+          {scene.step === 0
+            ? t("check.step-first")
+            : t("check.step-of", { step: grouped(scene.step), steps: grouped(answer.steps) })}
+          {repeats ? <Icon name="infinity" size={14} label={t("check.repeats")} /> : null}
+        </span>
+      </div>
+      <p className="check-note check-step-said">
+        {said.map(({ text }, index) => (
+          <span key={index}>
+            <Said text={text} />{" "}
+          </span>
+        ))}
+      </p>
+    </div>
+  );
+}

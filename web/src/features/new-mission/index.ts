@@ -1,0 +1,15 @@
+/** A new mission begins with pictures: which robot, in which place, with which first program. */
+import { moreWords } from "../../i18n/words";
+import { complain, show } from "../../session/document";
+import type { Feature } from "../../session/features";
+import { later } from "../../ui/later";
+
+const NewMission = later(
+  () => Promise.all([import("./NewMission"), moreWords()]).then(([chunk]) => chunk.NewMission),
+  (cause) => {
+    show(null);
+    complain(cause);
+  },
+);
+
+export const newMission: Feature = { name: "new-mission", sheets: { new: NewMission } };

@@ -1,0 +1,21 @@
+/** English for the page of a new mission, which is fetched later. */
+export const NEW_EN = {
+  "new.title": "New mission",
+  "new.help": "Choose a robot, a place and a first program. All three can be changed later.",
+  "new.robot": "Which robot?",
+  "new.place": "Where?",
+  "new.starter": "What does it do first?",
+  "new.place-not": "Not for this robot",
+  "new.starter-not": "Not in this place",
+  "new.nothing": "From nothing",
+  "new.nothing-help": "Only Start and Stop",
+  "new.yours": "Your mission",
+  "new.sentence": "{robot} · {place} · {starter}",
+  "new.sentence-nothing": "{robot} · {place} · a program of your own",
+  "new.can": "It has",
+  "new.feels": "It feels",
+  "new.program": "Its first program",
+  "new.name": "Name",
+  "new.name-first": "my-first-mission",
+  "new.begin": "Begin",
+} as const;
