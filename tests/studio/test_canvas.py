@@ -229,7 +229,7 @@ def test_keys_zoom_to_the_selection_show_the_map_and_follow_the_run(open_studio:
     expect(studio.at("minimap")).to_be_visible()
     studio.page.keyboard.press("m")
     expect(studio.at("minimap")).to_have_count(0)
-    studio.page.keyboard.press("f")
+    studio.page.keyboard.press("Shift+F")
     expect(studio.at("follow-button")).to_have_attribute("aria-pressed", "true")
     studio.at("run-button").click()
     expect(studio.page.locator(".vertex.is-active").first).to_be_in_viewport()

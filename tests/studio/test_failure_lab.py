@@ -34,7 +34,7 @@ def choose(studio, name: str) -> None:
 def place_of(studio, name: str) -> tuple[float, float]:
     """Where the robot is on the screen: in the middle of the arena, once it is followed."""
     choose(studio, name)
-    studio.page.keyboard.press("f")
+    studio.page.keyboard.press("Shift+F")
     # The arena follows with the next frame.
     studio.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
     box = studio.at("arena-canvas").bounding_box()
@@ -63,6 +63,7 @@ def test_keys_do_it_too(open_studio, item, word):
     start_paused(studio)
     choose(studio, ROBOT)
     studio.page.keyboard.press("Enter")
+    expect(studio.at("menu-harm-fail")).to_be_visible()
     for _ in range(["fail", "stall", "mute"].index(item)):
         studio.page.keyboard.press("ArrowDown")
     studio.page.keyboard.press("Enter")

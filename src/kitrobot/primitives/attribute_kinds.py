@@ -16,6 +16,20 @@ COLOURS = ("loop", "choice", "parallel", "action", "test", "team")
 
 COLOUR = one(*COLOURS, name="colour")
 
+FIGURES = (
+    "mini-robot",
+    "carrier",
+    "loader",
+    "unloader",
+    "store-manager",
+    "line-follower",
+    "kit-rover",
+    "micro-bit",
+)
+"""How the page can draw a robot."""
+
+FIGURE = one(*FIGURES, name="figure")
+
 IDENTIFIER = Kind(
     longest=LONGEST_NAME,
     pattern=r"[\p{L}_][\p{L}\p{M}\p{N}_]*",

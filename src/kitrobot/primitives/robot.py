@@ -143,7 +143,8 @@ class RobotObject:
 class Robot:
     """A kind of robot. `tick_ms` is the period of a reaction, `wait_unit_ms` the unit of WAIT.
 
-    `level` is that of the programs for it: one of several robots only for the target of a team (crew).
+    `level` is that of the programs for it: one of several robots only for the target of a team (crew). `figure` is how
+    the page draws it; "" leaves that to what it does.
     """
 
     name: str
@@ -156,6 +157,7 @@ class Robot:
     label: Texts = field(default_factory=dict)
     help: Texts = field(default_factory=dict)
     level: Level = Level.AGENT
+    figure: str = ""
 
     @property
     def objects(self) -> Iterator[RobotObject]:

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 from kitrobot.diagnostics import Diagnostic
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import (
+    FIGURE,
     IDENTIFIER,
     RANGE,
     ROBOT_NAME,
@@ -299,6 +300,7 @@ def _robot(element: Element) -> Robot:
         wait_unit_ms=element.integer("wait-unit"),
         label=_text(element, "label"),
         help=_text(element, "help"),
+        figure=element.matching("figure", ""),
     )
 
 
@@ -386,6 +388,7 @@ ROBOT = {
             "wait-unit": optional(
                 whole(1, LONGEST_WAIT_UNIT_MS), str(WAIT_UNIT_MS), about="Milliseconds in the unit of WAIT."
             ),
+            "figure": optional(FIGURE, about="How the page draws the robot."),
         },
         {**TEXTS, "actuator": _ACTUATOR, "sensor": _SENSOR, "variable": VARIABLE},
         open=lambda element: element.version(VERSION),

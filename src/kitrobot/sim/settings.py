@@ -143,11 +143,12 @@ def length_of(robot: Robot) -> float:
 
 
 class Appearance(NamedTuple):
-    """How the arena shows a part: the look of an actuator; the hand of a sensor, and what it reads at rest."""
+    """How the arena shows a part: the look of an actuator; the hand of a sensor, what it reads at rest, and its ray."""
 
     look: Look = ""
     hand: Hand = ""
     resting: int = 0
+    ray: tuple[float, float] | None = None
 
 
 def appearance_of(part: RobotObject) -> Appearance:
@@ -159,7 +160,7 @@ def appearance_of(part: RobotObject) -> Appearance:
     if issubclass(device, Actuator):
         return Appearance(look=device.look(values))
     assert issubclass(device, Sensor)
-    return Appearance(hand=device.hand(values), resting=device.resting(values))
+    return Appearance(hand=device.hand(values), resting=device.resting(values), ray=device.ray(values))
 
 
 def read_conflicts(robot: Robot) -> list[Diagnostic]:

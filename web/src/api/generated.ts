@@ -1160,6 +1160,12 @@ export interface Radio {
   loss?: number;
 }
 
+/** Where a range finder looks: how far from its robot's edge, in mm, and counter-clockwise from the front. */
+export interface Ray {
+  reach_mm: number;
+  angle_rad: number;
+}
+
 /**
  * A recording that was opened: its name, by which it is played, and the mission that it brought along. `cut`: its file
  * ends before its run did. `fail_rate` is the probability that an agent failed by chance within a minute. `real`: it is
@@ -1212,7 +1218,7 @@ export interface Road {
   sections: Section[];
 }
 
-/** A kind of robot; `length_mm` is how long it is, 0 for one without wheels. */
+/** A kind of robot; `length_mm` is how long it is, 0 for one without wheels, `figure` how it is drawn. */
 export interface Robot {
   name: string;
   label: Record<string, string>;
@@ -1221,6 +1227,7 @@ export interface Robot {
   wait_unit_ms: number;
   objects: RobotObject[];
   length_mm?: number;
+  figure?: string;
 }
 
 /** A part of a robot. In the arena, `look` is how an actuator is drawn, and `hand` how a person works a sensor. */
@@ -1229,6 +1236,7 @@ export interface RobotObject {
   category: "actuator" | "sensor" | "variable" | "system";
   look?: "" | "wheels" | "lights" | "melody" | "pin" | "lamp" | "bar" | "sound" | "number" | "pen";
   hand?: "" | "button" | "gesture" | "slider";
+  ray?: Ray | null;
   icon: string;
   label: Record<string, string>;
   help: Record<string, string>;

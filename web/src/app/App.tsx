@@ -15,6 +15,7 @@ import { flush, isKept, keepJournal } from "../session/journal";
 import { complainOfJournal, sayReturned, sayStranger } from "../session/journal-notices";
 import { useLayout } from "../session/layout";
 import { useNarrow } from "../session/narrow";
+import { useStage } from "../session/stage";
 import { keepTeamView, useTeam } from "../session/team-view";
 import { useView } from "../session/view";
 import { keepWorld } from "../session/world-files";
@@ -143,12 +144,14 @@ function Studio() {
   const covered = useDocument((document) => document.overlay === "new");
   const room = useNarrow((narrow) => narrow.room);
   const team = useTeam((state) => state.open || state.world);
+  const large = useStage((stage) => stage.large);
   const side = !(folded.inspector && folded.code && folded.arena);
 
   return (
     <div
       className="studio"
       data-room={room ?? "graph"}
+      data-stage={large}
       aria-busy={opening}
       onDragOver={(event) => {
         if (carriesFile(event)) event.preventDefault();

@@ -1,10 +1,12 @@
-/** English for parts of the page that are fetched later, and their words with them (`moreWords`). */
+/** English for the rooms of the team and the world, which are fetched later, and their words with them (`moreWords`). */
+import { ARENA_EN } from "./en-later-arena";
 import { CHECK_EN } from "./en-later-check";
 import { LATER_TEAM_EN } from "./en-later-team";
 import { NEW_EN } from "./en-later-new";
 import { KITS_EN } from "./en-later-kits";
 
 export const LATER_EN = {
+  ...ARENA_EN,
   ...LATER_TEAM_EN,
   ...CHECK_EN,
   ...NEW_EN,

@@ -231,6 +231,8 @@ export const EN = {
   "arena.zoom-in": "Zoom in",
   "arena.zoom-out": "Zoom out",
   "arena.fit": "Show everything",
+  "arena.large": "Arena large, program small",
+  "arena.show": "What the arena shows",
   "arena.of": "{done} of {total}",
   "arena.delivered": "delivered",
   "arena.delivered-of": "{done} of {total} delivered.",

@@ -50,6 +50,7 @@ export const PAGE_KEYS = {
   robots: { chords: ["Alt+R"], says: "boards.panel", typing: true },
   variable: { chords: ["Alt+V"], says: "variable.new", typing: true },
   check: { chords: ["Alt+C"], says: "run.check", typing: true },
+  stage: { chords: ["F"], says: "arena.large" },
   outline: { chords: ["F4"], says: "help.keys-outline", typing: true },
   part: { chords: ["F1"], says: "help.keys-part", typing: true },
   shortcuts: { chords: ["?"], says: "help.keys-this" },
@@ -84,7 +85,7 @@ export const GRAPH_KEYS = {
   zoomOut: { chords: ["-"], says: "help.keys-zoom" },
   home: { chords: ["Ctrl+0"], says: "help.keys-zoom" },
   minimap: { chords: ["M"], says: "graph.minimap" },
-  follow: { chords: ["F"], says: "graph.follow" },
+  follow: { chords: ["Shift+F"], says: "graph.follow" },
   nothing: { chords: ["Escape"], says: "help.keys-nothing" },
 } as const satisfies Rows;
 
@@ -100,7 +101,7 @@ export const ARENA_KEYS = {
   next: { chords: ["N"], says: "help.keys-robot" },
   previous: { chords: ["Shift+N"], says: "help.keys-robot" },
   menu: { chords: ["Enter", "Shift+F10", "ContextMenu"], says: "help.keys-robot-menu" },
-  follow: { chords: ["F"], says: "harm.follow" },
+  follow: { chords: ["Shift+F"], says: "harm.follow" },
   hand: { chords: ["A", "B", "S"], says: "help.keys-hand" },
 } as const satisfies Rows;
 

@@ -36,6 +36,11 @@ export function clearFrames(): void {
   for (const callback of watchers) callback();
 }
 
+/** The last frame that came; null before the first. */
+export function lastFrame(): PoseFrame | null {
+  return last;
+}
+
 function turn(from: number, to: number, share: number): number {
   const difference = Math.atan2(Math.sin(to - from), Math.cos(to - from));
   return from + difference * share;

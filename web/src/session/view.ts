@@ -20,6 +20,8 @@ export interface Viewport {
   /** Zoom 1, Start on top. */
   home: () => void;
   fit: () => void;
+  /** Shows all of the program from its Start, between half and full size; the returned function goes back. */
+  whole: () => () => void;
   /** The selection as large as it is readable; without one, everything. */
   zoomToSelection: () => void;
   /** Scrolls so far that the vertex is in view. */

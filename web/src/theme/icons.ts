@@ -53,6 +53,7 @@ import LogOut from "lucide-react/icons/log-out";
 import Map from "lucide-react/icons/map";
 import MapPin from "lucide-react/icons/map-pin";
 import Maximize from "lucide-react/icons/maximize";
+import Maximize2 from "lucide-react/icons/maximize-2";
 import MessageCircle from "lucide-react/icons/message-circle";
 import Minus from "lucide-react/icons/minus";
 import MousePointer2 from "lucide-react/icons/mouse-pointer-2";
@@ -145,6 +146,7 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   map: Map,
   "map-pin": MapPin,
   maximize: Maximize,
+  "maximize-2": Maximize2,
   "message-circle": MessageCircle,
   minus: Minus,
   "mouse-pointer-2": MousePointer2,

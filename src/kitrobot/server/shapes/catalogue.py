@@ -96,6 +96,13 @@ class MethodShape(View):
     phrase: Texts
 
 
+class RayShape(BaseModel):
+    """Where a range finder looks: how far from its robot's edge, in mm, and counter-clockwise from the front."""
+
+    reach_mm: float
+    angle_rad: float
+
+
 class RobotObjectShape(View):
     """A part of a robot. In the arena, `look` is how an actuator is drawn, and `hand` how a person works a sensor."""
 
@@ -103,6 +110,7 @@ class RobotObjectShape(View):
     category: Literal["actuator", "sensor", "variable", "system"]
     look: Look = ""
     hand: Hand = ""
+    ray: RayShape | None = None
     icon: str
     label: Texts
     help: Texts
@@ -115,7 +123,7 @@ class RobotObjectShape(View):
 
 
 class RobotShape(View):
-    """A kind of robot; `length_mm` is how long it is, 0 for one without wheels."""
+    """A kind of robot; `length_mm` is how long it is, 0 for one without wheels, `figure` how it is drawn."""
 
     name: str
     label: Texts
@@ -124,6 +132,7 @@ class RobotShape(View):
     wait_unit_ms: int
     objects: list[RobotObjectShape]
     length_mm: float = 0.0
+    figure: str = ""
 
 
 class CatalogueShape(BaseModel):
@@ -149,6 +158,7 @@ def catalogue_shape(catalogue: Catalogue) -> CatalogueShape:
 def _robot(robot: Robot) -> RobotShape:
     shape = RobotShape.model_validate(robot).model_copy(update={"length_mm": length_of(robot)})
     for part, seen in zip(robot.objects, shape.objects, strict=True):
-        seen.look, seen.hand, resting = appearance_of(part)
+        seen.look, seen.hand, resting, ray = appearance_of(part)
+        seen.ray = None if ray is None else RayShape(reach_mm=ray[0], angle_rad=ray[1])
         seen.initial = part.initial or resting
     return shape

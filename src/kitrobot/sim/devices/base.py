@@ -251,6 +251,13 @@ class Sensor(Device):
         """What it measures where no loop measures for it."""
         return 0
 
+    @classmethod
+    def ray(cls, values: Values) -> tuple[float, float] | None:
+        """Of one that measures along a straight line: how far it sees from the robot's edge, in mm, and where it looks,
+        in radians from the front; None for any other.
+        """
+        return None
+
 
 def ticks(time_ms: float, dt: float) -> int:
     """A time in steps, rounded up."""

@@ -47,6 +47,10 @@ class Range(Sensor):
         return (values.number("reach"), *direction(math.radians(values.number("angle"))))
 
     @classmethod
+    def ray(cls, values: Values) -> tuple[float, float] | None:
+        return values.number("reach"), math.radians(values.number("angle"))
+
+    @classmethod
     def fit(cls, robot: int, floats: list[list[float]], ints: list[list[int]], values: Values) -> None:
         ints[DIRECTED][robot] = 1
 

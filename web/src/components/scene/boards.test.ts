@@ -119,7 +119,7 @@ describe("a button of a board", () => {
         senses: [],
         failed: false,
       },
-      ...{ face, keys: keysOf(BOARD, {}), sliders: [], indicators: [] },
+      ...{ figure: "micro-bit", lid: 0, face, keys: keysOf(BOARD, {}), sliders: [], indicators: [] },
     };
     return { actor, pose, failed: false, stalled: false, muted: false, collided: false };
   };

@@ -7,7 +7,7 @@ import type { Dock, Road, Storehouse } from "../../api/wire";
 import type { World } from "../../model/types";
 import { type Camera, type Room, toScreen } from "./camera";
 import type { Colours } from "./colours";
-import { boundsOf, lineOf, placeAlong, ROBOT_MM } from "./geometry";
+import { boundsOf, isIn, lineOf, placeAlong, ROBOT_MM } from "./geometry";
 import type { Scene } from "./scene";
 
 /** A robot is drawn this long. */
@@ -177,11 +177,17 @@ export function drawBox({ pen, colours }: Brush, x: number, y: number, size: num
   pen.stroke();
 }
 
-function drawHouse(brush: Brush, house: Storehouse, stock: number, caption: string): void {
+/** How high the heading of a storehouse is, in px. */
+export function headOf({ camera, unit }: Brush, house: Storehouse): number {
+  return Math.min(32 * unit, (house.height_mm * camera.scale) / 3);
+}
+
+/** `kept`: whether somebody sits in it, who shows the stock. */
+function drawHouse(brush: Brush, house: Storehouse, stock: number, caption: string, kept: boolean): void {
   const { pen, camera, colours, unit } = brush;
   const [x, y] = toScreen(camera, house.x_mm, house.y_mm + house.height_mm);
   const [width, height] = [house.width_mm * camera.scale, house.height_mm * camera.scale];
-  const head = Math.min(32 * unit, height / 3);
+  const head = headOf(brush, house);
   pen.beginPath();
   pen.roundRect(x, y, width, height, 6 * unit);
   pen.fillStyle = colours.house;
@@ -196,8 +202,10 @@ function drawHouse(brush: Brush, house: Storehouse, stock: number, caption: stri
   pen.textBaseline = "middle";
   pen.textAlign = "left";
   write(brush, house.name, x + 12 * unit, y + head / 2, 15 * unit, 700, colours.text);
-  pen.textAlign = "right";
-  write(brush, String(stock), x + width - 12 * unit, y + head / 2, 14 * unit, 500, colours.muted);
+  if (!kept) {
+    pen.textAlign = "right";
+    write(brush, String(stock), x + width - 12 * unit, y + head / 2, 14 * unit, 500, colours.muted);
+  }
 
   const inner = 7 * unit;
   const usable = { width: width - 2 * inner, height: height - head - 2 * inner };
@@ -289,6 +297,7 @@ export function drawWorld(brush: Brush, scene: Scene): void {
   for (const road of world.roads) drawSigns(brush, road);
   drawWalls(brush, world);
   for (const house of world.storehouses) {
-    drawHouse(brush, house, scene.stock[house.name] ?? house.stock, armOf(scene, house));
+    const kept = scene.actors.some(({ role, start }) => role === "keeper" && isIn(house, start));
+    drawHouse(brush, house, scene.stock[house.name] ?? house.stock, armOf(scene, house), kept);
   }
 }

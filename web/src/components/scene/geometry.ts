@@ -1,5 +1,5 @@
 /** Places along a road and in a world. Lengths in mm, angles in radians, y up. */
-import type { Road } from "../../api/wire";
+import type { Road, Storehouse } from "../../api/wire";
 import type { World } from "../../model/types";
 import type { Box } from "./camera";
 
@@ -88,6 +88,11 @@ export function signAt(world: World, x: number, y: number): number | null {
     return (found ?? road.sections.at(-1))?.sign ?? null;
   }
   return null;
+}
+
+/** Whether a place is in a storehouse. */
+export function isIn({ x_mm, y_mm, width_mm, height_mm }: Storehouse, at: { x_mm: number; y_mm: number }): boolean {
+  return at.x_mm >= x_mm && at.x_mm <= x_mm + width_mm && at.y_mm >= y_mm && at.y_mm <= y_mm + height_mm;
 }
 
 export function boundsOf(road: Road): Box {

@@ -10,7 +10,7 @@ import { posesAt } from "../../session/poses";
 import { type Camera, fit, fitBox, type Room, toScreen, toWorld, zoomAt } from "./camera";
 import { readColours, type Colours } from "./colours";
 import { CROWD } from "./crowd-size";
-import { type Boards, drawActors, ringOf, type Seldom } from "./draw-robots";
+import { type Boards, drawActors, ringOf, type Said, type Seldom } from "./draw-robots";
 import { type Brush, drawWorld, robotUnit, unitOf } from "./draw-world";
 import { contentOf } from "./geometry";
 import type * as OnFloorChunk from "./on-floor";
@@ -24,6 +24,12 @@ const LEAST_REACH = 18;
 /** How close the camera goes to follow somebody: times the scale that shows the whole world. */
 const FOLLOW = 2;
 const ORIGIN: Camera = { scale: 1, x: 0, y: 0 };
+
+/** What is drawn besides, under the robots and over them; true when it goes on moving by itself. */
+export interface Layers {
+  under: (brush: Brush, scene: Scene, seen: readonly Seen[]) => boolean;
+  over: (brush: Brush, scene: Scene, seen: readonly Seen[]) => boolean;
+}
 
 export class Painter {
   private readonly canvas: HTMLCanvasElement;
@@ -41,7 +47,9 @@ export class Painter {
   private readonly seenFrom: (camera: Camera) => void;
   private readonly margin: number | null;
   private told: Camera | null = null;
-  private seldom: Seldom = { boards: null, crowds: null };
+  private seldom: Seldom = { boards: null, crowds: null, figures: null };
+  private said: Said = { place: true, names: false };
+  private layers: Layers | null = null;
   private fetching = false;
   private onFloor: OnFloor | null = null;
   private carried: { name: string; x_mm: number; y_mm: number } | null = null;
@@ -96,6 +104,13 @@ export class Painter {
       if (this.camera.scale < FOLLOW * whole) this.zoom((FOLLOW * whole) / this.camera.scale);
     }
     this.followed = followed;
+    this.paintSoon();
+  }
+
+  /** How much is said of robots, and what is drawn besides. */
+  setLayers(said: Said, layers: Layers | null): void {
+    this.said = said;
+    this.layers = layers;
     this.paintSoon();
   }
 
@@ -159,21 +174,23 @@ export class Painter {
     return best?.seen ?? null;
   }
 
-  /** Boards and crowds are drawn once the means are there; a fetch that failed is tried again with the next scene. */
+  /** Figures, boards and crowds are drawn once the means are there; a fetch that failed is tried again with the next scene. */
   private fetchSeldom({ actors }: Scene): void {
     if (this.fetching) return;
     const boards =
       this.seldom.boards === null &&
       actors.some(({ face, keys, indicators }) => face !== null || keys.length + indicators.length > 0);
     const crowds = this.seldom.crowds === null && actors.length >= CROWD;
-    if (!boards && !crowds) return;
+    const figures = this.seldom.figures === null && actors.length > 0;
+    if (!boards && !crowds && !figures) return;
     this.fetching = true;
     void Promise.all([
       boards ? import("./draw-board") : this.seldom.boards,
       crowds ? import("./draw-crowd") : this.seldom.crowds,
+      figures ? import("./figures") : this.seldom.figures,
     ])
-      .then(([drawBoards, drawCrowds]) => {
-        this.seldom = { boards: drawBoards, crowds: drawCrowds };
+      .then(([drawBoards, drawCrowds, drawn]) => {
+        this.seldom = { boards: drawBoards, crowds: drawCrowds, figures: drawn };
         this.paintSoon();
       })
       .catch(() => undefined)
@@ -247,8 +264,9 @@ export class Painter {
     const brush = { pen, camera, room, unit: unitOf(camera, this.scene.world), colours };
     drawWorld(brush, this.scene);
     this.drawOnFloor(brush, seen);
-    drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom);
-    if (!still) this.paintSoon();
+    const moves = this.layers?.under(brush, this.scene, seen) === true;
+    drawActors(brush, this.scene, seen, this.selected, this.program, this.seldom, this.said);
+    if (this.layers?.over(brush, this.scene, seen) === true || moves || !still) this.paintSoon();
   }
 
   /** Fetches what draws there once there is something; a fetch that failed is tried again. */

@@ -18,7 +18,8 @@ import {
   type Slider,
   slidersOf,
 } from "./boards";
-import { nearestOn, ROBOT_MM } from "./geometry";
+import { isIn, nearestOn, ROBOT_MM } from "./geometry";
+import { DRIVING, STONE, SUN } from "./lids";
 
 export type Role = "robot" | "arm" | "keeper";
 
@@ -32,6 +33,9 @@ export interface Actor {
   /** Whether it is off the roads. */
   free: boolean;
   start: Pose;
+  /** How it is drawn (`figures.ts`), and in which of the colours of robots (`lids.ts`). */
+  figure: string;
+  lid: number;
   /** "Sign = 4", "Cargo": what its sensors say now. */
   senses: string[];
   failed: boolean;
@@ -60,11 +64,7 @@ const ARM_REACH_MM = 90;
 const NOWHERE: Pose = { x_mm: 0, y_mm: 0, heading_rad: 0, load: 0, flags: 0 };
 
 export function roleAt(world: World, x: number, y: number): Role {
-  const inside = world.storehouses.some(
-    (house) =>
-      x >= house.x_mm && x <= house.x_mm + house.width_mm && y >= house.y_mm && y <= house.y_mm + house.height_mm,
-  );
-  if (inside) return "keeper";
+  if (world.storehouses.some((house) => isIn(house, { x_mm: x, y_mm: y }))) return "keeper";
   if (world.roads.some((road) => nearestOn(road, x, y).off <= road.width_mm / 2)) return "robot";
   const beside = world.docks.some((dock) => {
     const half = (world.roads.find((road) => road.name === dock.road)?.width_mm ?? 0) / 2;
@@ -83,7 +83,11 @@ interface Place {
   start: Pose;
   role: Role;
   free: boolean;
+  lid: number;
 }
+
+/** What a robot is drawn as whose XML names nothing. */
+const FIGURES: Readonly<Record<Role, string>> = { robot: "mini-robot", arm: "loader", keeper: "store-manager" };
 
 /** The places of one mission in one world, worked out once: there may be thousands of robots, and thirty frames a second. */
 const known = new WeakMap<World, { mission: Mission; places: Map<string, Place> }>();
@@ -94,13 +98,16 @@ function placesOf(world: World, mission: Mission): Map<string, Place> {
   if (before?.mission.agents === mission.agents) return before.places;
   const starts = new Map(world.starts.map((start) => [start.name, start]));
   const places = new Map<string, Place>();
+  let driving = 0;
   for (const agent of mission.agents) {
     const start = starts.get(agent.start === "" ? agent.name : agent.start);
     if (start === undefined) continue;
     const { x_mm, y_mm, heading_rad } = start;
     const pose = { x_mm, y_mm, heading_rad, load: 0, flags: 0 };
     const free = !world.roads.some((road) => nearestOn(road, x_mm, y_mm).off <= road.width_mm / 2);
-    places.set(agent.name, { start: pose, role: roleAt(world, x_mm, y_mm), free });
+    const role = roleAt(world, x_mm, y_mm);
+    const lid = role === "robot" ? driving++ % DRIVING : role === "arm" ? SUN : STONE;
+    places.set(agent.name, { start: pose, role, free, lid });
   }
   known.set(world, { mission, places });
   return places;
@@ -139,8 +146,14 @@ function lengthOf(robot: Robot | undefined): number {
   return robot?.length_mm || ROBOT_MM;
 }
 
-function devicesOf(robot: Robot | undefined, shown: RunAgent["shown"], inputs: RunAgent["inputs"]) {
+function devicesOf(
+  robot: Robot | undefined,
+  role: Role,
+  shown: RunAgent["shown"],
+  inputs: RunAgent["inputs"],
+): Pick<Actor, "figure" | "face" | "keys" | "sliders" | "indicators"> {
   return {
+    figure: robot?.figure || FIGURES[role],
     face: faceOf(robot, shown),
     keys: keysOf(robot, inputs),
     sliders: slidersOf(robot, inputs),
@@ -161,7 +174,7 @@ export function sceneBefore(mission: Mission, world: World, catalogue: Catalogue
       const number = numberOf(agent.name, index);
       const { name, program } = agent;
       const robot = robots.get(program);
-      const board = devicesOf(robot, {}, {});
+      const board = devicesOf(robot, place.role, {}, {});
       return [{ name, program, number, ...place, length_mm: lengthOf(robot), senses: [], failed: false, ...board }];
     }),
     stock: Object.fromEntries(world.storehouses.map((house) => [house.name, house.stock])),
@@ -181,7 +194,7 @@ export function sceneOfReal(world: World): Scene {
 
 type Standing = Pick<RunState, "stock" | "delivered" | "total" | "collisions">;
 
-const LOST: Place = { start: NOWHERE, role: "robot", free: true };
+const LOST: Place = { start: NOWHERE, role: "robot", free: true, lid: 0 };
 
 /** Those who take part in a run. */
 export function actorsOf(agents: readonly RunAgent[], mission: Mission, catalogue: Catalogue, world: World): Actor[] {
@@ -190,9 +203,18 @@ export function actorsOf(agents: readonly RunAgent[], mission: Mission, catalogu
     const { name, program, number } = agent;
     const failed = agent.state === "failed";
     const robot = catalogue.robots.find((one) => one.name === agent.robot);
-    const board = devicesOf(robot, agent.shown, agent.inputs);
-    const place = { ...(places.get(name) ?? LOST), length_mm: lengthOf(robot) };
-    return { name, program, number, ...place, senses: sensesOf(agent, robot), failed, ...board };
+    const place = places.get(name) ?? LOST;
+    const board = devicesOf(robot, place.role, agent.shown, agent.inputs);
+    return {
+      name,
+      program,
+      number,
+      ...place,
+      length_mm: lengthOf(robot),
+      senses: sensesOf(agent, robot),
+      failed,
+      ...board,
+    };
   });
 }
 

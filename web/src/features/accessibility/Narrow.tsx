@@ -2,6 +2,7 @@
 import { t } from "../../i18n/words";
 import { type Panel, useLayout } from "../../session/layout";
 import { useNarrow } from "../../session/narrow";
+import { useStage } from "../../session/stage";
 import { Icon } from "../../theme";
 
 const ROOMS: readonly [room: Panel, icon: string][] = [
@@ -15,6 +16,7 @@ function open(room: Panel): void {
   const { folded, toggle } = useLayout.getState();
   // It may have been folded away on a wide page.
   if (folded[room]) toggle(room);
+  useStage.setState({ large: false });
   useNarrow.setState(({ room: before }) => ({ room: before === room ? null : room }));
 }
 

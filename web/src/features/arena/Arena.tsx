@@ -1,121 +1,51 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
-import { type KeyboardEvent, type MouseEvent, type PointerEvent, useEffect, useMemo, useRef, useState } from "react";
+import { type KeyboardEvent, type MouseEvent, type PointerEvent, useEffect, useRef, useState } from "react";
 
 import { startOf } from "../../model/commands/changeAgents";
 import { useStudio } from "../../model/studio";
 import { GRID_MM } from "../../model/world/thing";
-import { ARENA_KEYS, keyIn } from "../../session/key-table";
-import { posesAt, watchFrames } from "../../session/poses";
-import { areReal, isLive, useRun } from "../../session/run";
+import { ARENA_KEYS, keyFor, keyIn } from "../../session/key-table";
+import { watchFrames } from "../../session/poses";
+import { useStage } from "../../session/stage";
 import { Seed } from "./Seed";
 import { useTheme } from "../../theme";
 import { decimal } from "../../i18n/numbers";
-import { t } from "../../i18n/words";
+import { moreWords, t } from "../../i18n/words";
 import "./arena.css";
 import { EmptyArena } from "./EmptyArena";
-import { Ending } from "./Ending";
 import { toWorld } from "../../components/scene/camera";
+import { CROWD } from "../../components/scene/crowd-size";
 import { Painter } from "../../components/scene/painter";
-import { Crowd } from "./Crowd";
-import { RobotMenu } from "./RobotMenu";
+import { openShown, toggleStage, useStageParts } from "./parts";
 import { choose, follow, openRobotMenu, useRobots } from "./robots";
-import {
-  actorsOf,
-  hasOtherPlaces,
-  lookAt,
-  type Scene,
-  sceneBefore,
-  sceneOf,
-  sceneOfReal,
-} from "../../components/scene/scene";
-import { StatesSaid } from "./StatesSaid";
+import type { Scene } from "../../components/scene/scene";
 import { complain } from "../../session/document";
 import { later } from "../../ui/later";
-import { summary } from "./summary";
+import { useScene, useSelected, useSummary } from "./use-scene";
 import { Tool } from "../../ui/Tool";
 
+const RobotMenu = later(
+  () => Promise.all([import("./RobotMenu"), moreWords()]).then(([chunk]) => chunk.RobotMenu),
+  complain,
+);
+const Crowd = later(() => Promise.all([import("./Crowd"), moreWords()]).then(([chunk]) => chunk.Crowd), complain);
 const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
 
 const CLICK_PX = 4;
 const NOWHERE = { scale: 1, x: 0, y: 0 };
 /** One press of an arrow key. */
 const PAN_PX = 40;
-const SPOKEN_MS = 250;
 /** How long a finger rests on a robot to open its menu. */
 const REST_MS = 550;
 
-function useScene(): Scene | null {
-  const run = useRun();
-  const mission = useStudio((studio) => studio.mission);
-  const catalogue = useStudio((studio) => studio.catalogue);
-  const ownWorld = useStudio((studio) => studio.world);
-  const before = useMemo(
-    () => (ownWorld === null ? null : sceneBefore(mission, ownWorld, catalogue)),
-    [mission, ownWorld, catalogue],
-  );
-  const { world, agents, mission: ran } = run;
-  // A run that is over gives way to what was edited since; going back in it brings it back.
-  const over = ran !== null && !run.real && !isLive(run.status);
-  const edited = useMemo(() => over && hasOtherPlaces(mission, ran), [over, mission, ran]);
-  const actors = useMemo(
-    () => (world === null ? [] : actorsOf(agents, mission, catalogue, world)),
-    [world, agents, mission, catalogue],
-  );
-  // Robots that stand still give way to the mission again; a recording stays.
-  const shown = run.real ? isLive(run.status) : !edited;
-  const real = shown && areReal(agents);
-  const place = real ? (world ?? ownWorld) : null;
-  const unplaced = useMemo(() => (place === null ? null : sceneOfReal(place)), [place]);
-  const seen = useMemo(
-    () => (world !== null && actors.length > 0 && !edited ? sceneOf(run, actors, world) : before),
-    [run, world, actors, before, edited],
-  );
-  return unplaced ?? seen;
+interface HeadingProps {
+  scene: Scene | null;
+  painter: Painter | null;
+  stage: ReturnType<typeof useStageParts>;
 }
 
-/** Who wears the ring: the agent watched in the program that is open. */
-function useSelected(scene: Scene | null): string {
-  const program = useStudio((studio) => studio.activeProgram);
-  const chosen = useRun((run) => run.selectedAgent[program]);
-  const own = scene?.actors.filter((actor) => actor.program === program) ?? [];
-  return (own.find((actor) => actor.name === chosen) ?? own[0])?.name ?? "";
-}
-
-/** The scene in words, renewed a few times a second at most. */
-function useSummary(scene: Scene | null): string {
-  const words = () => {
-    if (scene === null) return "";
-    const shown = scene.running ? posesAt(performance.now(), false) : null;
-    return summary(scene, lookAt(scene, shown?.poses ?? null));
-  };
-  const [spoken, setSpoken] = useState("");
-  const latest = useRef(words);
-  useEffect(() => {
-    latest.current = words;
-  });
-  useEffect(() => {
-    let timer: ReturnType<typeof setTimeout> | undefined;
-    const renew = () => {
-      timer ??= setTimeout(() => {
-        timer = undefined;
-        setSpoken(latest.current());
-      }, SPOKEN_MS);
-    };
-    setSpoken(latest.current());
-    const off = watchFrames(renew);
-    const offRun = useRun.subscribe(renew);
-    const offStudio = useStudio.subscribe(renew);
-    return () => {
-      clearTimeout(timer);
-      off();
-      offRun();
-      offStudio();
-    };
-  }, []);
-  return spoken;
-}
-
-function Heading({ scene, painter }: { scene: Scene | null; painter: Painter | null }) {
+function Heading({ scene, painter, stage }: HeadingProps) {
+  const large = useStage((state) => state.large);
   const world = scene?.world;
   const size = (mm: number) => decimal(mm / 1000);
   const what =
@@ -136,10 +66,33 @@ function Heading({ scene, painter }: { scene: Scene | null; painter: Painter | n
         {what}
       </span>
       {world === undefined ? null : <Seed />}
+      {large && stage !== null ? <stage.Switches /> : null}
       <span className="side-tools">
+        {large ? null : (
+          <Tool
+            small
+            icon="eye"
+            label={t("arena.show")}
+            testId="arena-show"
+            aria-haspopup="menu"
+            onClick={({ currentTarget }) => {
+              const { left, bottom } = currentTarget.getBoundingClientRect();
+              openShown(left, bottom + 4);
+            }}
+          />
+        )}
         {tools.map(([icon, label, act]) => (
           <Tool key={icon} small icon={icon} label={label} onClick={act} />
         ))}
+        <Tool
+          small
+          icon="maximize-2"
+          label={t("arena.large")}
+          keys={keyFor.page("stage")}
+          testId="arena-large"
+          aria-pressed={large}
+          onClick={toggleStage}
+        />
       </span>
     </header>
   );
@@ -157,6 +110,8 @@ export function Arena() {
   const grip = useRef<{ x: number; y: number; moved: boolean; actor: string } | null>(null);
   const resting = useRef<ReturnType<typeof setTimeout>>(undefined);
   const { program, followed } = useRobots();
+  const menu = useRobots((state) => state.menu !== null);
+  const stage = useStageParts();
 
   useEffect(() => {
     const [box, drawn] = [frame.current, canvas.current];
@@ -332,8 +287,8 @@ export function Arena() {
 
   return (
     <div className="arena" data-testid="arena">
-      <Heading scene={scene} painter={painter} />
-      <Crowd scene={scene} />
+      <Heading scene={scene} painter={painter} stage={stage} />
+      {scene !== null && scene.actors.length >= CROWD ? <Crowd scene={scene} /> : null}
       <div className="arena-frame" ref={frame}>
         <canvas
           ref={canvas}
@@ -357,16 +312,29 @@ export function Arena() {
           }}
         />
         <EmptyArena scene={scene} />
+        {stage === null || painter === null ? null : (
+          <stage.Shown scene={scene} selected={selected} painter={painter} />
+        )}
       </div>
-      <Ending />
+      {stage === null ? null : <stage.Ending />}
       {watched === undefined || watched.keys.length + watched.sliders.length === 0 ? null : (
         <Hands agent={selected} keys={watched.keys} sliders={watched.sliders} />
       )}
       <p className="only-spoken" id="arena-summary" data-testid="arena-summary">
         {spoken}
       </p>
-      <StatesSaid scene={scene} />
-      <RobotMenu onClosed={() => canvas.current?.focus()} />
+      <Said />
+      {menu ? <RobotMenu onClosed={() => canvas.current?.focus()} /> : null}
     </div>
+  );
+}
+
+/** Announces the chosen robot, and faults of robots (`StatesSaid`), to screen readers. */
+function Said() {
+  const said = useRobots((state) => state.said);
+  return (
+    <p className="only-spoken" aria-live="polite" data-testid="states-said">
+      {said}
+    </p>
   );
 }

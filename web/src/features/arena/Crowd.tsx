@@ -1,4 +1,6 @@
 /** Over an arena with very many robots: how many run which program, which of them stand out, and how many failed. */
+import "./crowd.css";
+
 import { useMemo } from "react";
 
 import { FAILED } from "../../api/wire";

@@ -8,7 +8,7 @@ import { contentOf, nearestOn, placeAlong, roadLength, signAt } from "../../comp
 import { hasOtherPlaces, lookAt, roleAt, sceneBefore, sceneOfReal, totalOf } from "../../components/scene/scene";
 import { placeTag } from "../../components/scene/tag-place";
 import type { Mission, World } from "../../model/types";
-import { newStates } from "./StatesSaid";
+import { newStates } from "./stage/states-said";
 import { summary } from "./summary";
 
 const WORLD: World = {
@@ -286,7 +286,7 @@ describe("the size of a robot", () => {
 
   it("does not make the ring around it too small to be seen", () => {
     expect(ringOf({ role: "robot" }, 0.1)).toBe(13);
-    expect(ringOf({ role: "robot" }, 1)).toBe(34);
+    expect(ringOf({ role: "robot" }, 1)).toBe(37);
   });
 
   it("comes from its kind, and is that of most robots where the kind has none", () => {

@@ -1,5 +1,25 @@
 /** The place where the robots are. */
+import { t } from "../../i18n/words";
 import type { Feature } from "../../session/features";
+import { keyFor } from "../../session/key-table";
+import type { MenuEntries } from "../../session/menu-table";
+import { useStage } from "../../session/stage";
 import { Arena } from "./Arena";
+import { toggleStage } from "./parts";
+import { StageSide } from "./StageSide";
 
-export const arena: Feature = { name: "arena", panels: { arena: Arena } };
+function useMenu(): MenuEntries {
+  const checked = useStage((stage) => stage.large);
+  const label = t("arena.large");
+  return {
+    look: [{ kind: "check", id: "view-stage", label, keys: keyFor.page("stage"), checked, run: toggleStage }],
+  };
+}
+
+export const arena: Feature = {
+  name: "arena",
+  panels: { arena: Arena },
+  slots: { below: StageSide },
+  commands: { stage: toggleStage },
+  useMenu,
+};

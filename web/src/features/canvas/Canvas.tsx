@@ -23,34 +23,36 @@ import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
 import { useClipboard } from "./clipboard";
 import { useContextMenu } from "./context";
-import { ContextMenu } from "./ContextMenu";
 import { useEdgePan } from "./edgePan";
-import { Find } from "./Find";
 import { Ghost } from "./Ghost";
 import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
 import { Marquee } from "./Marquee";
-import { Minimap } from "./Minimap";
 import { type GraphNode, NODE_TYPES, PLAIN_TYPES } from "./Nodes";
-import { NoteEditor } from "./Notes";
-import { LEAST_ZOOM, MOST_ZOOM, usePinch } from "./pinch";
 import { usePlain } from "./Plain";
 import { Said } from "./Said";
 import { useViewport } from "./viewport";
+import { LEAST_ZOOM, MOST_ZOOM } from "./zoom-range";
 import { ZoomControl } from "./ZoomControl";
 
+const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), complain);
+const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
+const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), complain);
+const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain);
+const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), complain);
 const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain);
 
 /** The graph of the program in view; fills its parent. */
 export function Canvas() {
   const drawing = useDrawing();
+  const finding = useView((state) => state.finding);
   if (drawing === null) return <div className="canvas" />;
   return (
     <div className="canvas-room">
       <ReactFlowProvider key={drawing.program.name}>
         <Graph drawing={drawing} />
       </ReactFlowProvider>
-      <Find />
+      {finding ? <Find /> : null}
     </div>
   );
 }
@@ -76,7 +78,6 @@ function Graph({ drawing }: { drawing: Drawing }) {
   const { first, onReady } = useViewport(root, drawing);
   useDropTargets(root);
   useEdgePan(root);
-  usePinch(root);
   useCanvasKeys(root);
   useClipboard();
   useContextMenu(root);
@@ -85,6 +86,9 @@ function Graph({ drawing }: { drawing: Drawing }) {
     return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
   });
   const plain = usePlain();
+  const minimap = useView((state) => state.minimap);
+  const menu = useView((state) => state.menu !== null);
+  const noting = useView((state) => state.noting);
   const empty = drawing.nodes.has("place");
   const last = useStudio((state) => state.selection.at(-1));
 
@@ -133,11 +137,12 @@ function Graph({ drawing }: { drawing: Drawing }) {
       </ReactFlow>
       <ZoomControl />
       <AddPopup key={drawing.program.name} />
-      <NoteEditor />
-      <Minimap drawing={drawing} />
+      {noting === null ? null : <NoteEditor key={noting} id={noting} program={drawing.program.name} />}
+      {minimap ? <Minimap layout={drawing.layout} /> : null}
       <Marquee root={root} />
+      {navigator.maxTouchPoints > 0 ? <Pinch root={root} /> : null}
       <Said />
-      <ContextMenu />
+      {menu ? <ContextMenu /> : null}
       <Ghost />
       <ActiveVertices program={drawing.program.name} />
     </div>

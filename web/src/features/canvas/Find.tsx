@@ -1,4 +1,6 @@
 /** Find in all programs: a key of the page opens it (reach/key-table.ts), Enter goes to the next, Shift+Enter to the one before. */
+import "./find.css";
+
 import { useEffect, useMemo, useRef, useState } from "react";
 
 import { t } from "../../i18n/words";
@@ -18,11 +20,6 @@ function jump({ program, vertex }: Hit): void {
 }
 
 export function Find() {
-  const open = useView((state) => state.finding);
-  return open ? <Panel /> : null;
-}
-
-function Panel() {
   const [query, setQuery] = useState("");
   /** -1: nothing was gone to yet. */
   const [at, setAt] = useState(-1);

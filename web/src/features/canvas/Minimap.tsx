@@ -1,19 +1,15 @@
 /** The whole program, small, and what of it is in view; a press or drag goes there. */
+import "./minimap.css";
+
 import { useReactFlow, useStore } from "@xyflow/react";
 import type { PointerEvent } from "react";
 
 import { t } from "../../i18n/words";
 import type { Drawing } from "../../session/drawing";
-import { useView } from "../../session/view";
 
 const EDGE = 40;
 
-export function Minimap({ drawing: { layout } }: { drawing: Drawing }) {
-  const shown = useView((state) => state.minimap);
-  return shown ? <Map layout={layout} /> : null;
-}
-
-function Map({ layout }: { layout: Drawing["layout"] }) {
+export function Minimap({ layout }: { layout: Drawing["layout"] }) {
   const flow = useReactFlow();
   const [x, y, zoom] = useStore((state) => state.transform);
   const width = useStore((state) => state.width);

@@ -2,8 +2,6 @@
  * Notes on the canvas: a strip on the top edge of a vertex shows the first line; a click or N opens the whole note to be
  * read and edited in its place. What was typed is kept when the field is left, as one step that can be undone.
  */
-import { useEffect, useLayoutEffect, useRef, useState } from "react";
-
 import { t } from "../../i18n/words";
 import { setNote } from "../../model/commands/setNote";
 import type { LayoutNode } from "../../model/layout";
@@ -43,11 +41,11 @@ export function removeNote(): boolean {
   return id !== undefined && write(ownerOf(id), "");
 }
 
-function notesOf(program: Program | undefined, id: string) {
+export function notesOf(program: Program | undefined, id: string) {
   return program?.vertices.find((one) => one.id === id)?.notes ?? [];
 }
 
-function write(id: string, text: string, name = useStudio.getState().activeProgram): boolean {
+export function write(id: string, text: string, name = useStudio.getState().activeProgram): boolean {
   const { mission, execute } = useStudio.getState();
   const program = mission.programs.find((one) => one.name === name);
   const command = program === undefined ? null : setNote(program, id, text.trimEnd());
@@ -86,87 +84,4 @@ export function NoteStrip({ node: { note, noteWidth, w, vertex } }: { node: Layo
       {more.length === 0 ? null : <span className="note-more">{t("graph.note-more", { count: more.length })}</span>}
     </button>
   );
-}
-
-export function NoteEditor() {
-  const id = useView((state) => state.noting);
-  const program = useStudio((state) => state.activeProgram);
-  return id === null ? null : <Field key={`${program} ${id}`} id={id} program={program} />;
-}
-
-const WIDTH = 336;
-
-function Field({ id, program }: { id: string; program: string }) {
-  const [before] = useState(() => noteText(notesOf(programInView(useStudio.getState()), id)));
-  const [text, setText] = useState(before);
-  const [at] = useState(() => placeOf(id));
-  const field = useRef<HTMLTextAreaElement>(null);
-  const latest = useRef({ text, forget: false });
-  useEffect(() => {
-    latest.current.text = text;
-  });
-
-  // Whichever way the field goes (Enter, a click elsewhere, another program), what was typed is kept.
-  useEffect(() => {
-    const now = latest.current;
-    now.forget = false;
-    field.current?.focus({ preventScroll: true });
-    field.current?.setSelectionRange(now.text.length, now.text.length);
-    return () => {
-      if (!now.forget) write(id, now.text, program);
-    };
-  }, [id, program]);
-  useLayoutEffect(() => {
-    const element = field.current;
-    if (element === null) return;
-    element.style.height = "0";
-    element.style.height = `${String(Math.min(element.scrollHeight, 200))}px`;
-  }, [text]);
-
-  const close = () => {
-    useView.setState({ noting: null });
-    useView.getState().viewport?.focus();
-  };
-  return (
-    <div
-      className="note-editor"
-      style={{ width: WIDTH, "--x": `${String(at.x)}px`, "--y": `${String(at.y)}px` } as React.CSSProperties}
-    >
-      <textarea
-        ref={field}
-        rows={1}
-        dir="auto"
-        data-testid="note-field"
-        aria-label={t("inspector.note")}
-        aria-describedby="note-keys"
-        placeholder={t("inspector.note-hint")}
-        value={text}
-        onChange={(event) => {
-          setText(event.target.value);
-        }}
-        onBlur={() => {
-          useView.setState({ noting: null });
-        }}
-        onKeyDown={(event) => {
-          if (event.nativeEvent.isComposing) return;
-          if (event.key === "Escape") latest.current.forget = true;
-          if (event.key === "Escape" || (event.key === "Enter" && !event.shiftKey)) {
-            event.preventDefault();
-            event.stopPropagation();
-            close();
-          }
-        }}
-      />
-      <p id="note-keys">{t("graph.note-keys")}</p>
-    </div>
-  );
-}
-
-/** The bottom edge of the editor stands on the vertex. */
-function placeOf(id: string): { x: number; y: number } {
-  const drawing = currentDrawing();
-  const node = drawing === null ? undefined : nodeOf(drawing, id);
-  const { viewport } = useView.getState();
-  if (node === undefined || viewport === null) return { x: 0, y: 0 };
-  return viewport.place({ x: node.x + node.w / 2, y: node.y });
 }

@@ -2,6 +2,7 @@
 import { useStore } from "@xyflow/react";
 
 import { t } from "../../i18n/words";
+import { keyFor } from "../../session/key-table";
 import { toggleFollowing, toggleMinimap, useView } from "../../session/view";
 import { Icon } from "../../theme";
 
@@ -40,7 +41,7 @@ export function ZoomControl() {
         type="button"
         aria-label={t("graph.follow")}
         aria-pressed={following}
-        title={`${t("graph.follow")} · F`}
+        title={`${t("graph.follow")} · ${keyFor.graph("follow")}`}
         data-testid="follow-button"
         onClick={toggleFollowing}
       >

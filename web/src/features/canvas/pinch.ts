@@ -6,9 +6,7 @@ import { useReactFlow } from "@xyflow/react";
 import { type RefObject, useEffect } from "react";
 
 import { cancelDrag } from "../../session/drag";
-
-export const LEAST_ZOOM = 0.1;
-export const MOST_ZOOM = 2;
+import { LEAST_ZOOM, MOST_ZOOM } from "./zoom-range";
 
 interface Spread {
   x: number;
@@ -37,7 +35,8 @@ export function pinched({ x, y, zoom }: Camera, before: Spread, now: Spread): Ca
   return { x: now.x - (before.x - x) * by, y: now.y - (before.y - y) * by, zoom: next };
 }
 
-export function usePinch(root: RefObject<HTMLDivElement | null>): void {
+/** Draws nothing: the gestures of the canvas, where there are fingers. */
+export function Pinch({ root }: { root: RefObject<HTMLDivElement | null> }): null {
   const flow = useReactFlow();
   useEffect(() => {
     const canvas = root.current;
@@ -77,4 +76,5 @@ export function usePinch(root: RefObject<HTMLDivElement | null>): void {
       canvas.removeEventListener("touchcancel", end, true);
     };
   }, [flow, root]);
+  return null;
 }

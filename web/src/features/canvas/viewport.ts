@@ -82,6 +82,17 @@ export function useViewport(
           const { x, y, w, h } = now.layout.bounds;
           void flow.fitBounds({ x, y, width: w, height: h }, { padding: 0.06, ...animated });
         },
+        whole: () => {
+          const before = flow.getViewport();
+          const now = currentDrawing();
+          if (now !== null) {
+            const { x, y, w, h } = now.layout.bounds;
+            const { width, height } = size();
+            const zoom = Math.min(1, Math.max(0.5, Math.min((width - 32) / w, (height - 48) / h)));
+            void flow.setViewport({ x: width / 2 - (x + w / 2) * zoom, y: 24 - y * zoom, zoom });
+          }
+          return () => void flow.setViewport(before);
+        },
         zoomToSelection: () => {
           const now = currentDrawing();
           const box = now === null ? null : boundsOf(now, useStudio.getState().selection);

@@ -1,12 +1,12 @@
-/** Announces the chosen robot, and faults of robots as they happen, to screen readers. */
+/** Announces faults of robots as they happen to screen readers. */
 import { useEffect, useRef } from "react";
 
-import { FAILED, MUTED, STALLED } from "../../api/wire";
-import type { Scene } from "../../components/scene/scene";
-import { t } from "../../i18n/words";
-import { posesAt, watchFrames } from "../../session/poses";
-import { useRobots } from "./robots";
-import { states } from "./summary";
+import { FAILED, MUTED, STALLED } from "../../../api/wire";
+import type { Scene } from "../../../components/scene/scene";
+import { t } from "../../../i18n/words";
+import { posesAt, watchFrames } from "../../../session/poses";
+import { useRobots } from "../robots";
+import { states } from "../summary";
 
 /** So many are named at once. */
 const MOST_NAMED = 5;
@@ -34,8 +34,8 @@ function statesOf(scene: Scene): Map<string, string> {
   return found;
 }
 
-export function StatesSaid({ scene }: { scene: Scene | null }) {
-  const said = useRobots((state) => state.said);
+/** While something runs: what befalls robots is said as it happens. */
+export function useStatesSaid(scene: Scene | null): void {
   const latest = useRef(scene);
   useEffect(() => {
     latest.current = scene;
@@ -50,9 +50,4 @@ export function StatesSaid({ scene }: { scene: Scene | null }) {
       if (words.length > 0) useRobots.setState({ said: words.join(". ") });
     });
   }, []);
-  return (
-    <p className="only-spoken" aria-live="polite" data-testid="states-said">
-      {said}
-    </p>
-  );
 }

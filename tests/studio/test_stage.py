@@ -1,0 +1,74 @@
+"""The arena as a stage: large by one key, with what robots see and where they were, and how the run ended."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.conftest import Studio
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[..., Studio]
+WIDTH_OF = "(one) => one.getBoundingClientRect().width"
+
+
+def test_one_key_makes_the_arena_large_and_shows_the_robot_that_is_watched(open_studio: OpenStudio) -> None:
+    studio = open_studio("square/square.krt")
+    small = studio.at("arena-canvas").evaluate(WIDTH_OF)
+    studio.at("canvas").focus()
+    studio.page.keyboard.press("f")
+    expect(studio.page.locator(".studio")).to_have_attribute("data-stage", "true")
+    assert studio.at("arena-canvas").evaluate(WIDTH_OF) > 2 * small
+    expect(studio.at("stage-watched")).to_contain_text("Press Run")
+    expect(studio.at("arena-large")).to_have_attribute("aria-pressed", "true")
+    studio.full_speed()
+    studio.at("run-button").click()
+    studio.wait_until_done()
+    expect(studio.at("stage-watched")).to_contain_text(re.compile(r"Captor\s*(≥ )?[\d.]+ cm"))
+    # What was switched is remembered, and the result can be put away.
+    studio.at("show-rays").click()
+    expect(studio.at("show-rays")).to_have_attribute("aria-pressed", "false")
+    assert '"rays":false' in studio.page.evaluate("localStorage.getItem('kitrobot.arena')")
+    expect(studio.at("ending")).to_be_visible()
+    studio.at("ending-close").click()
+    expect(studio.at("ending")).to_have_count(0)
+    studio.at("arena-large").click()
+    expect(studio.page.locator(".studio")).to_have_attribute("data-stage", "false")
+    assert studio.at("arena-canvas").evaluate(WIDTH_OF) == small
+    studio.at("arena-show").click()
+    expect(studio.at("menu-show-rays")).to_have_attribute("aria-checked", "false")
+
+
+def test_a_run_that_failed_leads_to_its_cause(open_studio: OpenStudio) -> None:
+    studio = open_studio("transport/transport.krt")
+    studio.at("run-button").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "running")
+    studio.at("pause-button").click()
+    studio.at("arena-canvas").focus()
+    studio.page.keyboard.press("n")
+    studio.page.keyboard.press("Enter")
+    studio.at("menu-harm-fail").click()
+    expect(studio.at("event-strip").locator('[data-kind="failure"]')).to_have_count(1)
+    studio.full_speed()
+    studio.at("pause-button").click()
+    studio.at("go-to-cause").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")
+    expect(studio.at("ending")).to_have_count(0)
+    expect(studio.at("arena-summary")).to_contain_text("failed")
+
+
+def test_on_a_phone_the_stage_is_all_there_is_and_a_room_ends_it(open_studio: OpenStudio) -> None:
+    studio = open_studio("square/square.krt", viewport={"width": 390, "height": 844})
+    studio.at("room-arena").click()
+    studio.at("arena-large").click()
+    expect(studio.page.locator(".studio")).to_have_attribute("data-stage", "true")
+    box = studio.at("arena").bounding_box()
+    assert box is not None
+    assert box["width"] == 390
+    assert box["height"] > 400
+    studio.at("room-code").click()
+    expect(studio.at("canvas")).to_be_visible()

@@ -1,0 +1,45 @@
+/** The switches in the bar of a large arena: icon and word, icons alone where there is little room. */
+import type { LucideIcon } from "lucide-react";
+import Radar from "lucide-react/icons/radar";
+import Radio from "lucide-react/icons/radio";
+import Route from "lucide-react/icons/route";
+import Navigation from "lucide-react/icons/navigation";
+import Tag from "lucide-react/icons/tag";
+import Volume2 from "lucide-react/icons/volume-2";
+
+import { t } from "../../../i18n/words";
+import { flip, SHOWS, type Shows, useOn } from "./switches";
+
+const ICONS: Readonly<Record<Shows, LucideIcon>> = {
+  trails: Route,
+  rays: Radar,
+  ahead: Navigation,
+  radio: Radio,
+  names: Tag,
+  sound: Volume2,
+};
+
+export function Switches() {
+  const on = useOn();
+  return (
+    <span className="stage-switches" role="group" aria-label={t("arena.show")}>
+      {SHOWS.map(({ id, label }) => {
+        const Picture = ICONS[id];
+        return (
+          <button
+            key={id}
+            type="button"
+            className="stage-switch"
+            data-testid={`show-${id}`}
+            aria-pressed={on[id]}
+            title={t(label)}
+            onClick={() => flip(id)}
+          >
+            <Picture size={16} aria-hidden="true" />
+            <span>{t(label)}</span>
+          </button>
+        );
+      })}
+    </span>
+  );
+}

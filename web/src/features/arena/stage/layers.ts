@@ -1,0 +1,256 @@
+/**
+ * What the arena shows besides the world and the robots while something runs: trails, rays, ranges of radio, the way ahead, and
+ * a small celebration. Under the robots lies what is on the floor, over them only words and paper.
+ */
+import type { PoseFrame } from "../../../api/wire";
+import { toScreen } from "../../../components/scene/camera";
+import { type Brush, robotUnit, write } from "../../../components/scene/draw-world";
+import { ROBOT_MM } from "../../../components/scene/geometry";
+import { LIDS } from "../../../components/scene/lids";
+import type { Layers } from "../../../components/scene/painter";
+import type { Scene, Seen } from "../../../components/scene/scene";
+import { PEN_COLOURS } from "../../../components/scene/pen-strokes";
+import { decimal } from "../../../i18n/numbers";
+import { useStudio } from "../../../model/studio";
+import { useRun } from "../../../session/run";
+import { token, useTheme } from "../../../theme";
+import { Confetti, reachedGoal } from "./confetti";
+import { Motion } from "./motion";
+import { type Ray, raysOf } from "./rays";
+import { drawGlows, drawSigns, drawTag } from "./signs";
+import type { Shows } from "./switches";
+import { Trails } from "./trails";
+
+/** Of more robots than this only those that are watched have rays and ranges. */
+const MANY = 24;
+const SOON_S = 1.2;
+
+interface Tints {
+  line: string;
+  tint: string;
+  word: string;
+}
+
+type Colours = Brush["colours"];
+
+const tints = new WeakMap<Colours, Tints>();
+
+/** Sensors have the colours of tests. */
+function tintsOf(colours: Colours): Tints {
+  let found = tints.get(colours);
+  if (found === undefined) {
+    found = { line: token("test-line"), tint: token("test-tint"), word: token("test-word") };
+    tints.set(colours, found);
+  }
+  return found;
+}
+
+function lineColour(lid: number): string {
+  const dark = useTheme.getState().theme !== "light";
+  return LIDS[lid]?.[dark ? "dark" : "light"] ?? "#888";
+}
+
+export class StageLayers implements Layers {
+  private readonly trails = new Trails();
+  private readonly motion = new Motion();
+  private readonly confetti: Confetti;
+  private run = "";
+  private on: Readonly<Record<Shows, boolean>> | null = null;
+  private selected = "";
+  private tag = true;
+  /** What was found for the rays in this frame; drawn under the robots, labelled over them. */
+  private rays: { ray: Ray; own: boolean }[] = [];
+
+  constructor(again: () => void) {
+    this.confetti = new Confetti(again);
+  }
+
+  /** A run begins, or there is none any more. */
+  begin(run: string): void {
+    if (run === this.run) return;
+    this.run = run;
+    this.trails.clear();
+    this.motion.clear();
+    this.confetti.clear();
+  }
+
+  record(frame: PoseFrame): void {
+    this.trails.record(frame);
+    this.motion.record(frame);
+  }
+
+  /** `tag`: whether what the robot that is watched senses stands beside it. */
+  show(on: Readonly<Record<Shows, boolean>>, selected: string, tag: boolean): void {
+    this.on = on;
+    this.selected = selected;
+    this.tag = tag;
+  }
+
+  /** Celebrates when a run reaches its goal; the returned function ends that. */
+  celebrateRuns(): () => void {
+    return useRun.subscribe((now, before) => {
+      if (now.status === before.status) return;
+      if (reachedGoal(now)) this.confetti.begin();
+      else if (now.status === "running") this.confetti.clear();
+    });
+  }
+
+  private stands(seen: Seen, count: number): boolean {
+    return seen.actor.name === this.selected || count <= MANY;
+  }
+
+  under(brush: Brush, scene: Scene, seen: readonly Seen[]): boolean {
+    this.rays = [];
+    if (this.on === null || !scene.running || scene.real) return false;
+    if (this.on.trails) this.trails.draw(brush, (index) => lineColour(scene.actors[index]?.lid ?? 0));
+    if (this.on.radio) this.drawRadio(brush, seen);
+    if (this.on.ahead) this.drawAhead(brush, seen);
+    if (this.on.rays) this.drawRays(brush, seen);
+    drawGlows(brush, seen);
+    return false;
+  }
+
+  over(brush: Brush, scene: Scene, seen: readonly Seen[]): boolean {
+    if (scene.running) {
+      this.drawPenTips(brush, seen);
+      drawSigns(brush, scene, seen);
+    }
+    const watched = this.tag ? seen.find(({ actor }) => actor.name === this.selected) : undefined;
+    // A board shows itself; what it senses changes all the time.
+    if (watched !== undefined && watched.actor.face === null) drawTag(brush, scene, seen, watched);
+    for (const { ray, own } of this.rays) if (own && ray.ends) this.label(brush, ray);
+    return this.confetti.draw(brush);
+  }
+
+  /** On robots whose pen is down: its tip, in its colour. */
+  private drawPenTips({ pen, camera, colours }: Brush, seen: readonly Seen[]): void {
+    const { agents } = useRun.getState();
+    const { robots } = useStudio.getState().catalogue;
+    seen.forEach((one, index) => {
+      const agent = agents[index];
+      if (agent === undefined || !this.stands(one, seen.length)) return;
+      const tool = robots.find(({ name }) => name === agent.robot)?.objects.find(({ look }) => look === "pen");
+      const [down = 0, colour = 0] = tool === undefined ? [] : (agent.shown[tool.name] ?? []);
+      if (down === 0) return;
+      const unit = robotUnit(camera, one.actor.length_mm);
+      const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
+      pen.beginPath();
+      pen.arc(x, y, 3.6 * unit, 0, Math.PI * 2);
+      pen.fillStyle = PEN_COLOURS[colour] ?? colours.ink;
+      pen.fill();
+      pen.strokeStyle = colours.robotLine;
+      pen.lineWidth = Math.max(1.5 * unit, 1);
+      pen.stroke();
+    });
+  }
+
+  private drawRadio({ pen, camera, colours }: Brush, seen: readonly Seen[]): void {
+    const reach = useRun.getState().mission?.radio?.range_mm ?? 0;
+    if (reach <= 0) return;
+    pen.setLineDash([4, 5]);
+    pen.strokeStyle = colours.muted;
+    pen.lineWidth = 1.25;
+    for (const one of seen) {
+      if (!this.stands(one, seen.length)) continue;
+      const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
+      pen.beginPath();
+      pen.arc(x, y, reach * camera.scale, 0, Math.PI * 2);
+      pen.stroke();
+    }
+    pen.setLineDash([]);
+  }
+
+  /** Where robots will be soon when they go on as they do. */
+  private drawAhead({ pen, camera }: Brush, seen: readonly Seen[]): void {
+    const { tickMs } = useRun.getState();
+    seen.forEach((one, index) => {
+      if (!this.stands(one, seen.length) || one.actor.role !== "robot") return;
+      const way = this.motion.ahead(index, one.pose, (SOON_S * 1000) / tickMs);
+      if (way.length === 0) return;
+      pen.beginPath();
+      for (const [x, y] of way) pen.lineTo(...toScreen(camera, x, y));
+      pen.setLineDash([1, 6]);
+      pen.lineCap = "round";
+      pen.lineWidth = 3;
+      pen.strokeStyle = lineColour(one.actor.lid);
+      pen.stroke();
+      pen.setLineDash([]);
+      const [tip, from] = [way.at(-1), way.at(-2)];
+      if (tip === undefined || from === undefined) return;
+      const [x, y] = toScreen(camera, ...tip);
+      const turn = Math.atan2(tip[1] - from[1], tip[0] - from[0]);
+      pen.beginPath();
+      for (const side of [2.6, 0, -2.6]) {
+        const length = side === 0 ? 0 : 8;
+        pen.lineTo(x + Math.cos(turn + side) * length, y - Math.sin(turn + side) * length);
+      }
+      pen.stroke();
+      pen.lineCap = "butt";
+    });
+  }
+
+  private drawRays(brush: Brush, seen: readonly Seen[]): void {
+    const { pen, camera, colours } = brush;
+    const { agents } = useRun.getState();
+    const { catalogue } = useStudio.getState();
+    const alone = seen.filter(({ actor }) => actor.role === "robot").length === 1;
+    const { line } = tintsOf(colours);
+    seen.forEach((one, index) => {
+      const agent = agents[index];
+      if (agent === undefined || !this.stands(one, seen.length)) return;
+      const robot = catalogue.robots.find(({ name }) => name === agent.robot);
+      const own = alone || one.actor.name === this.selected;
+      for (const ray of raysOf(robot, agent.inputs, one)) this.rays.push({ ray, own });
+    });
+    pen.strokeStyle = line;
+    for (const { ray, own } of this.rays) {
+      const from = toScreen(camera, ...ray.from);
+      const to = toScreen(camera, ...ray.to);
+      pen.lineWidth = own ? 2 : 1.25;
+      pen.setLineDash([6, 4]);
+      pen.beginPath();
+      pen.moveTo(...from);
+      pen.lineTo(...to);
+      pen.stroke();
+      pen.setLineDash([]);
+      if (!ray.ends) continue;
+      pen.beginPath();
+      pen.arc(...to, 7, 0, Math.PI * 2);
+      pen.lineWidth = 1.5;
+      pen.stroke();
+      pen.beginPath();
+      pen.arc(...to, 3.5, 0, Math.PI * 2);
+      pen.fillStyle = line;
+      pen.fill();
+    }
+  }
+
+  /** The length of a ray at its middle, beside its robot where it is short. */
+  private label(brush: Brush, { from, to, mm }: Ray): void {
+    const { pen, camera, room, colours } = brush;
+    const { line, tint, word } = tintsOf(colours);
+    const [ax, ay] = toScreen(camera, ...from);
+    const [bx, by] = toScreen(camera, ...to);
+    const words = `${decimal(Math.round(mm) / 10)} cm`;
+    pen.font = `600 13px "Inter Variable", system-ui, sans-serif`;
+    const width = pen.measureText(words).width + 16;
+    const long = Math.hypot(bx - ax, by - ay);
+    const clear = robotUnit(camera, ROBOT_MM) * 30;
+    // Off the ray where the chip would cover the robot or what it sees.
+    const off = long < width + clear ? 24 : 0;
+    const [ux, uy] = long === 0 ? [0, -1] : [(bx - ax) / long, (by - ay) / long];
+    const inside = (value: number, most: number) => Math.min(Math.max(value, 0), Math.max(most, 0));
+    const left = inside((ax + bx) / 2 + uy * off - width / 2, room.width - width);
+    const top = inside((ay + by) / 2 - ux * off - 12, room.height - 24);
+    pen.beginPath();
+    pen.roundRect(left, top, width, 24, 5);
+    pen.fillStyle = tint;
+    pen.fill();
+    pen.strokeStyle = line;
+    pen.lineWidth = 1;
+    pen.stroke();
+    pen.textAlign = "center";
+    pen.textBaseline = "middle";
+    write(brush, words, left + width / 2, top + 12.5, 13, 600, word);
+  }
+}

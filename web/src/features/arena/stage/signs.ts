@@ -1,0 +1,147 @@
+/**
+ * What a run shows of robots: light of lamps under them; over them waves of a collision, badges of faults, different in shape
+ * (✕ failed, ‖ stalled, a struck-out sender: no radio), and what the one that is watched senses.
+ */
+import { LAMP } from "../../../api/wire";
+import { toScreen } from "../../../components/scene/camera";
+import { isCrowd } from "../../../components/scene/crowd-size";
+import { keeperPlace, ringOf, scoreAt } from "../../../components/scene/draw-robots";
+import { type Brush, robotUnit, write } from "../../../components/scene/draw-world";
+import { drawGlow } from "../../../components/scene/figures";
+import type { Scene, Seen } from "../../../components/scene/scene";
+import { type Area, placeTag } from "../../../components/scene/tag-place";
+
+const MOST_SENSES = 3;
+
+/** In units of a badge's radius, around its middle. */
+const SIGNS = {
+  failed: "M-.38-.38L.38.38M.38-.38L-.38.38",
+  stalled: "M-.22-.4V.4M.22-.4V.4",
+  muted: "M-.3-.02a.42.42 0 0 1 .6 0M-.52-.24a.74.74 0 0 1 1.04 0M0 .3V.32M-.5.5L.5-.5",
+};
+
+/** The light of lamps, under all bodies. */
+export function drawGlows(brush: Brush, seen: readonly Seen[]): void {
+  const { pen, camera, colours } = brush;
+  for (const { actor, pose } of seen) {
+    if ((pose.flags & LAMP) === 0 || actor.face !== null) continue;
+    pen.save();
+    pen.translate(...toScreen(camera, pose.x_mm, pose.y_mm));
+    pen.rotate(-pose.heading_rad);
+    drawGlow(pen, actor.figure, robotUnit(camera, actor.length_mm), colours.glow);
+    pen.restore();
+  }
+}
+
+/** What the collision sensor feels: waves before the bumper. */
+function drawBump({ pen, colours, unit: u }: Brush): void {
+  pen.lineCap = "round";
+  pen.beginPath();
+  for (const reach of [14, 20]) {
+    pen.moveTo(20 * u + reach * Math.cos(0.7) * u, -reach * Math.sin(0.7) * u);
+    pen.arc(20 * u, 0, reach * u, -0.7, 0.7);
+  }
+  pen.strokeStyle = colours.ink;
+  pen.lineWidth = 1.75 * u;
+  pen.stroke();
+  pen.lineCap = "butt";
+}
+
+/** At the upper right of a robot whose middle is at the origin; a second badge goes below the first. */
+function drawBadges({ pen, colours }: Brush, unit: number, { failed, stalled, muted }: Seen): void {
+  const r = Math.max(13 * unit, 8);
+  const signs = [failed ? SIGNS.failed : stalled ? SIGNS.stalled : "", muted ? SIGNS.muted : ""].filter(Boolean);
+  signs.forEach((sign, at) => {
+    pen.save();
+    pen.translate(Math.max(23 * unit, 8), Math.min(-23 * unit, -8) + at * 2.2 * r);
+    pen.scale(r, r);
+    pen.beginPath();
+    pen.arc(0, 0, 1, 0, Math.PI * 2);
+    pen.fillStyle = colours.panel;
+    pen.fill();
+    pen.strokeStyle = colours.ink;
+    pen.lineWidth = 0.15;
+    pen.stroke();
+    pen.lineWidth = 0.2;
+    pen.lineCap = "round";
+    pen.stroke(new Path2D(sign));
+    pen.restore();
+  });
+}
+
+/** Waves and badges; a crowd draws its own. */
+export function drawSigns(brush: Brush, scene: Scene, seen: readonly Seen[]): void {
+  const { pen, camera } = brush;
+  if (isCrowd(seen.length, camera.scale)) return;
+  for (const one of seen) {
+    if (!one.collided && !one.failed && !one.stalled && !one.muted) continue;
+    const kept = one.actor.role === "keeper" ? keeperPlace(brush, scene, one) : null;
+    if (kept === null && one.actor.role === "keeper") continue;
+    const unit = kept?.unit ?? robotUnit(camera, one.actor.length_mm);
+    pen.save();
+    if (kept === null) pen.translate(...toScreen(camera, one.pose.x_mm, one.pose.y_mm));
+    else pen.translate(kept.x, kept.y);
+    if (one.collided) {
+      pen.save();
+      pen.rotate(-one.pose.heading_rad);
+      drawBump({ ...brush, unit });
+      pen.restore();
+    }
+    drawBadges(brush, unit, one);
+    pen.restore();
+  }
+}
+
+/** What the tag should not cover: storehouses, the score, the other robots. */
+function takenAreas(brush: Brush, scene: Scene, seen: readonly Seen[], own: Seen): Area[] {
+  const { camera, unit: u } = brush;
+  const houses = scene.world.storehouses.map((house) => {
+    const [left, top] = toScreen(camera, house.x_mm, house.y_mm + house.height_mm);
+    return { left, top, width: house.width_mm * camera.scale, height: house.height_mm * camera.scale };
+  });
+  const around = (x_mm: number, y_mm: number, halfWidth: number, halfHeight: number): Area => {
+    const [x, y] = toScreen(camera, x_mm, y_mm);
+    return { left: x - halfWidth, top: y - halfHeight, width: 2 * halfWidth, height: 2 * halfHeight };
+  };
+  const others = seen
+    .filter((one) => one !== own && one.actor.role !== "keeper")
+    .map((one) => {
+      const ring = ringOf(one.actor, robotUnit(camera, one.actor.length_mm));
+      return around(one.pose.x_mm, one.pose.y_mm, ring, ring);
+    });
+  const middle = scoreAt(scene);
+  const [left, top] = toScreen(camera, own.pose.x_mm, own.pose.y_mm);
+  const shown = own.actor.indicators.map((_, row) => {
+    const away = ringOf(own.actor, robotUnit(camera, own.actor.length_mm));
+    return { left: left - 60, top: top + away + 18 * row, width: 120, height: 18 };
+  });
+  return [...houses, ...others, ...shown, ...(middle === null ? [] : [around(middle[0], middle[1], 55 * u, 28 * u)])];
+}
+
+/** The tag beside the robot that is watched: its number and what it senses. */
+export function drawTag(brush: Brush, scene: Scene, seen: readonly Seen[], one: Seen): void {
+  const { pen, camera, room, colours } = brush;
+  const { senses, number, role, name } = one.actor;
+  if (senses.length === 0 || role === "keeper") return;
+  const words = [role === "robot" ? String(number) : name, ...senses.slice(0, MOST_SENSES)].join(" · ");
+  const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
+  pen.font = `600 13px "Inter Variable", system-ui, sans-serif`;
+  const size = { width: pen.measureText(words).width + 24, height: 24 };
+  const away = ringOf(one.actor, robotUnit(camera, one.actor.length_mm));
+  const { area, right, below } = placeTag(x, y, away, size, room, takenAreas(brush, scene, seen, one));
+  const middle = area.top + area.height / 2;
+  pen.beginPath();
+  pen.moveTo(x + right * away * 0.72, y + below * away * 0.72);
+  pen.lineTo(x + right * (away * 0.72 + 10), middle);
+  pen.lineTo(right > 0 ? area.left : area.left + area.width, middle);
+  pen.strokeStyle = colours.ink;
+  pen.lineWidth = 1.5;
+  pen.stroke();
+  pen.beginPath();
+  pen.roundRect(area.left, area.top, area.width, area.height, 6);
+  pen.fillStyle = colours.ink;
+  pen.fill();
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  write(brush, words, area.left + area.width / 2, middle + 0.5, 13, 600, colours.onInk);
+}

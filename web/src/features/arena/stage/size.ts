@@ -1,0 +1,42 @@
+/** Makes the arena large and the program small, and back: at once for the layout, shown as one short movement. */
+import { flushSync } from "react-dom";
+
+import { useLayout } from "../../../session/layout";
+import { useNarrow } from "../../../session/narrow";
+import { useStage } from "../../../session/stage";
+import { useView } from "../../../session/view";
+
+const MOVE_MS = 140;
+
+let goBack: (() => void) | null = null;
+
+export function toggle(): void {
+  const large = !useStage.getState().large;
+  const { folded, toggle: fold } = useLayout.getState();
+  const before = document.querySelector(".side-frame")?.getBoundingClientRect();
+  flushSync(() => {
+    // It may have been folded away, or be another room on a phone.
+    if (large && folded.arena) fold("arena");
+    if (large) useNarrow.setState({ room: "arena" });
+    useStage.setState({ large });
+  });
+  const { viewport } = useView.getState();
+  if (large) goBack = viewport?.whole() ?? null;
+  else {
+    goBack?.();
+    goBack = null;
+  }
+  move(before);
+}
+
+/** The arena comes from where it was. */
+function move(before: DOMRect | undefined): void {
+  const frame = document.querySelector<HTMLElement>(".side-frame");
+  if (frame === null || before === undefined || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+  const after = frame.getBoundingClientRect();
+  const by = before.left - after.left || before.right - after.right;
+  frame.animate([{ transform: `translateX(${String(by)}px)` }, { transform: "none" }], {
+    duration: MOVE_MS,
+    easing: "ease-out",
+  });
+}

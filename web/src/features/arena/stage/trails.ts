@@ -1,0 +1,161 @@
+/**
+ * Where robots have been, as dots of 3 px each 8 px in the colour of each.
+ *
+ * Of each robot the places it went through are kept, in mm, with their ticks: so a run that goes back loses what lay ahead. The
+ * dots are drawn once onto a layer that is larger than the arena, and that is moved along with the camera; only what is
+ * new is added to it. Another scale, or the edge of the layer, draws it anew.
+ */
+import type { PoseFrame } from "../../../api/wire";
+import type { Camera } from "../../../components/scene/camera";
+import type { Brush } from "../../../components/scene/draw-world";
+
+const [DOT_PX, EACH_PX] = [3, 8];
+/** Places nearer than this to the last one are not kept, in mm. */
+const LEAST_MM = 10;
+/** Further than this within one frame it did not drive, in mm. */
+const JUMP_MM = 2000;
+/** Room of the layer around the arena, in px. */
+const MARGIN = 200;
+/** So many places are kept of all robots together, and of each at least and at most so many. */
+const [ALL, FEWEST, MOST] = [400_000, 100, 4000];
+
+interface Trail {
+  xs: number[];
+  ys: number[];
+  ticks: number[];
+  /** So many of its places are on the layer, and how far the last dot is behind the last of them, in px. */
+  drawn: number;
+  behind: number;
+}
+
+function empty(): Trail {
+  return { xs: [], ys: [], ticks: [], drawn: 0, behind: 0 };
+}
+
+export class Trails {
+  private trails: Trail[] = [];
+  private tick = -1;
+  private layer: OffscreenCanvas | null = null;
+  private at: Camera = { scale: 0, x: 0, y: 0 };
+  private ratio = 1;
+  private stale = true;
+  private colours = "";
+
+  clear(): void {
+    this.trails = [];
+    this.tick = -1;
+    this.stale = true;
+  }
+
+  /** The places of each robot that are kept. */
+  get lengths(): number[] {
+    return this.trails.map(({ xs }) => xs.length);
+  }
+
+  record({ tick, poses }: PoseFrame): void {
+    if (this.trails.length !== poses.length) {
+      this.trails = poses.map(empty);
+      this.stale = true;
+    }
+    if (tick < this.tick) this.forget(tick);
+    this.tick = tick;
+    const most = Math.min(MOST, Math.max(FEWEST, Math.floor(ALL / Math.max(poses.length, 1))));
+    poses.forEach(({ x_mm, y_mm }, index) => {
+      const trail = this.trails[index];
+      if (trail === undefined) return;
+      const { xs, ys, ticks } = trail;
+      const end = xs.length - 1;
+      const far = end < 0 ? Infinity : Math.hypot(x_mm - (xs[end] ?? 0), y_mm - (ys[end] ?? 0));
+      if (far < LEAST_MM) return;
+      xs.push(x_mm);
+      ys.push(y_mm);
+      ticks.push(tick);
+      if (xs.length <= most * 1.25) return;
+      // The oldest go, many at a time: each time the layer is drawn anew.
+      const gone = xs.length - most;
+      for (const list of [xs, ys, ticks]) list.splice(0, gone);
+      this.stale = true;
+    });
+  }
+
+  /** Forgets what is later than a tick. */
+  private forget(tick: number): void {
+    for (const { xs, ys, ticks } of this.trails) {
+      let left = ticks.length;
+      while (left > 0 && (ticks[left - 1] ?? 0) > tick) left--;
+      for (const list of [xs, ys, ticks]) list.length = left;
+    }
+    this.stale = true;
+  }
+
+  /** `colourOf`: of the robot at a place of the team. */
+  draw({ pen, camera, room }: Brush, colourOf: (index: number) => string): void {
+    const ratio = window.devicePixelRatio || 1;
+    const [width, height] = [(room.width + 2 * MARGIN) * ratio, (room.height + 2 * MARGIN) * ratio].map(Math.ceil);
+    if (width === undefined || height === undefined) return;
+    const [dx, dy] = [camera.x - this.at.x, camera.y - this.at.y];
+    const colours = colourOf(0);
+    if (
+      this.layer === null ||
+      this.layer.width !== width ||
+      this.layer.height !== height ||
+      this.at.scale !== camera.scale ||
+      Math.abs(dx) > MARGIN ||
+      Math.abs(dy) > MARGIN ||
+      colours !== this.colours
+    ) {
+      if (this.layer?.width !== width || this.layer.height !== height) this.layer = new OffscreenCanvas(width, height);
+      this.at = { ...camera };
+      this.ratio = ratio;
+      this.colours = colours;
+      this.stale = true;
+    }
+    const paint = this.layer.getContext("2d");
+    if (paint === null) return;
+    if (this.stale) {
+      paint.setTransform(1, 0, 0, 1, 0, 0);
+      paint.clearRect(0, 0, width, height);
+      for (const trail of this.trails) Object.assign(trail, { drawn: 0, behind: 0 });
+      this.stale = false;
+    }
+    paint.setTransform(this.ratio, 0, 0, this.ratio, MARGIN * this.ratio, MARGIN * this.ratio);
+    this.trails.forEach((trail, index) => {
+      if (trail.drawn >= trail.xs.length) return;
+      paint.fillStyle = colourOf(index);
+      this.add(paint, trail);
+    });
+    pen.drawImage(
+      this.layer,
+      camera.x - this.at.x - MARGIN,
+      camera.y - this.at.y - MARGIN,
+      width / this.ratio,
+      height / this.ratio,
+    );
+  }
+
+  /** The dots of what is not on the layer yet. */
+  private add(paint: OffscreenCanvasRenderingContext2D, trail: Trail): void {
+    const { scale, x, y } = this.at;
+    const { xs, ys } = trail;
+    for (let end = Math.max(trail.drawn, 1); end < xs.length; end++) {
+      const [x0, y0] = [x + (xs[end - 1] ?? 0) * scale, y - (ys[end - 1] ?? 0) * scale];
+      const [x1, y1] = [x + (xs[end] ?? 0) * scale, y - (ys[end] ?? 0) * scale];
+      const long = Math.hypot(x1 - x0, y1 - y0);
+      if (long === 0 || long > JUMP_MM * scale) continue;
+      let along = EACH_PX - trail.behind;
+      for (; along <= long; along += EACH_PX) {
+        const share = along / long;
+        const [cx, cy] = [x0 + (x1 - x0) * share, y0 + (y1 - y0) * share];
+        if (this.trails.length > 100) {
+          paint.fillRect(cx - DOT_PX / 2, cy - DOT_PX / 2, DOT_PX, DOT_PX);
+          continue;
+        }
+        paint.beginPath();
+        paint.arc(cx, cy, DOT_PX / 2, 0, Math.PI * 2);
+        paint.fill();
+      }
+      trail.behind = long - (along - EACH_PX);
+    }
+    trail.drawn = xs.length;
+  }
+}
