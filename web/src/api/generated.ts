@@ -89,7 +89,7 @@ export interface BeginningPlace {
   world: World;
 }
 
-/** All there is to choose from. The starter `nothing`, without parts, fits every robot_set in each of its places. */
+/** All there is to choose from. The starter `nothing`, without parts, fits every set in each of its places. */
 export interface Beginnings {
   robot_sets: RobotSet[];
   places: BeginningPlace[];
@@ -1488,7 +1488,7 @@ export interface StartedMessage {
   pens: number[];
 }
 
-/** A first program; `places` says for each robot_set that it fits where it can be had. */
+/** A first program; `places` says for each set of robots that it fits where it can be had. */
 export interface Starter {
   name: string;
   label: Record<string, string>;
