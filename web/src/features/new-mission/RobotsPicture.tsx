@@ -14,6 +14,7 @@ export function RobotsPicture({ robots }: { robots: readonly string[] }) {
         <Robot
           key={kind}
           kind={kind}
+          index={index}
           x={(index % ROW) * PLACE + PLACE / 2}
           y={Math.floor(index / ROW) * PLACE + PLACE / 2}
           heading={Math.PI / 2}

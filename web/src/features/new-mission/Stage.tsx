@@ -81,9 +81,9 @@ export function Stage({ world, tracks, still = false, close = false }: StageProp
             .join(" ")}
         />
       ))}
-      {tracks.map(({ agent, robot, points }) => {
+      {tracks.map(({ agent, robot, points }, index) => {
         const [x, y, heading] = at(points, moment);
-        return <Robot key={agent} kind={robot} x={x} y={up(y)} heading={heading} length={size} />;
+        return <Robot key={agent} kind={robot} index={index} x={x} y={up(y)} heading={heading} length={size} />;
       })}
     </WorldPicture>
   );

@@ -104,7 +104,10 @@ describe("what the server tells", () => {
   it("keeps a robot as a whole, until it is gone", () => {
     const there = { ...STATE, ...applyMessage(STATE, BOARD) };
     expect(there.boards).toEqual({ "/dev/ttyACM0": BOARD });
-    const given = { ...there, given: { "/dev/ttyACM0": { path: "", program: "heart", kit: "", mission: null as never } } };
+    const given = {
+      ...there,
+      given: { "/dev/ttyACM0": { path: "", program: "heart", kit: "", mission: null as never } },
+    };
     const gone = { ...given, ...applyMessage(given, { type: "gone", address: "/dev/ttyACM0" }) };
     expect([gone.boards, gone.given]).toEqual([{}, {}]);
   });

@@ -80,7 +80,12 @@ export function readKept(text: string | null): Kept {
     return kept;
   }
   if (typeof found !== "object" || found === null) return kept;
-  const { chosen, kits, typed, bodies } = found as { chosen?: unknown; kits?: unknown; typed?: unknown; bodies?: unknown };
+  const { chosen, kits, typed, bodies } = found as {
+    chosen?: unknown;
+    kits?: unknown;
+    typed?: unknown;
+    bodies?: unknown;
+  };
   kept.chosen = texts(chosen);
   kept.kits = texts(kits);
   kept.bodies = texts(bodies);
