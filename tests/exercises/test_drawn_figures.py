@@ -40,6 +40,7 @@ def goal(by: str) -> RunGoal:
 def test_what_the_pen_drew_or_what_was_driven_is_the_figure(text: str, by_pen: str | None, by_way: str | None) -> None:
     robot = catalogue().robots["mini-robot"]
     run = run_seen(run_of({"a": (robot, text)}, empty_world(a=(1000, 1000, 0.4))), 1, True)
+    assert run is not None
     for by, words in (("pen", by_pen), ("way", by_way)):
         fault = goal(by).fault(run)
         if words is None:

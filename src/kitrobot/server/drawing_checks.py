@@ -7,10 +7,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from fastapi import APIRouter, WebSocket
-
 from kitrobot.server.background_work import BackgroundWork
-from kitrobot.server.shapes import mission_from_shape
 from kitrobot.server.shapes.drawing_check import (
     DRAWING_CHECK_REQUEST,
     DrawingCheckMessage,
@@ -18,16 +15,8 @@ from kitrobot.server.shapes.drawing_check import (
     drawing_check_message,
 )
 from kitrobot.text import Sentence
-from kitrobot.workspace import RunOptions
+from kitrobot.workspace import OpenMission, RunOptions
 from kitrobot.workspace.drawing_check import EXPLORE_S, RUN_S, look_through
-
-drawing_check_routes = APIRouter()
-
-
-@drawing_check_routes.websocket("/api/drawing-check")
-async def drawing_check(socket: WebSocket) -> None:
-    """Serves one socket until it closes."""
-    await _DrawingCheck.serve(socket)
 
 
 class _DrawingCheck(BackgroundWork):
@@ -37,8 +26,10 @@ class _DrawingCheck(BackgroundWork):
     progress = DrawingCheckMessage
     busy = Sentence("this studio is at a check already")
 
-    def work(self, request: DrawingCheckStartRequest) -> DrawingCheckMessage:
-        opened = self.studio.open(mission_from_shape(request.mission), request.path)
+    def work(self, request: DrawingCheckStartRequest, opened: OpenMission) -> DrawingCheckMessage:
         prepared = opened.prepare(RunOptions(request.seed, RUN_S))
         found = look_through(prepared, self.stop.is_set, EXPLORE_S)
         return drawing_check_message(found, prepared.simulation.tick_ms)
+
+
+drawing_check_routes = _DrawingCheck.at("/api/drawing-check")
