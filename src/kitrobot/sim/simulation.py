@@ -28,14 +28,7 @@ from kitrobot.sim.agent_views import AgentView, poses_of, view_of
 from kitrobot.sim.agents import Agent
 from kitrobot.sim.arrays import as_arrays
 from kitrobot.sim.bodies import Stage
-from kitrobot.sim.columns import (
-    ASLEEP,
-    COLLISIONS,
-    EVENTS,
-    S_FORCED,
-    STUCK,
-    TICK,
-)
+from kitrobot.sim.columns import ASLEEP, COLLISIONS, EVENTS, S_FORCED, STUCK, TICK
 from kitrobot.sim.deadlock_detection import stirred
 from kitrobot.sim.endings import Goals, is_at_once, say_done, say_failed, say_stuck, say_team_over, say_time
 from kitrobot.sim.event_text import Event, EventText, sensor_names
