@@ -63,7 +63,9 @@ export function decodeFrame(data: ArrayBuffer): PoseFrame | null {
   const view = new DataView(data);
   const read = (index: number) => view.getFloat32(index * 4, true);
   const count = read(1);
-  if (!Number.isInteger(count) || count < 0 || data.byteLength < (HEAD + count * FIELDS) * 4) return null;
+  if (!Number.isInteger(count) || count < 0) return null;
+  const rest = data.byteLength - (HEAD + count * FIELDS) * 4;
+  if (rest < 0 || rest % 8 !== 0) return null;
   const poses: Pose[] = [];
   for (let robot = 0; robot < count; robot++) {
     const at = HEAD + robot * FIELDS;

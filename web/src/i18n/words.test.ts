@@ -59,6 +59,7 @@ const keys = Object.keys(EN) as Key[];
 /** Sentences that are the same in another language: names, and words that French and English share. */
 const NAMES: Key[] = [
   "app.name",
+  "arena.radio",
   "boards.title",
   "menu.robots",
   "menu.bar",

@@ -68,6 +68,13 @@ export function startPlace(world: OwnWorld, start: OwnWorld["starts"][number]): 
 
 const drawn = new WeakMap<OwnWorld, World>();
 
+const sized = ({ x_mm, y_mm }: { x_mm: number; y_mm: number }, width_mm: number, height_mm: number) => ({
+  x_mm,
+  y_mm,
+  width_mm,
+  height_mm,
+});
+
 /** The world as it is drawn; the same object for the same world. */
 export function drawnWorld(own: OwnWorld): World {
   const known = drawn.get(own);
@@ -97,6 +104,13 @@ export function drawnWorld(own: OwnWorld): World {
       const place = startPlace(own, start);
       return place === null ? [] : [{ name: start.name, x_mm: place.x, y_mm: place.y, heading_rad: place.heading }];
     }),
+    things: [
+      ...(own.boxes ?? []).map((box) => ({ ...sized(box, box.width_mm, box.height_mm), kind: "box" as const })),
+      ...(own.balls ?? []).map((ball) => ({
+        ...sized(ball, 2 * ball.radius_mm, 2 * ball.radius_mm),
+        kind: "ball" as const,
+      })),
+    ],
   };
   drawn.set(own, world);
   return world;
