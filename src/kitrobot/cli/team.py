@@ -51,9 +51,9 @@ def run_team(
     Ctrl-C is the emergency stop: all robots stand still, then everything ends. The exit status is 0 when the mission
     was done.
     """
-    from kitrobot.fleet import LEAST_LEASE_MS, MOST_LEASE_MS, Agents, FleetError, Network, identity_of
+    from kitrobot.fleet import LEAST_LEASE_MS, MOST_LEASE_MS, Agents, FleetError, FleetTold, Network, identity_of
     from kitrobot.sim import MAX_SECONDS, MAX_SEED
-    from kitrobot.workspace import FleetPlan, FleetTold, RunOptions, boards_of, free_endpoint, run_fleet
+    from kitrobot.workspace import FleetPlan, RunOptions, boards_of, free_endpoint, run_fleet
 
     if not 0 < seconds <= MAX_SECONDS or seed > MAX_SEED:
         words = f"a run takes at most {MAX_SECONDS:.0f} seconds, and a seed is at most {MAX_SEED}"

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from kitrobot.fleet.keys import VARIABLE, find_key, key_of, new_key
     from kitrobot.fleet.processes import Agents, end_of_input
     from kitrobot.fleet.run_source import FleetSource
-    from kitrobot.fleet.team_process import FleetRun, TeamProcess
+    from kitrobot.fleet.team_process import FleetRun, FleetTold, TeamProcess
     from kitrobot.fleet.telling import Told, told_line
     from kitrobot.fleet.transport import Channel, Network
 else:
@@ -34,7 +34,7 @@ else:
             "keys": ("VARIABLE", "find_key", "key_of", "new_key"),
             "processes": ("Agents", "end_of_input"),
             "run_source": ("FleetSource",),
-            "team_process": ("FleetRun", "TeamProcess"),
+            "team_process": ("FleetRun", "FleetTold", "TeamProcess"),
             "telling": ("Told", "told_line"),
             "transport": ("Channel", "Network"),
         },
@@ -54,6 +54,7 @@ __all__ = [
     "FleetError",
     "FleetRun",
     "FleetSource",
+    "FleetTold",
     "Network",
     "TeamProcess",
     "Told",

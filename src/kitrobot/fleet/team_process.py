@@ -51,6 +51,25 @@ class FleetRun:
     stopped_ms: dict[str, int]
 
 
+@dataclass(frozen=True)
+class FleetTold:
+    """Who is told of a fleet, in the thread that runs it.
+
+    Attributes:
+        say: the name of an agent, or "", and each sentence of the log.
+        is_over: asked often whether the emergency stop was pressed.
+        on_step: the run, after the first readings and after each step.
+        on_there: the name of an agent that has come.
+        on_ended: the name of an agent whose process has ended, and the sentence that says so, once; None: as `say`.
+    """
+
+    say: Callable[[str, str], None]
+    is_over: Callable[[], bool]
+    on_step: Callable[[Simulation], None]
+    on_there: Callable[[str], None] = lambda name: None
+    on_ended: Callable[[str, str], None] | None = None
+
+
 class TeamProcess:
     """A fleet of all agents of a mission.
 
@@ -59,12 +78,8 @@ class TeamProcess:
         channel: the way to the agents.
         lease_ms: how long silence is borne.
         pace: simulated time against real time; 0: as fast as agents answer.
-        say: told the name of an agent, or "", and each sentence of the log.
-        has_ended: the names of agents whose processes this one started and that have ended.
-        is_over: asked often whether the emergency stop was pressed.
-        on_step: called after the first readings, and after each step.
-        on_there: told the name of an agent that says hello for the first time.
-        on_ended: told the name of an agent whose process has ended, and the sentence that says so, once.
+        has_ended: the names of agents whose processes this one started and that have ended, with their statuses.
+        told: who is told of it.
     """
 
     def __init__(
@@ -73,19 +88,14 @@ class TeamProcess:
         channel: Channel,
         lease_ms: int,
         pace: float,
-        say: Callable[[str, str], None],
         has_ended: Callable[[], dict[str, int]],
-        is_over: Callable[[], bool],
-        on_step: Callable[[Simulation], None],
-        on_there: Callable[[str], None],
-        on_ended: Callable[[str, str], None],
+        told: FleetTold,
     ) -> None:
         charter_of(simulation, lease_ms)
         self.simulation = simulation
         self.channel = channel
         self.lease, self.pace = lease_ms, pace
-        self.say, self.has_ended, self.is_over, self.on_step = say, has_ended, is_over, on_step
-        self.on_there, self.on_ended = on_there, on_ended
+        self.has_ended, self.told = has_ended, told
         self.identity = identity_of(simulation)
         self.names = [agent.name for agent in simulation.members]
         self.lives: dict[int, int] = {}
@@ -103,7 +113,7 @@ class TeamProcess:
             FleetError: somebody has not, in that time.
         """
         end = milliseconds() + round(seconds * 1000)
-        while len(self.lives) < len(self.names) and not self.is_over():
+        while len(self.lives) < len(self.names) and not self.told.is_over():
             for envelope in self.channel.receive(TURN_MS / 1000):
                 self._take(milliseconds(), envelope)
             self._watch_processes()
@@ -127,17 +137,17 @@ class TeamProcess:
             return
         if i >= len(self.names) or name != self.names[i] or identity != self.identity:
             why = Sentence("its mission, its world or its programs are others than those of this team")
-            self.say("", Sentence("refused {agent}: {why}", str(name)[:100], why))
+            self.told.say("", Sentence("refused {agent}: {why}", str(name)[:100], why))
             self.channel.send(i, kinds.WELCOME, json.dumps([why, 0, 0]).encode())
             return
         known = self.lives.get(i)
         if known is None:
             self.lives[i] = 0
-            self.on_there(name)
+            self.told.on_there(name)
         elif self.world is not None and self.world.links[i].heard_at + self.lease < now:
             self.lives[i] = known + 1
             self.world.restarted(now, i)
-            self.say(name, Sentence("comes anew"))
+            self.told.say(name, Sentence("comes anew"))
         elif self.world is not None and now - self._began_at > self.lease:
             return
         self.channel.send(i, kinds.WELCOME, json.dumps(["", self.lives[i], self.lease]).encode())
@@ -152,7 +162,7 @@ class TeamProcess:
         self.channel.run = 1 + secrets.randbelow(1 << 48)
         self._began_at = now = milliseconds()
         self.world = world = WorldHost(simulation, self.lease, now, self.pace)
-        self.on_step(simulation)
+        self.told.on_step(simulation)
         begun: set[int] = set()
         while simulation.outcome is None and not self._has_stopped():
             now = milliseconds()
@@ -166,7 +176,7 @@ class TeamProcess:
             world.time(now)
             if self._stop_at is None and now >= world.due_at(now):
                 world.step(now)
-                self.on_step(simulation)
+                self.told.on_step(simulation)
                 self._tell_events()
             frames, world.frames = world.frames, []
             for i, frame in frames:
@@ -191,7 +201,7 @@ class TeamProcess:
             try:
                 self.world.answer(now, i, read_reply(envelope.body))
             except FrameError as error:
-                self.say(self.names[i], Sentence("refused: {why}", error.args[0]))
+                self.told.say(self.names[i], Sentence("refused: {why}", error.args[0]))
         elif envelope.kind == kinds.STOP and self._stop_at is not None and i < len(self.names):
             self.stopped_ms.setdefault(self.names[i], now - self._stop_at)
 
@@ -200,7 +210,7 @@ class TeamProcess:
     def _press_stop(self, now: int) -> None:
         """Tells all agents to stop, until all have said that they did."""
         if self._stop_at is None:
-            if not self.is_over():
+            if not self.told.is_over():
                 return
             assert self.world is not None
             self._stop_at = self._stopped_last = now
@@ -223,13 +233,13 @@ class TeamProcess:
         for name, status in self.has_ended().items():
             if name not in self._gone:
                 self._gone.add(name)
-                self.on_ended(name, Sentence("its process has ended (status {status})", status))
+                (self.told.on_ended or self.told.say)(name, Sentence("its process has ended (status {status})", status))
 
     def _tell_events(self) -> None:
         assert self.world is not None
         for event in self.world.events:
             if event.kind not in ("load", "unload", "collision"):
-                self.say(event.agent, event.text)
+                self.told.say(event.agent, event.text)
 
     def _tell(self) -> None:
         told: list[Any] = self.channel.refused
@@ -237,4 +247,4 @@ class TeamProcess:
         if self.world is not None:
             told, self.world.log = told + self.world.log, []
         for sentence in told:
-            self.say("", sentence)
+            self.told.say("", sentence)

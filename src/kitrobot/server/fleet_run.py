@@ -16,14 +16,14 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.fleet import Agents, FleetRun, FleetSource, Network, Told, identity_of
+from kitrobot.fleet import Agents, FleetRun, FleetSource, FleetTold, Network, Told, identity_of
 from kitrobot.mission import Mission
 from kitrobot.server.replay import RunOfRecords
 from kitrobot.server.robot_worker import way_out
 from kitrobot.server.team_room import TeamRoom
 from kitrobot.text import Sentence, listed
 from kitrobot.trace import ENDING
-from kitrobot.workspace import FleetPlan, FleetTold, PreparedRun, files_for_agents, free_endpoint, parts_of, run_fleet
+from kitrobot.workspace import FleetPlan, PreparedRun, files_for_agents, free_endpoint, parts_of, run_fleet
 
 LEASE_MS, BOARD_LEASE_MS = 1000, 2000
 """How long silence is borne, of simulated bodies alone and where a board is in the team: a small one is slow."""

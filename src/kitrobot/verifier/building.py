@@ -182,7 +182,8 @@ def _static(
             road = roads.of_dock[act.dock] if act.is_arm and act.dock >= 0 else -1
             acts += [int(act.is_arm), act.dock, store, road, capacity[store] if act.is_arm else 0]
         if part.track is not None:
-            _place_track(row, geo, i, part, parts, roads, run, docks, known)
+            behind = parts[part.follower] if part.follower >= 0 else None
+            _place_track(row, geo, part, behind, roads.signs[i], run, docks, known)
         agents += row
     return agents, geo, visits, acts
 
@@ -190,15 +191,14 @@ def _static(
 def _place_track(
     row: list[int],
     geo: list[int],
-    i: int,
     part: Part,
-    parts: Sequence[Part],
-    roads: Roads,
+    follower: Part | None,
+    signs_read: list[tuple[int, ...]],
     run: Simulation,
     docks: int,
     known: dict[Any, int],
 ) -> None:
-    """Puts an agent's road into its row, and its numbers behind `geo`."""
+    """Puts an agent's road into its row, and its numbers behind `geo`; new combinations of signs go to `signs_read`."""
     track = part.track
     assert track is not None
     zones, gaps = track.zones, track.gaps
@@ -207,10 +207,10 @@ def _place_track(
     signs = [sense.signs for sense in part.senses if sense.discrete is Discrete.SECTION]
     for zone in range(len(zones)):
         read = tuple(one[zone] for one in signs)
-        if read not in roads.signs[i]:
-            roads.signs[i].append(read)
+        if read not in signs_read:
+            signs_read.append(read)
         size = zones.size(zone)
-        geo += [int(size > track.tick_mm), int(size > track.braking_mm), roads.signs[i].index(read)]
+        geo += [int(size > track.tick_mm), int(size > track.braking_mm), signs_read.index(read)]
         geo += [int(_is_in(run, zones, zone, dock, part.road)) for dock in range(docks)]
     row[v.A_GAP_AT] = len(geo)
     for gap in range(gaps.beyond + 2):
@@ -221,7 +221,7 @@ def _place_track(
         geo += [int(one) for one in possible_everywhere(zones, gaps)]
     row[v.A_CAN_AT] = known[zones, gaps]
     row[v.A_SENSES_AT] = len(geo)
-    behind = parts[part.follower].track if part.follower >= 0 else None
+    behind = None if follower is None else follower.track
     for sense in part.senses:
         if sense.discrete is Discrete.GAP:
             row[v.A_SENSES] += 1

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from kitrobot.workspace.executables import Executable, load_executable
     from kitrobot.workspace.execution import Executed, execute
     from kitrobot.workspace.exercises import Exercises, FoundExercise, handed_in
-    from kitrobot.workspace.fleets import FleetPlan, FleetTold, files_for_agents, free_endpoint, run_fleet
+    from kitrobot.workspace.fleets import FleetPlan, files_for_agents, free_endpoint, run_fleet
     from kitrobot.workspace.inputs import Change, Inputs, read_inputs
     from kitrobot.workspace.kit_files import find_kit, kit_named, kits_at_hand
     from kitrobot.workspace.kits import ProgramOnKit, mission_on_kit
@@ -54,7 +54,7 @@ else:
             "conversion": ("ConversionError", "Converted", "convert"),
             "executables": ("Executable", "load_executable"),
             "execution": ("Executed", "execute"),
-            "fleets": ("FleetPlan", "FleetTold", "files_for_agents", "free_endpoint", "run_fleet"),
+            "fleets": ("FleetPlan", "files_for_agents", "free_endpoint", "run_fleet"),
             "inputs": ("Change", "Inputs", "read_inputs"),
             "compile_cache": ("KeptPrograms",),
             "kit_files": ("find_kit", "kit_named", "kits_at_hand"),
@@ -96,7 +96,6 @@ __all__ = [
     "Exercises",
     "FileReport",
     "FleetPlan",
-    "FleetTold",
     "FoundExercise",
     "FoundPlace",
     "FoundTutorial",

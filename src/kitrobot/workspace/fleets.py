@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import socket
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,6 +15,7 @@ from kitrobot.fleet import (
     Agents,
     Channel,
     FleetRun,
+    FleetTold,
     Network,
     TeamProcess,
     find_key,
@@ -66,25 +67,6 @@ class FleetPlan:
         return words
 
 
-@dataclass(frozen=True)
-class FleetTold:
-    """Who is told of a fleet, in the thread that runs it.
-
-    Attributes:
-        say: the name of an agent, or "", and each sentence of the log.
-        is_over: asked often whether the emergency stop was pressed.
-        on_step: the run, after the first readings and after each step.
-        on_there: the name of an agent that has come.
-        on_ended: the name of an agent whose process has ended, and the sentence that says so, once; None: as `say`.
-    """
-
-    say: Callable[[str, str], None]
-    is_over: Callable[[], bool]
-    on_step: Callable[[Simulation], None]
-    on_there: Callable[[str], None] = lambda name: None
-    on_ended: Callable[[str, str], None] | None = None
-
-
 def run_fleet(simulation: Simulation, plan: FleetPlan, agents: Agents, told: FleetTold) -> FleetRun:
     """Starts the agents of a plan and lets the run go on to its end.
 
@@ -101,18 +83,7 @@ def run_fleet(simulation: Simulation, plan: FleetPlan, agents: Agents, told: Fle
         told.say("", Sentence("the team is at {endpoints}", ", ".join(where)))
         for name in plan.names:
             agents.start(name, plan.words(name), {VARIABLE: made} if plan.key is None else {})
-        team = TeamProcess(
-            simulation,
-            channel,
-            plan.lease_ms,
-            plan.pace,
-            told.say,
-            agents.ended,
-            told.is_over,
-            told.on_step,
-            told.on_there,
-            told.on_ended or told.say,
-        )
+        team = TeamProcess(simulation, channel, plan.lease_ms, plan.pace, agents.ended, told)
         team.gather(GATHER_S)
         if not told.is_over():
             told.say("", Sentence("all agents are there"))
