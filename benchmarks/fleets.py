@@ -20,10 +20,10 @@ import tempfile
 import time
 from pathlib import Path
 
-from kitrobot.fleet import Agents, Network, identity_of
+from kitrobot.fleet import Agents, FleetTold, Network, identity_of
 from kitrobot.sim import Simulation
 from kitrobot.sim.agent_views import commanded
-from kitrobot.workspace import FleetPlan, FleetTold, RunOptions, free_endpoint, open_mission, run_fleet
+from kitrobot.workspace import FleetPlan, RunOptions, free_endpoint, open_mission, run_fleet
 
 CONVOY = Path(__file__).parents[1] / "examples/convoy"
 LEASE_MS, LARGE_LEASE_MS = 500, 5000

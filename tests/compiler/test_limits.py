@@ -74,7 +74,7 @@ def runs(compiled: Compiled, on: Robot) -> Image:
     return compiled.image
 
 
-STATE = 1 + 3 + 2 + 4  # the fault flag, sensors, done flags, variables of mini-robot
+STATE = 1 + 3 + 3 + 4  # the fault flag, sensors, done flags, variables of mini-robot
 
 
 def test_a_program_with_as_many_cells_as_there_are_runs() -> None:
@@ -188,18 +188,18 @@ LISTINGS = [
     ("an empty program", "", ["END"]),
     ("an action", "Wheel.Stop();", ["ACT 5 0 0", "END"]),
     ("a later action looks at its flag from the next tick on", "Door.Open();", ["ACT 6 0 0", "YIELD", "JZ 5 1", "END"]),
-    ("Set to a number in range needs no clamp", "Count.Set(3);", ["MOV 6 10", "END"]),
-    ("Set to a value of a narrower range needs no clamp", "Count.Set(Level.Value());", ["MOV 6 7", "END"]),
-    ("a sum is clamped", "Count.Add(1);", ["ADD 6 6 10", "CLAMP 6 11 12", "END"]),
-    ("a test of a flag is a jump", "[Run.IsTrue()](Wheel.Stop(););", ["JZ 8 2", "ACT 5 0 0", "END"]),
-    ("the test turned round", "[Run.IsFalse()](Wheel.Stop(););", ["JNZ 8 2", "ACT 5 0 0", "END"]),
-    ("WAIT(0) is one tick", "WAIT(0);", ["WAIT 10", "END"]),
-    ("a free back edge is a jump", "*[Run.IsTrue()](WAIT(1););", ["JZ 8 3", "WAIT 10", "JMP 0", "END"]),
-    ("any other gives up the tick", "*[Run.IsTrue()]();", ["JZ 8 2", "LOOP 0", "END"]),
+    ("Set to a number in range needs no clamp", "Count.Set(3);", ["MOV 7 11", "END"]),
+    ("Set to a value of a narrower range needs no clamp", "Count.Set(Level.Value());", ["MOV 7 8", "END"]),
+    ("a sum is clamped", "Count.Add(1);", ["ADD 7 7 11", "CLAMP 7 12 13", "END"]),
+    ("a test of a flag is a jump", "[Run.IsTrue()](Wheel.Stop(););", ["JZ 9 2", "ACT 5 0 0", "END"]),
+    ("the test turned round", "[Run.IsFalse()](Wheel.Stop(););", ["JNZ 9 2", "ACT 5 0 0", "END"]),
+    ("WAIT(0) is one tick", "WAIT(0);", ["WAIT 11", "END"]),
+    ("a free back edge is a jump", "*[Run.IsTrue()](WAIT(1););", ["JZ 9 3", "WAIT 11", "JMP 0", "END"]),
+    ("any other gives up the tick", "*[Run.IsTrue()]();", ["JZ 9 2", "LOOP 0", "END"]),
     ("a parallel", "//(Wheel.Stop(););", ["FORK 0", "JOIN 0", "END", "ACT 5 0 0", "END"]),
-    ("a parallel of nothing is a tick", "//();", ["WAIT 10", "END"]),
-    ("a mark outside a parallel does nothing", "°Wheel.Advance(1)°;", ["ACT 3 10 1", "END"]),
-    ("a mark arms its stop", "//(°Wheel.Advance(1)°;);", ["FORK 0", "JOIN 0", "END", "ARM 0", "ACT 3 10 1", "END"]),
+    ("a parallel of nothing is a tick", "//();", ["WAIT 11", "END"]),
+    ("a mark outside a parallel does nothing", "°Wheel.Advance(1)°;", ["ACT 3 11 1", "END"]),
+    ("a mark arms its stop", "//(°Wheel.Advance(1)°;);", ["FORK 0", "JOIN 0", "END", "ARM 0", "ACT 3 11 1", "END"]),
     ("a loop of no times is nothing", "0*(Wheel.Stop(););", ["END"]),
     ("a value as an instruction is nothing", "Captor.Value();", ["END"]),
 ]

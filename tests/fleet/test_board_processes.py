@@ -83,7 +83,7 @@ def test_what_cannot_be_a_team_with_boards_is_told(
         ),
         ((*agent, "--as", "robot-1", "--board", gone), "cannot be opened"),
         (("deploy", str(mission), "--team"), "belong together"),
-        (("deploy", str(mission), "--board", "robot-1=x"), "belong together"),
+        (("deploy", str(mission), "--board", "robot-1=x"), "belongs to --team"),
         (("deploy", str(mission), "--team", "--board", "robot-1=x", "--to", "y"), "--board says the ports"),
         (("deploy", str(mission), "--team", "--board", f"robot-1={gone}"), "no robot of the team is started"),
         (("deploy", str(mission), "--to", gone), "is the program of a team"),

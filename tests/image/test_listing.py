@@ -22,12 +22,12 @@ LISTING = """\
 .robot {robot}
 .tick 20
 .wait-unit 100
-.inputs 5
+.inputs 6
 .variables 4
 .counters 1
 .temporaries 0
 .constants 4
-.actuators 5
+.actuators 6
 .arguments 2
 .cell 0          ; 0: fault
 .cell 0          ; 1: input 0
@@ -35,15 +35,16 @@ LISTING = """\
 .cell 0          ; 3: input 2
 .cell 1          ; 4: input 3
 .cell 1          ; 5: input 4
-.cell 0          ; 6: variable 0
-.cell 50         ; 7: variable 1
-.cell 1          ; 8: variable 2
-.cell 0          ; 9: variable 3
-.cell 0          ; 10: counter 0
-.cell 2          ; 11: constant 0
-.cell 5          ; 12: constant 1
-.cell 1          ; 13: constant 2
-.cell 0          ; 14: constant 3
+.cell 1          ; 6: input 5
+.cell 0          ; 7: variable 0
+.cell 50         ; 8: variable 1
+.cell 1          ; 9: variable 2
+.cell 0          ; 10: variable 3
+.cell 0          ; 11: counter 0
+.cell 2          ; 12: constant 0
+.cell 5          ; 13: constant 1
+.cell 1          ; 14: constant 2
+.cell 0          ; 15: constant 3
 .slot - 0 0 2  ; 0: parallel, entry, marked, end
 .slot 0 11 1 2  ; 1: parallel, entry, marked, end
 .parallel 0 1 2  ; 0: parent, first, end
@@ -60,20 +61,24 @@ LISTING = """\
 .command 3  ; 9: actuator
 .command 4  ; 10: actuator
 .command 4  ; 11: actuator
+.command 5  ; 12: actuator
+.command 5  ; 13: actuator
+.command 5  ; 14: actuator
+.command 5  ; 15: actuator
 .code
-    MOV   10 11          ; 0
-    WAIT  12             ; 1
-    SUB   10 10 13       ; 2
-    CLAMP 10 14 11       ; 3
-    JZ    10 6           ; 4
+    MOV   11 12          ; 0
+    WAIT  13             ; 1
+    SUB   11 11 14       ; 2
+    CLAMP 11 15 12       ; 3
+    JZ    11 6           ; 4
     JMP   1              ; 5
-    JZ    8 10           ; 6
+    JZ    9 10           ; 6
     FORK  0              ; 7
     JOIN  0              ; 8
     JMP   6              ; 9
     END                  ; 10
     ARM   0              ; 11
-    ACT   3 12 1         ; 12
+    ACT   3 13 1         ; 12
     END                  ; 13
 """
 

@@ -16,6 +16,7 @@ PACKAGE = PRIMITIVES.parent
 REPOSITORY = Path(__file__).parents[2]
 SCHEMAS = PRIMITIVES / "schemas"
 KINDS = {
+    "beginnings.xml": "beginnings",
     ".tutorial.xml": "tutorial",
     ".exercise.xml": "exercise",
     "constructors.xml": "constructors",

@@ -27,7 +27,7 @@ def test_every_device_has_latency_and_drop_outs_and_every_measure_has_noise() ->
     for device in (*actuators().values(), *sensors().values()):
         names = {setting.name for setting in device.settings}
         assert {"latency", "dropout"} <= names, device.name
-        certain = {"chance", "display", "lamp", "music", "pin-out", "random", "switch", "team", "work"}
+        certain = {"chance", "display", "lamp", "music", "pen", "pin-out", "random", "switch", "team", "work"}
         assert ("noise" in names) != (device.name in certain), device.name
 
 

@@ -80,7 +80,7 @@ def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check
     expect(studio.at("check-story").locator("li").last).to_contain_text("reaches into the empty storehouse")
     expect(studio.at("check-limits")).to_be_visible()
     expect(studio.at("guilty-sentence")).to_contain_text("reaches into the empty storehouse")
-    expect(studio.page.get_by_role("tab", selected=True).locator(".guilty-cross")).to_be_visible()
+    expect(studio.page.get_by_role("tab", selected=True).locator(".tab-cross")).to_be_visible()
     find_nothing(studio, "the check with a run open")
     studio.at("check-run").get_by_role("button").first.click()
     expect(studio.at("check-run")).to_have_count(0)

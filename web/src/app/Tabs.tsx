@@ -139,7 +139,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
       <Count count={count === 1 || (count === 0 && inTeam) ? undefined : count} sign="×" />
       <Errors there={errors === true} />
       {guilty ? (
-        <span className="guilty-cross">
+        <span className="tab-cross">
           <Icon name="x" size={14} label={t("guilty.broken")} />
         </span>
       ) : null}

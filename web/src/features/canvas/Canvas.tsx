@@ -29,16 +29,16 @@ import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
 import { Marquee } from "./Marquee";
 import { type GraphNode, NODE_TYPES, PLAIN_TYPES } from "./Nodes";
+import { NoteEditor } from "./NoteEditor";
 import { usePlain } from "./Plain";
 import { Said } from "./Said";
 import { useViewport } from "./viewport";
 import { LEAST_ZOOM, MOST_ZOOM } from "./zoom-range";
 import { ZoomControl } from "./ZoomControl";
 
-const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), complain);
 const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
 const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), complain);
-const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain);
+const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain, true);
 const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), complain);
 const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain);
 
