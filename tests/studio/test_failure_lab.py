@@ -95,6 +95,8 @@ def test_without_a_run_the_menu_says_what_is_missing(open_studio):
 def test_who_is_followed_stays_in_the_middle_until_the_world_is_dragged(open_studio):
     studio = open_studio(TRANSPORT)
     studio.at("run-button").click()
+    # Before the run a robot that is dragged is taken to another place.
+    expect(studio.at("status")).to_have_attribute("data-status", "running")
     x, y = place_of(studio, ROBOT)
     for _ in range(3):
         studio.page.mouse.click(x, y, button="right")
