@@ -129,7 +129,8 @@ def test_the_motors_of_a_move_motor_are_woken_and_get_power_at_one_of_two_regist
 
 def test_a_turn_lasts_as_long_as_its_angle_takes_and_then_the_motors_stand(found: dict[str, Any]) -> None:
     gone, last = found["turn"]
-    assert 90 <= gone < 1000
+    # Two readings of a clock of whole milliseconds.
+    assert 88 <= gone < 1000
     assert last[2][1] == 0
 
 
