@@ -8,11 +8,15 @@ page takes it; sixty is the most there is.
 from __future__ import annotations
 
 import gzip
+import re
+import subprocess
+import sys
 import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
 from typing import Any
 
 from playwright.sync_api import Browser, Page, sync_playwright
@@ -73,6 +77,21 @@ def browser() -> Iterator[Browser | None]:
             yield found
         finally:
             found.close()
+
+
+@contextmanager
+def studio(mission: Path) -> Iterator[str]:
+    """A studio in a process of its own on a mission's file; gives its address."""
+    command = [sys.executable, "-m", "kitrobot", "studio", str(mission), "--no-browser", "--port", "0"]
+    server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    try:
+        assert server.stdout is not None
+        said = re.search(r"http://\S+", server.stdout.readline())
+        assert said is not None, "the studio says its address on its first line"
+        yield said.group(0)
+    finally:
+        server.terminate()
+        server.wait(10)
 
 
 @contextmanager

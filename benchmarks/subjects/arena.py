@@ -7,9 +7,7 @@ end, without what the graphics process does afterwards.
 
 from __future__ import annotations
 
-import re
 import statistics
-import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -114,13 +112,5 @@ def _studio(robots: int) -> Iterator[str]:
         mission.team = Team([Agent(f"r{n}", "roam") for n in range(robots)])
         path = Path(folder, "swarm.krt")
         path.write_bytes(write_mission(mission))
-        command = [sys.executable, "-m", "kitrobot", "studio", str(path), "--no-browser", "--port", "0"]
-        server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        try:
-            assert server.stdout is not None
-            said = re.search(r"http://\S+", server.stdout.readline())
-            assert said is not None, "the studio says its address on its first line"
-            yield said.group(0)
-        finally:
-            server.terminate()
-            server.wait(10)
+        with web.studio(path) as address:
+            yield address

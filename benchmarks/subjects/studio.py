@@ -10,9 +10,7 @@ page for each round. Seconds are those of the clock: here it is the waiting that
 from __future__ import annotations
 
 import json
-import re
 import statistics
-import subprocess
 import sys
 import tempfile
 from collections import defaultdict
@@ -105,16 +103,8 @@ def _studio(vertices: int) -> Iterator[str]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "measured.krt")
         path.write_bytes(write_mission(mission))
-        command = [sys.executable, "-m", "kitrobot", "studio", str(path), "--no-browser", "--port", "0"]
-        server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        try:
-            assert server.stdout is not None
-            said = re.search(r"http://\S+", server.stdout.readline())
-            assert said is not None, "the studio says its address on its first line"
-            yield said.group(0)
-        finally:
-            server.terminate()
-            server.wait(10)
+        with web.studio(path) as address:
+            yield address
 
 
 @contextmanager
