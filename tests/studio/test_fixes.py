@@ -84,7 +84,7 @@ def test_a_program_that_ends_at_once_says_so_whole_and_is_mended(open_studio: Op
     studio.page.reload()
     expect(studio.page.locator(".vertex", has_text="Advance")).to_have_count(1)
     studio.at("run-button").click()
-    expect(studio.at("ending")).to_contain_text(
+    expect(studio.at("ending").locator("p").first).to_have_text(
         "Done after 0.0 s: the program came to its end at once, without a part that takes time; "
         "robot-1 ended with its motors on."
     )
