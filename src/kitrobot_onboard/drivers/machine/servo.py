@@ -8,16 +8,19 @@ SETTINGS = {"pin": "pin", "open": "0..180 = 90", "closed": "0..180 = 0", "time":
 PROCEDURES = "Open Close"
 
 
-class Door:
-    def __init__(self, settings):
-        self.wave = Wave(settings["pin"], SERVO_HZ)
-        self.angles = {"Open": int(settings.get("open", "90")), "Close": int(settings.get("closed", "0"))}
-        self.needed = int(settings.get("time", "1000"))
+class Servo:
+    """Goes to the angle of a procedure; one that has none changes nothing."""
+
+    def __init__(self, pin, angles, needed):
+        self.wave = Wave(pin, SERVO_HZ)
+        self.angles = angles
+        self.needed = needed
         self.begun = None
 
     def do(self, procedure, arguments):
-        self.wave.angle(self.angles[procedure])
-        self.begun = time.ticks_ms()
+        if procedure in self.angles:
+            self.wave.angle(self.angles[procedure])
+            self.begun = time.ticks_ms()
 
     def done(self):
         return self.begun is None or time.ticks_diff(time.ticks_ms(), self.begun) >= self.needed
@@ -27,4 +30,6 @@ class Door:
         self.begun = None
 
 
-make = Door
+def make(settings):
+    angles = {"Open": int(settings.get("open", "90")), "Close": int(settings.get("closed", "0"))}
+    return Servo(settings["pin"], angles, int(settings.get("time", "1000")))
