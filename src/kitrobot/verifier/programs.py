@@ -130,7 +130,7 @@ class ProgramTable:
         tried = 0
         while waiting:
             chosen = waiting.pop()
-            reaction, read = self._tick(local, sensed, shared, chosen)
+            reaction, read = self.run_tick(local, sensed, shared, chosen)
             open_ones = [at for at, value in enumerate(sensed) if value is None and at not in chosen and at + 1 in read]
             if not open_ones:
                 yield reaction
@@ -144,9 +144,10 @@ class ProgramTable:
                 )
             waiting += [{**chosen, at: value} for value in choices[at]]
 
-    def _tick(
+    def run_tick(
         self, local: int, sensed: tuple[int | None, ...], shared: tuple[int, ...], chosen: Mapping[int, int]
     ) -> tuple[Reaction, set[int]]:
+        """One tick of the machine, with these values where several are possible; also the cells that it read."""
         machine = self.machine
         machine.restore(self._snapshots[local])
         cells = machine.cells

@@ -9,7 +9,7 @@ Left to others: exploring (`exploring`), words and places for people (`workspace
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -66,8 +66,10 @@ class _WatchedTable(ProgramTable):
 
     ran: frozenset[int] = frozenset()
 
-    def _tick(self, *args: object) -> tuple[Reaction, set[int]]:
-        made = super()._tick(*args)  # type: ignore[arg-type]
+    def run_tick(
+        self, local: int, sensed: tuple[int | None, ...], shared: tuple[int, ...], chosen: Mapping[int, int]
+    ) -> tuple[Reaction, set[int]]:
+        made = super().run_tick(local, sensed, shared, chosen)
         self.ran |= {pc for pc, ran in enumerate(self.machine.seen) if ran}
         return made
 
