@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from kitrobot.files.examples import examples_folder, first_example
     from kitrobot.files.file_lock import FileLock
     from kitrobot.files.folder import (
+        EXAMPLE,
         EXERCISE_ENDING,
         NAME_NO_TEXT,
         RECORDING,
@@ -76,6 +77,7 @@ else:
             "file_lock": ("FileLock",),
             "folder": (
                 "NAME_NO_TEXT",
+                "EXAMPLE",
                 "RECORDING",
                 "RENAME",
                 "EXERCISE_ENDING",
@@ -97,6 +99,7 @@ else:
     )
 
 __all__ = [
+    "EXAMPLE",
     "EXERCISE_ENDING",
     "LARGEST_FILE_BYTES",
     "LOCK_NAME",

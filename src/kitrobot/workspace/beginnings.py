@@ -14,8 +14,7 @@ from functools import cache
 from pathlib import Path
 
 from kitrobot.diagnostics import Diagnostic, KitRobotError
-from kitrobot.files import MissionFolder
-from kitrobot.files.folder import EXAMPLE
+from kitrobot.files import EXAMPLE, MissionFolder
 from kitrobot.graph import Program, empty_program
 from kitrobot.mission import Mission, read_mission
 from kitrobot.text import Sentence

@@ -10,6 +10,7 @@ from kitrobot.diagnostics import Diagnostic, KitRobotError, Place, ProblemsError
 from kitrobot.files import read_bytes
 from kitrobot.primitives import KIT_SUFFIX, SHIPPED, Kit, config_folder, read_kit
 from kitrobot.text import COMMA, Sentence, Series, did_you_mean
+from kitrobot.workspace.robots import names_a_file
 
 MOST_KITS = 200
 """Files of kits that are looked at, at most."""
@@ -57,7 +58,7 @@ def find_kit(word: str, folder: Path | None = None) -> Kit:
         FileError: the file cannot be read.
         ProblemsError: the file is no good kit.
     """
-    if word.lower().endswith(".xml") or "/" in word or "\\" in word:
+    if names_a_file(word):
         return read_kit_file(Path(word))
     return kit_named(word, folder)
 

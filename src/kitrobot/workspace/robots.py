@@ -18,9 +18,14 @@ def find_robot(word: str, folder: Path | None = None) -> Robot:
         FileError: the file cannot be read.
         ProblemsError: the file is no good robot.
     """
-    if word.lower().endswith(".xml") or "/" in word or "\\" in word:
+    if names_a_file(word):
         return read_robot_file(Path(word))
     return load_catalogue([folder] if folder else []).robot(word)
+
+
+def names_a_file(word: str) -> bool:
+    """Whether a word is the path of an XML file, and not a name."""
+    return word.lower().endswith(".xml") or "/" in word or "\\" in word
 
 
 def read_robot_file(path: Path) -> Robot:
