@@ -64,9 +64,9 @@ def kitrobot(me: int, count: int, rounds: int, where: str) -> list[float]:
         begun = time.perf_counter()
         take(Note((number,)))
         while arrived[number] < count:
-            for envelope in channel.receive(0.02):
-                if envelope.kind == MEMBER:
-                    take(Received(decode(envelope.body, 1)))
+            came = [envelope for envelope in channel.receive(0.02) if envelope.kind == MEMBER]
+            for place, envelope in enumerate(came, 1):
+                take(Received(decode(envelope.body, 1), place < len(came)))
             if now() - told_at > 50:
                 told_at = now()
                 take(Time())

@@ -130,7 +130,7 @@ class Network:
                 if to in phase.stopped:
                     self.under_way.append((at + STEP, to, message))
                 elif to in self.robots:
-                    self.event(to, Received(message))
+                    self.event(to, Received(message, more=self.random.random() < 0.2))
             for member in list(self.robots):
                 if member not in phase.stopped:
                     self.event(member, Time())

@@ -103,8 +103,10 @@ class AgentProcess:
             if self.is_over():
                 return Ended("stopped", Sentence("whoever started this agent has ended"), True)
             self._look_for_team(now)
-            for envelope in self.channel.receive(TURN_MS / 1000):
-                self._take(milliseconds(), envelope)
+            came = self.channel.receive(TURN_MS / 1000)
+            last = max((n for n, envelope in enumerate(came) if envelope.kind == kinds.MEMBER), default=-1)
+            for number, envelope in enumerate(came):
+                self._take(milliseconds(), envelope, number < last)
                 self._post()
             if self.host is not None:
                 self._hear_board(milliseconds(), self.host)
@@ -128,12 +130,13 @@ class AgentProcess:
         if not self.looking and silence >= PATIENCE_S:
             raise FleetError(Sentence("the team has not been heard for {seconds} s", round(PATIENCE_S)))
 
-    def _take(self, now: int, envelope: Envelope) -> None:
+    def _take(self, now: int, envelope: Envelope, more: bool) -> None:
+        """Takes in an envelope; `more`: messages of the protocol follow."""
         if envelope.sender == TEAM_PROCESS:
             self.heard_at = now
             self._ordered(now, envelope)
         elif self.host is not None and envelope.sender < len(self.simulation.members):
-            self._of_member(now, envelope, self.host)
+            self._of_member(now, envelope, self.host, more)
 
     def _ordered(self, now: int, envelope: Envelope) -> None:
         """What the team's process says."""
@@ -203,13 +206,13 @@ class AgentProcess:
             if self.board is not None:
                 self.board.line.bear(lease)
 
-    def _of_member(self, now: int, envelope: Envelope, host: AgentHost) -> None:
+    def _of_member(self, now: int, envelope: Envelope, host: AgentHost, more: bool) -> None:
         """What another agent says."""
         try:
             if envelope.kind == kinds.MEMBER:
                 message = decode(envelope.body, self.channel.run)
                 if message.sender.member == envelope.sender:
-                    host.receive(now, message)
+                    host.receive(now, message, more)
             elif envelope.kind == kinds.ASK:
                 whole = host.whole()
                 if whole is not None:

@@ -107,10 +107,10 @@ class AgentHost:
 
     # -- the protocol
 
-    def receive(self, now: int, message: Message) -> None:
-        """A message of another member came."""
+    def receive(self, now: int, message: Message, more: bool = False) -> None:
+        """A message of another member came; `more`: others came with it and follow."""
         if not self._is_silent(now):
-            self._step(now, Received(message))
+            self._step(now, Received(message, more))
 
     def time(self, now: int) -> None:
         """To be called at least every `Charter.beat`."""

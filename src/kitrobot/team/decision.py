@@ -48,6 +48,7 @@ class Decision(NamedTuple):
             it would like to propose.
         promises: (rank, accepted, value) of those who promised `ballot`; votes: ranks of those who voted in it.
         chosen: what was decided, None before.
+        fewest: ranks of the voters that a proposal asks at first, a quorum; () asks all. Said again, it asks all.
     """
 
     seat: Seat
@@ -62,6 +63,7 @@ class Decision(NamedTuple):
     promises: tuple[tuple[int, Ballot, Batch], ...] = ()
     votes: tuple[int, ...] = ()
     chosen: Batch | None = None
+    fewest: tuple[int, ...] = ()
 
     @property
     def rank(self) -> int:
@@ -148,7 +150,13 @@ def _propose(state: Decision, value: Batch) -> tuple[Decision, tuple[Sending, ..
     """Asks for votes, and votes itself."""
     state = state._replace(proposal=value, promises=(), accepted=state.ballot, value=value)
     state, sent = _voted(state, state.rank)
-    return state, sent or asked(state)
+    if sent:
+        return state, sent
+    return state, tuple(
+        sending._replace(to=to)
+        for sending in asked(state)
+        for to in [state.voters[rank].member for rank in state.fewest if rank != state.rank] or [EVERYONE]
+    )
 
 
 def _voted(state: Decision, rank: int) -> tuple[Decision, tuple[Sending, ...]]:

@@ -17,9 +17,10 @@ class Time:
 
 @dataclass(frozen=True, slots=True)
 class Received:
-    """A message came."""
+    """A message came; `more`: others came with it and are told next, so nothing is proposed before them."""
 
     message: Message
+    more: bool = False
 
 
 @dataclass(frozen=True, slots=True)

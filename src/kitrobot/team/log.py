@@ -19,7 +19,7 @@ from kitrobot.team.applying import applied
 from kitrobot.team.changes import Change, Decided, Refused, Skipped
 from kitrobot.team.charter import Charter
 from kitrobot.team.commands import Batch, Body, Command, Seat, ViewChange
-from kitrobot.team.decision import FIRST, NO_BALLOT, Decision, SynodMessage
+from kitrobot.team.decision import FIRST, NO_BALLOT, Decision, SynodMessage, is_quorum
 from kitrobot.team.messages import (
     Behind,
     Chosen,
@@ -39,6 +39,8 @@ MOST_COMMANDS = 64
 """Commands in a batch."""
 MOST_PENDING = 16
 """Commands of one member that are not decided yet."""
+WARY = 16
+"""Slots for which all voters are asked at once after one that was asked for twice."""
 
 LogMessage = SynodMessage | Request | Behind | History | Snapshot
 
@@ -63,6 +65,7 @@ class Log(NamedTuple):
         pending: own commands that have no effect yet; `given` is the number of the last one.
         asked: for each member, the commands it asked for.
         retry_at: when to try a ballot, 0: nothing to try; attempts: how often that was done for this slot.
+        wary: for how many slots yet all voters are asked at once, since one had to be asked twice for.
     """
 
     tables: Tables
@@ -73,6 +76,7 @@ class Log(NamedTuple):
     asked: tuple[Batch, ...]
     retry_at: int = 0
     attempts: int = 0
+    wary: int = 0
 
     @property
     def slot(self) -> int:
@@ -176,6 +180,8 @@ def advance(charter: Charter, log: Log, now: int, out: Out) -> Log:
                 return log._replace(retry_at=now + _patience(charter, log))
             if now < log.retry_at:
                 return log
+        if any(isinstance(command.body, ViewChange) for command in batch):
+            state = state._replace(fewest=())
         after, sent = synod.attempt(state, batch)
         out.messages.extend(sent)
         log = log._replace(decision=after, attempts=log.attempts + 1)
@@ -192,7 +198,8 @@ def _progress(charter: Charter, log: Log, out: Out) -> Log:
     tables, told = applied(charter, log.tables, value)
     out.changes.extend(told)
     out.changes.append(Decided(log.slot))
-    return _opened(log._replace(tables=tables, kept=(*log.kept, value)[-KEPT:]), log.slot + 1)
+    wary = WARY if log.attempts > 1 else max(0, log.wary - 1)
+    return _opened(log._replace(tables=tables, kept=(*log.kept, value)[-KEPT:], wary=wary), log.slot + 1)
 
 
 def _opened(log: Log, slot: int) -> Log:
@@ -201,7 +208,7 @@ def _opened(log: Log, slot: int) -> Log:
     seat = log.decision.seat
     pending = tuple(command for command in log.pending if seat.life > life or command.number > count)
     return log._replace(
-        decision=Decision(seat, slot, log.tables.view.seats),
+        decision=Decision(seat, slot, log.tables.view.seats, fewest=_fewest(log)),
         pending=pending,
         asked=tuple(
             tuple(c for c in asked if c.seat.life > log.tables.applied[member].life or c.number > count_of)
@@ -210,6 +217,16 @@ def _opened(log: Log, slot: int) -> Log:
         retry_at=0,
         attempts=0,
     )
+
+
+def _fewest(log: Log) -> tuple[int, ...]:
+    """Who is asked first in the next slot: those who voted for its own proposal in this one, which is a quorum.
+
+    Not where somebody is missing or messages get lost: then all are asked.
+    """
+    last = log.decision
+    same = last.voters == log.tables.view.seats
+    return last.votes if same and not log.wary and is_quorum(last.votes, len(last.voters)) else ()
 
 
 def _batch(log: Log) -> Batch:

@@ -46,7 +46,8 @@ def step(charter: Charter, state: Member, now: int, event: Event) -> Stepped:
         state = _time(charter, state, now, out)
     else:
         state = _ordered(charter, state, event, out)
-    state = state._replace(log=logs.advance(charter, state.log, now, out))
+    if not (isinstance(event, Received) and event.more):
+        state = state._replace(log=logs.advance(charter, state.log, now, out))
     if state.log.tables != before.log.tables or isinstance(event, Announce):
         state = _followed(charter, before, state, now, out)
     return Stepped(state, tuple(out.messages), tuple(out.changes))
