@@ -108,7 +108,7 @@ NO_WAY = """() => {
 def test_nothing_on_the_page_is_for_the_mouse_alone(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     assert studio.page.evaluate(NO_WAY) == []
-    vertex(studio, "Wheel Advance").click()
+    vertex(studio, "Wheels Drive").click()
     assert studio.page.evaluate(NO_WAY) == []
     studio.at("problems").click()
     studio.page.keyboard.press("Control+f")
@@ -180,7 +180,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
 def test_the_parts_are_walked_and_enter_puts_one_at_the_selection(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
-    vertex(studio, "Wheel Stop").click()
+    vertex(studio, "Wheels Stop").click()
     for _ in range(8):
         if studio.page.evaluate("document.activeElement.closest('.parts') !== null"):
             break
@@ -225,7 +225,7 @@ def test_f7_goes_through_the_rooms_and_the_arena_answers_keys(open_studio: OpenS
 
 def test_keys_mean_the_same_on_a_keyboard_of_another_script(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
-    vertex(studio, "Wheel Stop").click()
+    vertex(studio, "Wheels Stop").click()
     studio.page.evaluate(
         "document.activeElement.dispatchEvent("
         "new KeyboardEvent('keydown', { key: 'ن', code: 'KeyN', bubbles: true, cancelable: true }))"

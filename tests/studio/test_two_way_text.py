@@ -171,19 +171,19 @@ def test_a_program_is_written_with_completion_and_keys_alone(open_studio: OpenSt
     expect(options.first).to_contain_text("Advance")
     take_first(studio, "Wheel.Advance(")
     page.keyboard.type("33")
-    expect_vertices(studio, "Advance", 1)
+    expect_vertices(studio, "Drive", 1)
     studio.expect_code("Wheel.Advance(33);")
 
 
 def test_hover_shows_the_help_of_the_xml_and_outlines_the_vertex(open_studio: OpenStudio) -> None:
     studio = empty(open_studio)
     replace_all(studio, "Wheel.Advance(33);")
-    expect_vertices(studio, "Advance", 1)
+    expect_vertices(studio, "Drive", 1)
     box = studio.at("code").locator(".lll-action", has_text="Advance").first
     box.hover()
     expect(studio.page.locator(".code-help")).to_contain_text("0…100")
     assert studio.page.evaluate("document.adoptedStyleSheets.some(one => one.cssRules.length === 1)")
-    studio.page.locator(".vertex", has_text="Advance").hover()
+    studio.page.locator(".vertex", has_text="Drive").hover()
     expect(studio.at("code").locator(".line-pointed")).to_contain_text("Wheel.Advance")
 
 
