@@ -139,11 +139,11 @@ def test_variables_are_set_and_sensors_forced_from_the_watch(open_studio: OpenSt
     studio.page.keyboard.press("Enter")
     expect(captor).to_have_attribute("data-forced", "true")
     studio.page.keyboard.press("F10")
-    expect(captor.get_by_role("textbox")).to_have_value("7")
+    expect(captor.get_by_role("textbox")).to_have_value("7 cm")
     studio.at("release-Captor").click()
     expect(captor).to_have_attribute("data-forced", "false")
     studio.page.keyboard.press("F10")
-    expect(captor.get_by_role("textbox")).to_have_value("100")
+    expect(captor.get_by_role("textbox")).to_have_value("100 cm")
     expect(captor.locator(".watch-line")).to_have_attribute("d", re.compile("^M"))
 
 

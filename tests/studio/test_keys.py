@@ -97,7 +97,8 @@ def test_every_entry_of_the_context_menus_is_reached(open_studio: OpenStudio) ->
 NO_WAY = """() => {
     // Team and world belong to the list of tabs by `aria-owns`.
     const roving = '.tabs-last, [role=menubar], [role=tablist], [role=tree], [role=menu], [role=listbox], .cm-editor';
-    const byKey = '.fold, .folded, .note-strip, .react-flow__attribution, .chip, .hole, .arc-spot';
+    const byKey = '.fold, .folded, .note-strip, .react-flow__attribution, .chip, .hole, .arc-spot, '
+        + '[data-testid^=place-]';
     return [...document.querySelectorAll('button, a[href], input, select, textarea, [role=button], [role=treeitem]')]
         .filter(one => one.checkVisibility() && !one.disabled && one.tabIndex < 0)
         .filter(one => one.closest(roving) === null && one.closest(byKey) === null)
@@ -164,7 +165,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     studio.expect_code("10*(")
     # Into the body, by its arc.
     keys.press("a")
-    expect(studio.page.locator(".arc.is-selected")).to_have_count(1)
+    expect(studio.page.locator(".arc.is-selected .arc-spot")).to_have_count(1)
     add(studio, "wait")
     expect(studio.at("code")).to_contain_text(re.compile(r"10\*\(\s*WAIT\(10\);"))
     keys.press("Alt+ArrowDown")

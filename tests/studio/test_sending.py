@@ -30,7 +30,7 @@ def numbers(page: Page) -> Locator:
 
 
 def expect_waits(page: Page, durations: list[str]) -> None:
-    """The graph has these Waits, in this order, and the server has said all there is to say."""
+    """The graph has these Waits (in seconds), in this order, and the server has said all there is to say."""
     expect(numbers(page)).to_have_text(durations)
     expect(page.get_by_test_id("problems")).to_have_attribute("aria-busy", "false")
 
@@ -50,14 +50,14 @@ def test_a_key_and_an_edit_of_the_graph_send_what_changed(open_studio: OpenStudi
         page.keyboard.insert_text("\nWAIT(7);")
     assert program_in(typed.value)["of"]
     assert all(isinstance(row, list) for row in program_in(typed.value)["vertices"])  # type: ignore[attr-defined]
-    expect_waits(page, [*waits, "7"])
+    expect_waits(page, [*waits, "0.7 s"])
     page.locator(".vertex", has_text="Wait").last.click()
     with page.expect_request(ABOUT_MISSIONS) as erased:
         page.keyboard.press("Delete")
     assert all(isinstance(row, list) for row in program_in(erased.value)["vertices"])  # type: ignore[attr-defined]
     expect_waits(page, waits)
     page.keyboard.press("Control+z")
-    expect_waits(page, [*waits, "7"])
+    expect_waits(page, [*waits, "0.7 s"])
     studio.expect_code("WAIT(7);")
 
 
@@ -80,7 +80,7 @@ def test_a_server_that_forgot_is_sent_everything(open_studio: OpenStudio) -> Non
     page.route(ABOUT_MISSIONS, forgetting)
     writing(page)
     page.keyboard.insert_text("\nWAIT(7);")
-    expect_waits(page, [*waits, "7"])
+    expect_waits(page, [*waits, "0.7 s"])
     studio.expect_code("WAIT(7);")
     assert names[0]
     assert names[1] is None
@@ -88,7 +88,7 @@ def test_a_server_that_forgot_is_sent_everything(open_studio: OpenStudio) -> Non
     assert [fault for fault in studio.faults if "410" not in fault] == []
     studio.faults.clear()
     page.keyboard.insert_text("\nWAIT(8);")
-    expect_waits(page, [*waits, "7", "8"])
+    expect_waits(page, [*waits, "0.7 s", "0.8 s"])
     assert names[2]
 
 

@@ -89,7 +89,8 @@ function NumberRow(props: FieldProps) {
   const input = useRef<HTMLInputElement>(null);
   const setting = vertex.settings[field.name] ?? "";
   /** What is being typed, with the setting that it was typed over or became. */
-  const [draft, setDraft] = useState<{ typed: string; over: string } | null>(null);
+  const { typed: first } = props;
+  const [draft, setDraft] = useState(() => (first ? { typed: first, over: setting } : null));
   const kept = /^-?[0-9]+$/.test(setting) ? figures(field, Number(setting)) : setting;
   const typed = draft?.over === setting ? draft.typed : kept;
   const meant = draft?.over === setting ? numberTyped(typed, field) : settingOf(setting);
@@ -114,14 +115,17 @@ function NumberRow(props: FieldProps) {
     else setDraft(null);
   };
 
-  const { typed: first } = props;
   const begin = useRef(change);
   useEffect(() => {
     const element = input.current;
     if (first === undefined || element === null) return;
     element.focus({ preventScroll: true });
-    element.select();
-    if (first !== "") begin.current(first);
+    if (first === "") element.select();
+    else {
+      // What is typed next comes behind it.
+      element.setSelectionRange(first.length, first.length);
+      begin.current(first);
+    }
   }, [first]);
 
   const control = { field, value: shown, label, set: put, leave, onFocus };

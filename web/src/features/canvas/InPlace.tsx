@@ -1,7 +1,7 @@
 /** The field of a vertex, open under it: by a double click on a value, or by typing a digit. */
 import "./in-place.css";
 
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useLayoutEffect, useRef, useState } from "react";
 
 import { FieldRow } from "../../components/fields/FieldRow";
 import { t } from "../../i18n/words";
@@ -11,6 +11,9 @@ import { useStudio } from "../../model/studio";
 import { findSpot } from "../../model/tree";
 import { type Drawing, nodeOf } from "../../session/drawing";
 import { useView } from "../../session/view";
+
+const GAP = 10;
+const EDGE = 8;
 
 interface InPlaceProps {
   drawing: Drawing;
@@ -40,8 +43,20 @@ export function InPlace({ drawing, vertex, slot, typed }: InPlaceProps) {
   const box = useRef<HTMLDivElement>(null);
   const [at] = useState(() => {
     const { viewport } = useView.getState();
-    if (node === undefined || viewport === null) return { x: 0, y: 0 };
-    return viewport.place({ x: node.x + node.w / 2, y: node.y + node.h });
+    if (node === undefined || viewport === null) return { x: 0, top: 0, bottom: 0 };
+    const { x, y } = viewport.place({ x: node.x + node.w / 2, y: node.y });
+    return { x, top: y, bottom: viewport.place({ x: node.x, y: node.y + node.h }).y };
+  });
+  // Under the vertex; above it where there is more room.
+  useLayoutEffect(() => {
+    const element = box.current;
+    const room = element?.offsetParent?.clientHeight ?? 0;
+    if (element === null || room === 0) return;
+    const high = element.offsetHeight;
+    const below = at.bottom + GAP;
+    const above = at.top - GAP - high;
+    const inside = Math.max(EDGE, Math.min(below, room - high - EDGE));
+    element.style.top = `${String(below + high <= room - EDGE || above < EDGE ? inside : above)}px`;
   });
   const none = found === null;
   useEffect(() => {
@@ -60,7 +75,7 @@ export function InPlace({ drawing, vertex, slot, typed }: InPlaceProps) {
       data-testid="in-place"
       role="group"
       aria-label={t("fields.of", { name: node?.face.name ?? "" })}
-      style={{ "--x": `${String(at.x)}px`, "--y": `${String(at.y)}px` } as React.CSSProperties}
+      style={{ "--x": `${String(at.x)}px` } as React.CSSProperties}
       onBlur={(event) => {
         // Another window or a button of its own may take the focus; another place of the page ends it.
         if (event.relatedTarget !== null && !event.currentTarget.contains(event.relatedTarget))

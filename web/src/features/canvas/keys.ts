@@ -134,7 +134,9 @@ export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
       const last = useStudio.getState().selection.at(-1);
       // A digit is typed over the value of what is selected.
       if (id === null && last !== undefined && /^\p{Nd}$/u.test(event.key) && !event.ctrlKey && !event.altKey) {
-        openField(last, "", event.key);
+        // More digits may come before the field is there.
+        const before = useView.getState().editing;
+        openField(last, "", (before?.vertex === last ? before.typed : "") + event.key);
         event.preventDefault();
       }
       if (id !== null && ACTIONS[id]()) event.preventDefault();
