@@ -297,6 +297,15 @@ export interface CheckedProperty {
   guilty: Guilty[];
 }
 
+/** A value with a name, and one picture at most: an icon, lights (digits, five by five) or a `#rrggbb`. */
+export interface Choice {
+  value: number;
+  label: Record<string, string>;
+  icon?: string;
+  lights?: string;
+  colour?: string;
+}
+
 /** An offer that becomes a slot under that name; numbers with one name become one slot. */
 export interface Chosen {
   vertex: string;
@@ -695,6 +704,14 @@ export interface LookRequest {
   agents: string[];
 }
 
+/** What a number means. `scale`: how many units one is, or `wait-unit`; `units`: other languages than English. */
+export interface Meaning {
+  scale?: string;
+  units?: Record<string, string>;
+  field?: "" | "slider" | "time" | "dial" | "ruler" | "choices" | "lights" | "piano" | "colour";
+  choices?: Choice[];
+}
+
 /**
  * A place of a team's program at which robots wait for others: who is there, who is missing, how many of how many.
  * `vertex` is "" where there is none.
@@ -729,6 +746,9 @@ export interface Method {
   completes_later: boolean;
   stop: string | null;
   phrase: Record<string, string>;
+  test?: "" | "equal" | "less" | "greater";
+  to?: number | null;
+  alone?: boolean;
 }
 
 /**
@@ -832,6 +852,7 @@ export interface Offer {
   min: number;
   max: number;
   unit: string;
+  meaning?: Meaning | null;
 }
 
 /** What a selection offers, or why it cannot be a part. */
@@ -975,6 +996,7 @@ export interface Parameter {
   unit: string;
   label: Record<string, string>;
   help: Record<string, string>;
+  meaning?: Meaning | null;
 }
 
 /** The part, its LLL, and the program with a vertex of it in the selection's place. */
@@ -1246,6 +1268,8 @@ export interface RobotObject {
   max: number;
   initial: number;
   shared: boolean;
+  unit?: string;
+  meaning?: Meaning | null;
 }
 
 /** Robots to begin with; `places` are the names of those they fit, `can` and `feels` their actuators and sensors. */
@@ -1406,6 +1430,7 @@ export interface Slot {
   default: string;
   unit: string;
   names?: "" | "set" | "program";
+  meaning?: Meaning | null;
 }
 
 /** The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1. */

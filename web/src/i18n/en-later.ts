@@ -3,6 +3,8 @@ import { ARENA_EN } from "./en-later-arena";
 import { CHECK_EN } from "./en-later-check";
 import { LATER_TEAM_EN } from "./en-later-team";
 import { NEW_EN } from "./en-later-new";
+import { FIELDS_EN } from "./en-later-fields";
+import { KEYS_EN } from "./en-later-keys";
 import { KITS_EN } from "./en-later-kits";
 
 export const LATER_EN = {
@@ -11,6 +13,8 @@ export const LATER_EN = {
   ...CHECK_EN,
   ...NEW_EN,
   ...KITS_EN,
+  ...FIELDS_EN,
+  ...KEYS_EN,
   "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
   "exercise.broken": "This exercise cannot be used.",

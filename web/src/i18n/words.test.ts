@@ -81,6 +81,7 @@ const NAMES: Key[] = [
   "strip.collision",
   "file.untitled",
   "code.projection",
+  "fields.octave",
   "members.who",
 ];
 

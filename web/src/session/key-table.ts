@@ -126,6 +126,7 @@ export const WORLD_KEYS = {
 export const WEB_KEYS = {
   menus: { chords: ["Alt"], says: "help.keys-menu" },
   clipboard: { chords: ["Ctrl+X", "Ctrl+C", "Ctrl+V"], says: "help.keys-clipboard" },
+  type: { chords: ["0…9"], says: "help.keys-type" },
   tabs: { chords: ["←", "→", "Home", "End"], says: "help.keys-tabs" },
   removeTab: { chords: ["Delete"], says: "help.keys-tab-delete" },
   tree: { chords: ["↑", "↓", "←", "→"], says: "help.keys-tree" },

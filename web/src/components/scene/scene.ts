@@ -7,6 +7,7 @@
 import type { Catalogue, Goal, Mission, Robot, World } from "../../model/types";
 import { COLLISION, FAILED, MUTED, type Pose, STALLED } from "../../api/wire";
 import { text } from "../../model/texts";
+import { valueWords } from "../../model/words";
 import type { RunAgent, RunState } from "../../session/run";
 import {
   type Face,
@@ -132,11 +133,9 @@ function sensesOf(agent: RunAgent, robot: Robot | undefined): string[] {
     const object = objects.find((one) => one.name === name && one.category === "sensor");
     if (object === undefined) continue;
     const label = text(object.label, name);
-    if (object.type === "boolean") {
-      if (value !== 0) words.push(label);
-    } else {
-      words.push(`${label} = ${String(value)}`);
-    }
+    if (object.meaning != null || object.unit) words.push(`${label}: ${valueWords(object, value)}`);
+    else if (object.type !== "boolean") words.push(`${label} = ${String(value)}`);
+    else if (value !== 0) words.push(label);
   }
   return words;
 }

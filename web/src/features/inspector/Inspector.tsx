@@ -1,7 +1,7 @@
 /** What can be set on the selected part. */
 import "./inspector.css";
 
-import { t } from "../../i18n/words";
+import { moreWords, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { findSpot } from "../../model/tree";
 import { complain } from "../../session/document";
@@ -10,7 +10,7 @@ import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import { Tools } from "./Tools";
 
-const Part = later(() => import("./Part").then((chunk) => chunk.Part), complain);
+const Part = later(() => Promise.all([import("./Part"), moreWords()]).then(([chunk]) => chunk.Part), complain);
 
 export function Inspector() {
   const drawing = useDrawing();
