@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import pytest
 
-from kitrobot.sim import Simulation
+from kitrobot.sim import Recorder, Simulation
 from kitrobot.world import BRIGHT, LOUD, WARM, Zone
-from tests.sim.building import avatar, empty_world, run_of
+from tests.sim.building import avatar, catalogue, empty_world, run_of
 
 SENSORS = """
 <sensor name="Temperature" device="temperature" min="0" max="50"><operation name="Value" value="yes"/></sensor>
@@ -68,6 +68,28 @@ def test_what_a_sensor_cannot_say_is_its_least_or_largest_number() -> None:
     assert felt(500, 500, circle(WARM, 90))["Temperature"] == 50
 
 
+def test_zones_change_nothing_but_what_their_sensors_measure() -> None:
+    robot = catalogue().robots["mini-robot"]
+    bare = empty_world(r=(500.0, 500.0, 0.0))
+    text = "Wheel.Advance(80); WAIT(9); Motor.AbsoluteTurn(25, 50); Wheel.Stop();"
+    runs = [
+        run_of({"r": (robot, text)}, world, seconds=60) for world in (bare, replace(bare, zones=(circle(WARM, 40),)))
+    ]
+    bare_one, other = (Recorder(run) for run in runs)
+    assert bare_one.header.columns == other.header.columns
+    for _ in range(100):
+        for run in runs:
+            run.step()
+        assert bare_one.record() == other.record()
+
+
+def test_sensors_that_feel_the_same_zones_share_their_numbers() -> None:
+    zones = tuple(circle(WARM, at) for at in range(50))
+    world = replace(empty_world(**{f"r{n}": (200.0 + 150 * n, 900.0, 0.0) for n in range(9)}), zones=zones)
+    run = run_of({f"r{n}": (avatar(SENSORS), "WAIT(9);") for n in range(9)}, world, seconds=60)
+    assert len(run.state.sensors.numbers) == 50 * 7
+
+
 def test_the_same_bits_plain_and_compiled(with_numba: None) -> None:
     chance = random.Random(5)
 
@@ -77,7 +99,11 @@ def test_the_same_bits_plain_and_compiled(with_numba: None) -> None:
                 chance.choice((WARM, LOUD, BRIGHT)),
                 chance.uniform(200, 2500),
                 chance.uniform(300, 700),
-                *((chance.uniform(20, 300), 0.0, 0.0) if at % 2 else (0.0, chance.uniform(9, 400), chance.uniform(9, 400))),
+                *(
+                    (chance.uniform(20, 300), 0.0, 0.0)
+                    if at % 2
+                    else (0.0, chance.uniform(9, 400), chance.uniform(9, 400))
+                ),
                 chance.uniform(0, 100),
                 chance.choice((0.0, chance.uniform(1, 500))),
             )

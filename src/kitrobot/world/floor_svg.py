@@ -41,7 +41,9 @@ def floor_svg(world: World) -> Iterator[str]:
 
 
 def _path(xs: Sequence[float], ys: Sequence[float], high: float, closed: bool) -> str:
-    points = (f"{'L' if at else 'M'}{_number(x)} {_number(high - y)}" for at, (x, y) in enumerate(zip(xs, ys, strict=True)))
+    points = (
+        f"{'L' if at else 'M'}{_number(x)} {_number(high - y)}" for at, (x, y) in enumerate(zip(xs, ys, strict=True))
+    )
     return " ".join(points) + ("Z" if closed else "")
 
 

@@ -19,7 +19,10 @@ const ROBOT_PART = 0.075;
 
 export function Picture({ picture: { program, world, agents } }: { picture: MissionPicture }) {
   const place =
-    world !== null && (world.roads.length > 0 || agents.length > 1 || [...world.lines, ...world.floors, ...(world.zones ?? [])].length > 0);
+    world !== null &&
+    (world.roads.length > 0 ||
+      agents.length > 1 ||
+      [...world.lines, ...world.floors, ...(world.zones ?? [])].length > 0);
   return place ? <WorldPicture world={world} agents={agents} /> : <GraphPicture program={program} />;
 }
 

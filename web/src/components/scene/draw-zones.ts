@@ -48,7 +48,13 @@ function outlineOf({ camera }: Brush, zone: Zone): Outline {
   const [x, y] = toScreen(camera, zone.x_mm, zone.y_mm);
   const round = zone.radius_mm * camera.scale;
   if (round > 0) return { x, y, halfWidth: round, halfHeight: round, round };
-  return { x, y, halfWidth: (zone.width_mm * camera.scale) / 2, halfHeight: (zone.height_mm * camera.scale) / 2, round };
+  return {
+    x,
+    y,
+    halfWidth: (zone.width_mm * camera.scale) / 2,
+    halfHeight: (zone.height_mm * camera.scale) / 2,
+    round,
+  };
 }
 
 /** The outline, so many px larger all round. */

@@ -31,10 +31,7 @@ const RobotMenu = later(
 const Crowd = later(() => Promise.all([import("./Crowd"), moreWords()]).then(([chunk]) => chunk.Crowd), complain);
 const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
 
-const Placing = later(
-  () => Promise.all([import("./Placing"), moreWords()]).then(([chunk]) => chunk.Placing),
-  complain,
-);
+const Placing = later(() => Promise.all([import("./Placing"), moreWords()]).then(([chunk]) => chunk.Placing), complain);
 
 const CLICK_PX = 4;
 const NOWHERE = { scale: 1, x: 0, y: 0 };
@@ -321,8 +318,8 @@ export function Arena() {
           }}
         />
         <EmptyArena scene={scene} />
-        {near && painter !== null && canvas.current !== null && scene?.running === false ? (
-          <Placing painter={painter} canvas={canvas.current} selected={selected} />
+        {near && painter !== null && scene?.running === false ? (
+          <Placing painter={painter} canvas={canvas} selected={selected} />
         ) : null}
         {stage === null || painter === null ? null : (
           <stage.Shown scene={scene} selected={selected} painter={painter} />

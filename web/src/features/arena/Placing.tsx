@@ -2,7 +2,7 @@
  * Boxes, balls and walls are taken to another place in the arena itself, before a run: dragged with the mouse or a finger, or
  * taken with M and moved with the arrows, as robots are too. Each is one step of undo; a world of a file is copied first.
  */
-import { useEffect, useRef, useState } from "react";
+import { type RefObject, useEffect, useRef, useState } from "react";
 
 import { partsApi } from "../../api/parts";
 import { toScreen, toWorld } from "../../components/scene/camera";
@@ -34,7 +34,7 @@ const STEPS: Readonly<Record<string, readonly [number, number]>> = {
 
 interface PlacingProps {
   painter: Painter;
-  canvas: HTMLCanvasElement;
+  canvas: RefObject<HTMLCanvasElement | null>;
   selected: string;
 }
 
@@ -62,15 +62,15 @@ function usePlan(): OwnWorld | null {
   const own = useStudio((studio) => studio.mission.own_world ?? null);
   const href = useStudio((studio) => studio.mission.world);
   const path = useStudio((studio) => studio.file.path);
-  const [fetched, setFetched] = useState<OwnWorld | null>(null);
+  const [fetched, setFetched] = useState<{ of: string; world: OwnWorld | null } | null>(null);
+  const of = `${path}\n${href}`;
   useEffect(() => {
-    setFetched(null);
     if (own !== null) return;
     let wanted = true;
     // Whoever cannot have it moves the view instead; the list of problems says why.
     partsApi.plan(path, href).then(
       ({ world }) => {
-        if (wanted) setFetched(world);
+        if (wanted) setFetched({ of: `${path}\n${href}`, world });
       },
       () => undefined,
     );
@@ -78,10 +78,10 @@ function usePlan(): OwnWorld | null {
       wanted = false;
     };
   }, [own, href, path]);
-  return own ?? fetched;
+  return own ?? (fetched?.of === of ? fetched.world : null);
 }
 
-export function Placing({ painter, canvas, selected }: PlacingProps) {
+export function Placing({ painter, canvas: place, selected }: PlacingProps) {
   const plan = usePlan();
   const [taken, setTaken] = useState<Thing | null>(null);
   const latest = useRef({ plan, taken, selected });
@@ -89,8 +89,10 @@ export function Placing({ painter, canvas, selected }: PlacingProps) {
     latest.current = { plan, taken, selected };
   });
   useEffect(() => {
+    const canvas = place.current;
+    if (canvas === null) return;
     let drag: Drag | null = null;
-    const place = (event: PointerEvent): [number, number] => {
+    const pixel = (event: PointerEvent): [number, number] => {
       const box = canvas.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
     };
@@ -100,7 +102,7 @@ export function Placing({ painter, canvas, selected }: PlacingProps) {
     };
     const onDown = (event: PointerEvent) => {
       const world = latest.current.plan;
-      const [px, py] = place(event);
+      const [px, py] = pixel(event);
       setTaken(null);
       if (event.button !== 0 || world === null) return;
       if (painter.actorAt(px, py) !== null || painter.keyAt(px, py) !== null) return;
@@ -114,7 +116,7 @@ export function Placing({ painter, canvas, selected }: PlacingProps) {
     const onMove = (event: PointerEvent) => {
       if (drag === null) return;
       event.stopPropagation();
-      const [px, py] = place(event);
+      const [px, py] = pixel(event);
       if (drag.draft === null && Math.hypot(px - drag.px, py - drag.py) < CLICK_PX) return;
       const anchor = anchorOf(drag.began, drag.thing);
       if (anchor === null) return;
@@ -174,7 +176,7 @@ export function Placing({ painter, canvas, selected }: PlacingProps) {
       canvas.removeEventListener("pointercancel", onCancel);
       canvas.removeEventListener("keydown", onKey);
     };
-  }, [painter, canvas]);
+  }, [painter, place]);
   return taken === null || plan === null ? null : <Ring painter={painter} world={plan} thing={taken} />;
 }
 

@@ -91,10 +91,15 @@ export function Worlds() {
       <h2 id="team-world">{t("team.world")}</h2>
       <p className="team-note">
         {own === null ? null : `${t("world.mine")} `}
-        <button type="button" className="button" data-testid="team-open-world" onClick={() => {
+        <button
+          type="button"
+          className="button"
+          data-testid="team-open-world"
+          onClick={() => {
             openWorld();
             void editWorld();
-          }}>
+          }}
+        >
           <Icon name="pencil" size={16} /> {t("world.edit")}
         </button>
       </p>

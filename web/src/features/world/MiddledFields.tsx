@@ -16,7 +16,7 @@ function Place({ world, thing, part }: PartProps<Part<"box"> | Part<"ball"> | Pa
 
 export function ThingFields({ world, thing, part }: PartProps<Part<"box"> | Part<"ball">>) {
   const keep = (more: Partial<typeof part>, what: string, stepped: boolean) =>
-    set(world, thing, withPart(world, thing, { ...part, ...more } as typeof part), what, stepped);
+    set(world, thing, withPart(world, thing, { ...part, ...more }), what, stepped);
   return (
     <>
       <Place world={world} thing={thing} part={part} />

@@ -8,6 +8,7 @@ import { useEffect, useState } from "react";
 
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { useNarrow } from "../../session/narrow";
 import { isLive, useRun } from "../../session/run";
 import { closeTeam } from "../../session/team-view";
 import { editWorld } from "../../session/world-edits";
@@ -49,6 +50,7 @@ export default function World() {
   const openTemplates = () => setTemplates(true);
   const own = useStudio((studio) => studio.mission.own_world ?? null);
   const said = useWorld((state) => state.said);
+  useEffect(() => useNarrow.setState({ room: null }), []);
   // Who starts a run wants to see it.
   useEffect(
     () =>

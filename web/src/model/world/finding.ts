@@ -52,18 +52,7 @@ function offThing(world: OwnWorld, thing: Thing, x: number, y: number): number {
   }
 }
 
-const ON_TOP: readonly Kind[] = [
-  "start",
-  "ball",
-  "box",
-  "wall",
-  "dock",
-  "storehouse",
-  "line",
-  "road",
-  "zone",
-  "floor",
-];
+const ON_TOP: readonly Kind[] = ["start", "ball", "box", "wall", "dock", "storehouse", "line", "road", "zone", "floor"];
 /** What has to be pressed itself: it may cover most of a world. */
 const LARGE: readonly Kind[] = ["floor", "zone"];
 

@@ -55,7 +55,8 @@ export function gripsOf(world: OwnWorld, thing: Thing): Grip[] {
       const shape = shapeOf(world, { kind: thing.kind, at: thing.at });
       if (shape === null) return [];
       const { x, y, radius, width, height } = shape;
-      const size = radius > 0 ? { id: "radius", x: x + radius, y } : { id: "corner-of", x: x + width / 2, y: y + height / 2 };
+      const size =
+        radius > 0 ? { id: "radius", x: x + radius, y } : { id: "corner-of", x: x + width / 2, y: y + height / 2 };
       const zone = thing.kind === "zone" ? world.zones?.[thing.at] : undefined;
       if (zone === undefined) return [size];
       return [size, { id: "falloff", x, y: y + (radius || height / 2) + zone.falloff_mm }];

@@ -78,7 +78,10 @@ describe("what lies around its middle", () => {
     const drawn = drawNew(WORLD, "zone", { x: 100, y: 600 }, { x: 300, y: 700 });
     expect(drawn?.thing).toEqual({ kind: "zone", at: 2 });
     expect(drawn?.world.zones?.[2]).toMatchObject({ kind: "warm", x_mm: 200, y_mm: 650, radius_mm: 100 });
-    expect(drawNew(WORLD, "box", { x: 100, y: 100 }, null)?.world.boxes?.[1]).toMatchObject({ x_mm: 100, width_mm: 80 });
+    expect(drawNew(WORLD, "box", { x: 100, y: 100 }, null)?.world.boxes?.[1]).toMatchObject({
+      x_mm: 100,
+      width_mm: 80,
+    });
     expect(drawNew(WORLD, "ball", { x: 100, y: 100 }, null)?.world.balls?.[1]).toMatchObject({ radius_mm: 30 });
   });
 
