@@ -9,15 +9,15 @@ import pytest
 
 from kitrobot.sim import Recorder, Simulation
 from kitrobot.world import BRIGHT, LOUD, WARM, Zone
-from tests.sim.building import avatar, catalogue, empty_world, run_of
+from tests.sim.building import WHEEL, avatar, catalogue, empty_world, run_of
 
-SENSORS = """
-<sensor name="Temperature" device="temperature" min="0" max="50"><operation name="Value" value="yes"/></sensor>
-<sensor name="Sound" device="sound" min="0" max="100"><operation name="Value" value="yes"/></sensor>
-<sensor name="Brightness" device="brightness" min="0" max="100" ambient="15"><operation name="Value" value="yes"/></sensor>
+VALUE = '<operation name="Value" value="yes"/></sensor>'
+SENSORS = f"""
+<sensor name="Temperature" device="temperature" min="0" max="50">{VALUE}
+<sensor name="Sound" device="sound" min="0" max="100">{VALUE}
+<sensor name="Brightness" device="brightness" min="0" max="100" ambient="15">{VALUE}
 <sensor name="IsWarm" device="temperature" type="boolean"><operation name="Is" test="equal" to="1"/></sensor>
-<actuator name="Wheel" device="drive" speed="500"><procedure name="Advance" stop="Stop"><parameter name="speed" min="0" max="100"/></procedure>
-<procedure name="Stop"/></actuator>
+{WHEEL.format(settings='speed="500"')}
 """
 
 

@@ -100,4 +100,4 @@ def sense(first: int, last: int, step: int, state: State) -> None:
         if inside[k] > 0.0:
             values[k] = most if nearest <= 0.0 else least
         else:
-            values[k] = min(max(int(math.floor(ambients[k] + change + 0.5)), least), most)
+            values[k] = min(max(math.floor(ambients[k] + change + 0.5), least), most)
