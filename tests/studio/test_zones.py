@@ -87,8 +87,8 @@ def test_a_box_is_dragged_in_the_arena_before_a_run_and_moved_from_the_keyboard(
     studio = open_studio("tidy-up/tidy-up.krt")
     page = studio.page
     canvas = studio.at("arena-canvas")
-    with page.expect_response(lambda answer: "/api/world/plan" in answer.url):
-        canvas.focus()
+    canvas.focus()
+    expect(studio.at("arena-placing")).to_have_attribute("data-ready", "true")
     page.keyboard.press("m")
     expect(studio.at("states-said")).to_contain_text("robot-1 taken")
     page.keyboard.press("m")

@@ -15,7 +15,7 @@ export const LATER_WORLD_EN = {
   "world.shape": "Shape",
   "world.circle": "Circle",
   "world.rectangle": "Rectangle",
-  "world.templates": "Begin with a world that is there",
+  "world.templates": "Begin with a ready world",
   "world.templates-open": "Templates…",
   "world.templates-close": "Close the templates",
   "world.templates-help": "A press takes it in the place of this world. Undo brings yours back.",

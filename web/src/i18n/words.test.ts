@@ -82,6 +82,8 @@ const NAMES: Key[] = [
   "file.untitled",
   "code.projection",
   "members.who",
+  "world.kind-zone",
+  "world.rectangle",
 ];
 
 function forms(sentence: Sentence): string[] {

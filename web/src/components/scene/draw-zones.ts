@@ -35,9 +35,11 @@ const SIGNS: Readonly<Record<Zone["kind"], string>> = {
     "M4 0A4 4 0 1 1-4 0A4 4 0 1 1 4 0M0-10V-8M0 8V10M-7.1-7.1L-5.7-5.7M5.7 5.7L7.1 7.1M-10 0H-8M8 0H10M-5.7 5.7L-7.1 7.1M7.1-7.1L5.7-5.7",
 };
 
-const [HALO_STEPS, HALO_ALPHA, FILL_ALPHA] = [5, 0.045, 0.16];
-/** A zone that is smaller on the screen has no waves and no words. */
-const [LEAST_MARKS_PX, LEAST_WORDS_PX] = [36, 24];
+const [HALO_STEPS, HALO_ALPHA, FILL_ALPHA] = [9, 0.026, 0.16];
+/** A zone that is smaller on the screen has no waves. */
+const LEAST_MARKS_PX = 36;
+/** Words may be so much wider than their zone; then only the value is said, and then nothing. */
+const WIDER = 1.25;
 const RAYS = 12;
 
 export function valueOf({ kind, value }: Pick<Zone, "kind" | "value">): string {
@@ -120,12 +122,16 @@ function drawSign({ pen }: Brush, kind: Zone["kind"], x: number, y: number, size
   pen.restore();
 }
 
-/** The sign, the word and the value on a pill; without the sign where that stands by itself above. */
-function drawWords(brush: Brush, zone: Zone, x: number, y: number): void {
+/** The sign, the word and the value on a pill, as far as there is room. */
+function drawWords(brush: Brush, zone: Zone, x: number, y: number, room: number): void {
   const { pen, colours } = brush;
-  const words = `${t(`world.${zone.kind}` as Key)} ${valueOf(zone)}`;
   pen.font = `600 13px "Inter Variable", system-ui, sans-serif`;
-  const wide = pen.measureText(words).width + 38;
+  const width = (text: string) => pen.measureText(text).width + 38;
+  // Each keeps the way that it is written in.
+  const value = `\u2066${valueOf(zone)}\u2069`;
+  const words = [`\u2068${t(`world.${zone.kind}` as Key)}\u2069 ${value}`, value].find((text) => width(text) <= room);
+  if (words === undefined) return;
+  const wide = width(words);
   pen.beginPath();
   pen.roundRect(x - wide / 2, y - 12, wide, 24, 6);
   pen.fillStyle = colours.panel;
@@ -186,9 +192,8 @@ function drawZone(brush: Brush, zone: Zone, contrast: boolean, dark: boolean): v
     if (own) drawSign(brush, zone.kind, outline.x, outline.y, Math.min(Math.max(size * 0.2, 18), 44), line);
   }
   pen.restore();
-  if (size < LEAST_WORDS_PX) return;
   const below = own ? Math.min(Math.max(size * 0.1, 9), 22) + 16 : 0;
-  drawWords(brush, zone, outline.x, outline.y + below);
+  drawWords(brush, zone, outline.x, outline.y + below, 2 * outline.halfWidth * WIDER);
 }
 
 /** All zones of the world, one after another. */

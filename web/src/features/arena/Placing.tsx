@@ -177,7 +177,11 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
       canvas.removeEventListener("keydown", onKey);
     };
   }, [painter, place]);
-  return taken === null || plan === null ? null : <Ring painter={painter} world={plan} thing={taken} />;
+  return (
+    <div hidden={taken === null} data-testid="arena-placing" data-ready={plan !== null}>
+      {taken === null || plan === null ? null : <Ring painter={painter} world={plan} thing={taken} />}
+    </div>
+  );
 }
 
 /** Around the thing that is taken, wherever the view goes. */
