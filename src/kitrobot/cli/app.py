@@ -32,6 +32,7 @@ from kitrobot.cli.exec import execute_program
 from kitrobot.cli.format import format_files
 from kitrobot.cli.grade import grade_submissions
 from kitrobot.cli.log import show_log
+from kitrobot.cli.maze import give_maze
 from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.output import NobodyReadsError, begin, complain, failure, give, remember, tell, use_utf8
 from kitrobot.cli.replay import replay_trace
@@ -82,6 +83,7 @@ app.command("convert")(convert_file)
 app.command("exec")(execute_program)
 app.command("check")(check_files)
 app.command("format")(format_files)
+app.command("maze")(give_maze)
 app.command("diff")(diff_files)
 app.command("merge")(merge_missions_of_files)
 

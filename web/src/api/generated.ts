@@ -981,9 +981,22 @@ export interface OwnWorld {
   starts: OwnStart[];
   boxes?: OwnBox[];
   balls?: OwnBall[];
+  zones?: OwnZone[];
   unknown: string[];
   label: Record<string, string>;
   help: Record<string, string>;
+}
+
+/** Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0. */
+export interface OwnZone {
+  kind: "warm" | "loud" | "bright";
+  x_mm: number;
+  y_mm: number;
+  radius_mm: number;
+  width_mm: number;
+  height_mm: number;
+  value: number;
+  falloff_mm: number;
 }
 
 /** A parameter of a method; `min` and `max` are included. */
@@ -1681,6 +1694,12 @@ export interface TeamSendRequest {
   boards: TeamBoard[];
 }
 
+/** A world to begin with; `world` has its label and help. */
+export interface Template {
+  name: string;
+  world: OwnWorld;
+}
+
 /** The canonical text of a `.krt`. */
 export interface Text {
   text: string;
@@ -1883,6 +1902,7 @@ export interface World {
   storehouses: Storehouse[];
   starts: StartPose[];
   things?: Thing[];
+  zones?: Zone[];
 }
 
 /** A world that a mission can take place in; `href` is what the mission calls it, "" for the empty one. */
@@ -1898,6 +1918,18 @@ export interface WorldEntry {
 /** The world of a mission: None when its file is not there, or is no world. */
 export interface WorldFile {
   world: World | null;
+}
+
+/** Where it is warm, loud or bright, around its middle: a circle, or a rectangle where its radius is 0. */
+export interface Zone {
+  kind: "warm" | "loud" | "bright";
+  x_mm: number;
+  y_mm: number;
+  radius_mm: number;
+  width_mm: number;
+  height_mm: number;
+  value: number;
+  falloff_mm: number;
 }
 
 export type RunMessage = StartedMessage | StateMessage | TickMessage | ProblemsMessage | ErrorMessage;

@@ -19,7 +19,10 @@ const ROBOT_PART = 0.075;
 
 export function Picture({ picture: { program, world, agents } }: { picture: MissionPicture }) {
   const place =
-    world !== null && (world.roads.length > 0 || agents.length > 1 || [...world.lines, ...world.floors].length > 0);
+    world !== null &&
+    (world.roads.length > 0 ||
+      agents.length > 1 ||
+      [...world.lines, ...world.floors, ...(world.zones ?? [])].length > 0);
   return place ? <WorldPicture world={world} agents={agents} /> : <GraphPicture program={program} />;
 }
 
@@ -145,6 +148,13 @@ export function WorldPicture({ world, agents, view, children }: WorldPictureProp
       {world.walls.map(({ x1, y1, x2, y2 }, index) => (
         <line key={index} className="picture-wall" x1={x1} y1={height - y1} x2={x2} y2={height - y2} />
       ))}
+      {(world.zones ?? []).map((zone, index) => {
+        const [x, y] = [zone.x_mm, height - zone.y_mm];
+        const shape = { className: "picture-zone", "data-kind": zone.kind };
+        if (zone.radius_mm > 0) return <circle key={index} {...shape} cx={x} cy={y} r={zone.radius_mm} />;
+        const [wide, high] = [zone.width_mm, zone.height_mm];
+        return <rect key={index} {...shape} x={x - wide / 2} y={y - high / 2} width={wide} height={high} />;
+      })}
       {world.storehouses.map((house) => (
         <g
           key={house.name}

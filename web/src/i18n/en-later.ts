@@ -6,6 +6,7 @@ import { NEW_EN } from "./en-later-new";
 import { FIELDS_EN } from "./en-later-fields";
 import { KEYS_EN } from "./en-later-keys";
 import { KITS_EN } from "./en-later-kits";
+import { LATER_WORLD_EN } from "./en-later-world";
 
 export const LATER_EN = {
   ...ARENA_EN,
@@ -15,6 +16,7 @@ export const LATER_EN = {
   ...KITS_EN,
   ...FIELDS_EN,
   ...KEYS_EN,
+  ...LATER_WORLD_EN,
   "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
   "exercise.broken": "This exercise cannot be used.",

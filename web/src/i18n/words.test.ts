@@ -83,6 +83,8 @@ const NAMES: Key[] = [
   "code.projection",
   "fields.octave",
   "members.who",
+  "world.kind-zone",
+  "world.rectangle",
 ];
 
 function forms(sentence: Sentence): string[] {

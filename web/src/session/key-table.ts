@@ -103,6 +103,7 @@ export const ARENA_KEYS = {
   menu: { chords: ["Enter", "Shift+F10", "ContextMenu"], says: "help.keys-robot-menu" },
   follow: { chords: ["Shift+F"], says: "harm.follow" },
   hand: { chords: ["A", "B", "S"], says: "help.keys-hand" },
+  take: { chords: ["M", "Shift+M"], says: "help.keys-take" },
 } as const satisfies Rows;
 
 /** Keys of the world while it is changed and its place has the focus. */

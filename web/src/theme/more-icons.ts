@@ -18,9 +18,12 @@ import PackageMinus from "lucide-react/icons/package-minus";
 import PackagePlus from "lucide-react/icons/package-plus";
 import Rows3 from "lucide-react/icons/rows-3";
 import ScanEye from "lucide-react/icons/scan-eye";
+import Sun from "lucide-react/icons/sun";
+import Thermometer from "lucide-react/icons/thermometer";
 import ToggleLeft from "lucide-react/icons/toggle-left";
 import UserCheck from "lucide-react/icons/user-check";
 import Vibrate from "lucide-react/icons/vibrate";
+import Volume2 from "lucide-react/icons/volume-2";
 import Vote from "lucide-react/icons/vote";
 import Warehouse from "lucide-react/icons/warehouse";
 import Wrench from "lucide-react/icons/wrench";
@@ -43,9 +46,12 @@ export const MORE_ICONS: Readonly<Record<string, LucideIcon>> = {
   "package-plus": PackagePlus,
   "rows-3": Rows3,
   "scan-eye": ScanEye,
+  sun: Sun,
+  thermometer: Thermometer,
   "toggle-left": ToggleLeft,
   "user-check": UserCheck,
   vibrate: Vibrate,
+  "volume-2": Volume2,
   vote: Vote,
   warehouse: Warehouse,
   wrench: Wrench,
