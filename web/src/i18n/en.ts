@@ -150,18 +150,8 @@ export const EN = {
   "help.keys-all": "Select all",
   "help.keys-zoom": "Zoom in, zoom out, actual size",
 
-  "open.title": "Open a mission",
-  "open.workspace": "In {folder}",
-  "open.workspace-empty": "No mission in this folder yet.",
-  "open.examples": "Examples",
-  "open.computer": "From this computer…",
   "open.loading": "Looking…",
   "open.cancel": "Cancel",
-
-  "examples.or": "Or open an example",
-  "examples.all": "all examples",
-  "examples.parts": { one: "{count} part", other: "{count} parts" },
-  "examples.robots": { one: "{count} robot", other: "a team of {count} robots" },
 
   "save.title": "Save as",
   "save.name": "File name",

@@ -1,7 +1,7 @@
 /** The tutorials as a row of cards: in the gallery, under an empty program, and in the welcome. */
 import type { ReactNode } from "react";
 
-import type { Tutorial } from "../../api/generated";
+import type { TeacherPage, Tutorial } from "../../api/generated";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
@@ -35,6 +35,32 @@ function Card({ tutorial, brief }: { tutorial: Tutorial; brief: boolean }) {
         <small>{state(tutorial)}</small>
       </span>
     </button>
+  );
+}
+
+/** What a teacher wants to know of it. */
+function Teachers({ page }: { page: TeacherPage }) {
+  const lists = [
+    { title: t("tutorial.troubles"), texts: page.troubles },
+    { title: t("tutorial.questions"), texts: page.questions },
+  ];
+  return (
+    <details className="tutorial-teachers">
+      <summary>{t("tutorial.teachers", { count: page.minutes })}</summary>
+      <p>{text(page.aim)}</p>
+      {lists
+        .filter(({ texts }) => texts.length > 0)
+        .map(({ title, texts }) => (
+          <div key={title}>
+            <h4>{title}</h4>
+            <ul>
+              {texts.map((one, at) => (
+                <li key={at}>{text(one)}</li>
+              ))}
+            </ul>
+          </div>
+        ))}
+    </details>
   );
 }
 
@@ -73,6 +99,7 @@ export function TutorialCards({ brief = false }: CardsProps) {
         {shown.map((one) => (
           <li key={one.name}>
             {one.steps.length > 0 ? <Card tutorial={one} brief={brief} /> : <Broken tutorial={one} />}
+            {brief || one.teacher === null ? null : <Teachers page={one.teacher} />}
           </li>
         ))}
       </ul>
