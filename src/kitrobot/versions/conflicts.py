@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 
 from kitrobot.text import Sentence
 from kitrobot.versions.wording import short
+from kitrobot.versions.wording import value as in_words
 
 T = TypeVar("T")
 
@@ -83,4 +84,6 @@ class Decisions:
 
 
 def _in_words(value: Any) -> str:
-    return short(value) if isinstance(value, str | int | float | dict) and not isinstance(value, bool) else ""
+    if value is None or isinstance(value, str):
+        return in_words(value)
+    return short(value) if isinstance(value, int | float | dict) and not isinstance(value, bool) else ""
