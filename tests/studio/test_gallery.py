@@ -68,7 +68,7 @@ def test_search_filters_and_arrows_lead_to_an_example_that_runs_to_its_end(open_
     cards = dialog.locator(".card")
     every = len([path for path in EXAMPLES.glob("*/*.krt") if path.parent.name != "exercises"])
     expect(cards).to_have_count(every)
-    expect(dialog.locator("h4")).to_have_text(["Easy", "Some practice", "For experts"])
+    expect(dialog.locator(".gallery-level h4")).to_have_text(["Easy", "Some practice", "For experts"])
     studio.at("gallery-level-3").click()
     studio.at("gallery-topic-teams").click()
     expect(studio.at("example-convoy")).to_be_visible()

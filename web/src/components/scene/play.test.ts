@@ -35,10 +35,16 @@ function preview(more: Partial<RunPreview> = {}): RunPreview {
   };
 }
 
-test("an open place is seen around what is driven, one with walls as the arena shows it", () => {
+test("a room is seen around what is driven, a place with more in it as the arena shows it", () => {
   expect(boxOf(WORLD, preview())).toEqual({ left: 800, right: 1600, bottom: 800, top: 1300 });
   const walled = { ...WORLD, walls: [{ x1: 0, y1: 0, x2: 4000, y2: 0 }] };
-  expect(boxOf(walled, preview()).right).toBeGreaterThan(3999);
+  expect(boxOf(walled, preview())).toEqual(boxOf(WORLD, preview()));
+  const points: [number, number][] = [
+    [0, 0],
+    [4000, 0],
+  ];
+  const lined: World = { ...WORLD, lines: [{ colour: "red", width_mm: 20, closed: false, points }] };
+  expect(boxOf(lined, preview()).right).toBeGreaterThan(3999);
   // Who never moves has one pose only.
   expect(boxOf(WORLD, preview({ ways: [[1000, 1000, 0, 0, 0]] }))).toEqual({
     left: 800,

@@ -87,9 +87,9 @@ export function boxOf(world: World, { ways }: RunPreview): Box {
   });
   const places = points.map(([x_mm, y_mm]) => ({ x_mm, y_mm }));
   const content = contentOf(world, places);
-  const whole = content.right - content.left >= world.width_mm && content.top - content.bottom >= world.height_mm;
-  const has = world.walls.length + world.roads.length + world.lines.length + world.floors.length;
-  if (!whole || has > 0 || (world.things ?? []).length > 0 || points.length === 0) return content;
+  // Walls alone say little: what is driven is seen closely.
+  const has = world.roads.length + world.lines.length + world.floors.length + world.storehouses.length;
+  if (has > 0 || (world.things ?? []).length > 0 || points.length === 0) return content;
   const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
   const around = Math.min(AROUND_MM, world.width_mm / 2);
   return {

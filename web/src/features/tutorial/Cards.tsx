@@ -83,14 +83,24 @@ function Broken({ tutorial: { name, problems } }: { tutorial: Tutorial }) {
   );
 }
 
+/** Under an empty program there is room for so many. */
+const MOST = 4;
+
+/** The first ones that are not done; the first ones where all are. */
+function nextTutorials(all: readonly Tutorial[]): Tutorial[] {
+  const usable = all.filter(({ steps }) => steps.length > 0);
+  const open = usable.filter((one) => (rememberedProgress(one)?.at ?? 0) < one.steps.length);
+  return (open.length > 0 ? open : usable).slice(0, MOST);
+}
+
 interface CardsProps {
-  /** Under an empty program: without the sentences, and without those that cannot be used. */
+  /** Under an empty program: the next few, without the sentences. */
   brief?: boolean;
 }
 
 export function TutorialCards({ brief = false }: CardsProps) {
-  const all = useTutorial((found) => found.all);
-  const shown = (all ?? []).filter((one) => !brief || one.steps.length > 0);
+  const all = useTutorial((found) => found.all) ?? [];
+  const shown = brief ? nextTutorials(all) : all;
   if (shown.length === 0) return null;
   return (
     <section className="tutorial-cards" aria-label={t("tutorial.title")}>
