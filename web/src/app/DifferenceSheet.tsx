@@ -1,5 +1,5 @@
 /** What is different between the open mission and its file, in words; and both merged, with a choice where both changed the same. */
-import { useCallback, useState } from "react";
+import { useCallback, useRef, useState } from "react";
 
 import type { Conflicted, Merged } from "../api/generated";
 import { journalApi } from "../api/journal";
@@ -70,17 +70,21 @@ export function DifferenceSheet() {
     return journalApi.difference(file.path, mission).then((found) => found.changes);
   }, []);
   const changes = useFetched(ask, (cause) => [cause instanceof Error ? cause.message : String(cause)]);
-  const [merging, setMerging] = useState<{ asked: Asked; merged: Merged } | null>(null);
+  const [merging, setMerging] = useState<{ asked: Asked; merged: Merged; waits: boolean } | null>(null);
+  /** Which request is the last one: an answer to an earlier choice is too late. */
+  const last = useRef(0);
 
   const merge = (asked: Asked, taken: readonly string[], first: boolean) => {
+    const number = ++last.current;
     journalApi.merge(useStudio.getState().file.path, asked.base, asked.mission, taken).then((merged) => {
+      if (number !== last.current) return;
       if (first && merged.conflicts.length === 0) apply(merged, asked);
-      else setMerging({ asked, merged });
+      else setMerging({ asked, merged, waits: false });
     }, complain);
   };
 
   if (merging !== null) {
-    const { asked, merged } = merging;
+    const { asked, merged, waits } = merging;
     const taken = merged.conflicts.filter((one) => one.taken).map(({ name }) => name);
     return (
       <Sheet title={t("merge.title")} testId="merge-dialog" wide onClose={closeOverlay}>
@@ -92,6 +96,10 @@ export function DifferenceSheet() {
               conflict={conflict}
               choose={(theirs) => {
                 const others = taken.filter((name) => name !== conflict.name);
+                const conflicts = merged.conflicts.map((one) =>
+                  one.name === conflict.name ? { ...one, taken: theirs } : one,
+                );
+                setMerging({ asked, merged: { ...merged, conflicts }, waits: true });
                 merge(asked, theirs ? [...others, conflict.name] : others, false);
               }}
             />
@@ -105,6 +113,7 @@ export function DifferenceSheet() {
             type="button"
             className="button button-ink"
             data-testid="merge-apply"
+            disabled={waits}
             onClick={() => apply(merged, asked)}
           >
             {t("merge.apply")}
