@@ -752,7 +752,7 @@ export interface MergeAsk {
   taken: string[];
 }
 
-/** A mission with the edits of its file, and what both changed differently. `theirs` is the file in that revision. */
+/** A mission with the edits of its file, and what both changed differently. `theirs` is that revision. */
 export interface Merged {
   revision: string;
   mission: Mission;
@@ -1666,8 +1666,8 @@ export interface SweepStopRequest {
 export interface TeacherPage {
   minutes: number;
   aim: Record<string, string>;
-  troubles: Record<string, string>[];
-  questions: Record<string, string>[];
+  troubles: (Record<string, string>)[];
+  questions: (Record<string, string>)[];
 }
 
 /**
