@@ -17,6 +17,7 @@ REPOSITORY = Path(__file__).parents[2]
 SCHEMAS = PRIMITIVES / "schemas"
 KINDS = {
     "beginnings.xml": "beginnings",
+    "examples.xml": "examples",
     ".tutorial.xml": "tutorial",
     ".exercise.xml": "exercise",
     "constructors.xml": "constructors",

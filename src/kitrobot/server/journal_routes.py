@@ -24,11 +24,13 @@ from kitrobot.server.shapes import (
     JournalSizeShape,
     NewsMessage,
     mission_from_shape,
+    mission_shape,
 )
+from kitrobot.server.shapes.journal import ConflictedShape, MergeAskShape, MergedShape
 from kitrobot.server.shapes.values import ClaimedValue, LeftValue
 from kitrobot.server.studio import Studio
 from kitrobot.translation import said
-from kitrobot.versions import Difference, differences
+from kitrobot.versions import Difference, differences, merge_missions
 
 LOOK_S = 0.5
 """How often a tab's files are looked at."""
@@ -79,6 +81,36 @@ def difference(studio: ThisStudio, wanted: DifferenceAskShape) -> DifferenceShap
     theirs = studio.read(data, wanted.path, wanted.path).mission
     found = differences(theirs, mission_from_shape(wanted.mission))
     return DifferenceShape(revision=revision, changes=[_in_words(one) for one in found])
+
+
+@journal_routes.post("/mission/merge")
+def merge(studio: ThisStudio, wanted: MergeAskShape) -> MergedShape:
+    """A mission with the edits of its file, both made of `base`; nothing is written."""
+    data, revision = studio.folder.read(wanted.path)
+    theirs = studio.read(data, wanted.path, wanted.path).mission
+    base, ours = mission_from_shape(wanted.base), mission_from_shape(wanted.mission)
+    merged = merge_missions(base, ours, theirs, frozenset(wanted.taken))
+    return MergedShape(
+        revision=revision,
+        mission=mission_shape(merged.mission),
+        theirs=mission_shape(theirs),
+        conflicts=[
+            ConflictedShape(
+                name=one.name,
+                what=_capital(said(one.what)),
+                sentence=_capital(said(one.sentence)),
+                ours=said(one.ours),
+                theirs=said(one.theirs),
+                taken=one.taken,
+                open=one.open,
+            )
+            for one in merged.clashes
+        ],
+    )
+
+
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
 
 
 def _in_words(difference: Difference) -> str:

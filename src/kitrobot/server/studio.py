@@ -31,6 +31,7 @@ from kitrobot.workspace import (
     KeptPrograms,
     OpenMission,
     OpenTrace,
+    Previews,
     SearchPath,
     Tutorials,
     read_mission_data,
@@ -79,6 +80,8 @@ class Studio:
         self.saving = threading.Lock()
         """Held while a run is recorded once more: one at a time is quick enough."""
         self.gallery = Gallery()
+        self.previews = Previews()
+        """What missions do in their first seconds."""
         self.tutorials = Tutorials(self.folder)
         self.exercises = Exercises(self.folder)
         self.judging: dict[str, threading.Event] = {}

@@ -358,6 +358,20 @@ export interface Conflict {
   revision: string;
 }
 
+/**
+ * What both changed differently: what it is, what became of it, and both values in words, "" where they are long.
+ * `taken`: the file's is taken. `open`: there is something to decide.
+ */
+export interface Conflicted {
+  name: string;
+  what: string;
+  sentence: string;
+  ours: string;
+  theirs: string;
+  taken: boolean;
+  open: boolean;
+}
+
 /** A building block of programs. */
 export interface Constructor {
   name: string;
@@ -458,6 +472,18 @@ export interface ErrorMessage {
   message: string;
   help: string;
   ended: boolean;
+}
+
+/**
+ * What is told of an example: its level from 1, 0 where nobody said one; the kinds of its robots; how many there are,
+ * and how many parts its first program has.
+ */
+export interface Example {
+  level: number;
+  topics: Topic[];
+  robots: string[];
+  agents: number;
+  parts: number;
 }
 
 /**
@@ -735,6 +761,22 @@ export interface Member {
   missed: boolean;
 }
 
+/** A mission to be merged with its file: both were made of `base`. `taken` are the conflicts that the file wins. */
+export interface MergeAsk {
+  path: string;
+  base: Mission;
+  mission: Mission;
+  taken: string[];
+}
+
+/** A mission with the edits of its file, and what both changed differently. `theirs` is that revision. */
+export interface Merged {
+  revision: string;
+  mission: Mission;
+  theirs: Mission;
+  conflicts: Conflicted[];
+}
+
 /** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
 export interface Method {
   name: string;
@@ -781,17 +823,16 @@ export interface Mission {
 /**
  * A mission that can be opened; `modified` is a moment in UTC (ISO 8601). `problem` is why it cannot be opened, ""
  * where nothing is known against it. Examples are read-only and say more: title (`label`) and what happens (`help`) by
- * language, and their picture.
+ * language, and `example`.
  */
 export interface MissionEntry {
   path: string;
   name: string;
   title: string;
-  example: boolean;
   modified: string;
   label: Record<string, string>;
   help: Record<string, string>;
-  picture: Picture | null;
+  example: Example | null;
   problem: string;
 }
 
@@ -1087,16 +1128,6 @@ export interface PauseRequest {
   type: "pause";
 }
 
-/**
- * What a small picture of a mission is drawn from: its first program, and where it takes place. `agents` are the starts
- * of its team, by their names in the world.
- */
-export interface Picture {
-  program: Program;
-  world: World | null;
-  agents: string[];
-}
-
 /** A slot or parameter of a vertex; the slot "" is the vertex itself. */
 export interface Place {
   vertex: string;
@@ -1119,11 +1150,34 @@ export interface Point {
   inner: string;
 }
 
-/** A starter with its first program, and what its agents do in the first seconds. */
+/** A starter, and what its agents do in the first seconds. */
 export interface Preview {
   starter: string;
-  program: Program;
-  tracks: Track[];
+  run: RunPreview;
+}
+
+/** An agent of a preview; `start` is the place in the world where it begins, "" where that has its own name. */
+export interface PreviewAgent {
+  name: string;
+  program: string;
+  robot: string;
+  number: number;
+  start: string;
+}
+
+/** From that frame on an agent's actuator shows these numbers. */
+export interface PreviewShown {
+  frame: number;
+  agent: number;
+  part: string;
+  numbers: number[];
+}
+
+/** From that frame on so many boxes lie in a storehouse. */
+export interface PreviewStock {
+  frame: number;
+  storehouse: string;
+  boxes: number;
 }
 
 /** A diagnostic; lines and columns count from 1 and are 0 where there is no file. */
@@ -1328,6 +1382,26 @@ export interface RunEvent {
   agent: string;
   text: string;
   cause: "program" | "world" | "person" | "mission" | "chance" | "robot" | "link";
+}
+
+/**
+ * The first seconds of a run in `frames` pictures; none where it cannot run, and then its program is what there is.
+ * `ways`: of each agent five numbers a frame (x and y in mm, the heading in thousandths of a radian, load, flags); of
+ * one that never changes only five. `things`: of each thing that can be pushed x and y, likewise. `marks`: points of
+ * lines of pens, each (frame, pen, what, x, y, colour, width), and `pens` who has them.
+ */
+export interface RunPreview {
+  program: Program | null;
+  world: World | null;
+  seconds: number;
+  frames: number;
+  agents: PreviewAgent[];
+  ways: number[][];
+  shown: PreviewShown[];
+  stock: PreviewStock[];
+  things: number[][];
+  pens: number[];
+  marks: number[][];
 }
 
 /** A mission to be written; `revision` is the one that the page last read or wrote, "" for a new file. */
@@ -1626,6 +1700,14 @@ export interface SweepStopRequest {
   type: "stop";
 }
 
+/** What a teacher wants to know of a tutorial; each text by language. */
+export interface TeacherPage {
+  minutes: number;
+  aim: Record<string, string>;
+  troubles: (Record<string, string>)[];
+  questions: (Record<string, string>)[];
+}
+
 /**
  * An agent of the team that programs were sent to, or that was started, last; `address` of its board, "" for none.
  * `message` is what it said last, or (`failed`) what went wrong.
@@ -1743,11 +1825,10 @@ export interface TickMessage {
   drawing: Drawing | null;
 }
 
-/** The way of an agent: (x mm, y mm, heading rad), one each tenth of a second. */
-export interface Track {
-  agent: string;
-  robot: string;
-  points: [number, number, number][];
+/** What an example is about. */
+export interface Topic {
+  name: string;
+  label: Record<string, string>;
 }
 
 /** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */
@@ -1758,6 +1839,7 @@ export interface Tutorial {
   help: Record<string, string>;
   icon: string;
   steps: TutorialStep[];
+  teacher: TeacherPage | null;
   problems: Problem[];
 }
 

@@ -13,6 +13,7 @@ export const KEYS_EN = {
   "help.keys-move": "Move the selected parts up or down",
   "help.keys-nothing": "Select nothing",
   "help.keys-pan": "Move the view",
+  "help.keys-take": "Take a robot or a thing, to move it with the arrows",
   "help.keys-hand": "Hold a button of the board, or shake it",
   "help.keys-robot": "Next robot, previous robot",
   "help.keys-lists": "In lists, tabs and menus",

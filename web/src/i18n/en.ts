@@ -133,18 +133,8 @@ export const EN = {
   "help.keys-insert": "Insert a part at the selected arc or vertex",
   "help.keys-walk": "Walk along the flow",
 
-  "open.title": "Open a mission",
-  "open.workspace": "In {folder}",
-  "open.workspace-empty": "No mission in this folder yet.",
-  "open.examples": "Examples",
-  "open.computer": "From this computer…",
   "open.loading": "Looking…",
   "open.cancel": "Cancel",
-
-  "examples.or": "Or open an example",
-  "examples.all": "all examples",
-  "examples.parts": { one: "{count} part", other: "{count} parts" },
-  "examples.robots": { one: "{count} robot", other: "a team of {count} robots" },
 
   "save.title": "Save as",
   "save.name": "File name",

@@ -1,6 +1,8 @@
 /** What can be set on the selected part. */
 import "./inspector.css";
 
+import { useEffect } from "react";
+
 import { moreWords, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { findSpot } from "../../model/tree";
@@ -16,6 +18,10 @@ export function Inspector() {
   const drawing = useDrawing();
   const selection = useStudio((state) => state.selection);
   const [id] = selection;
+  useEffect(() => {
+    // What scrolls is around it: another part begins at its top.
+    document.querySelector(".side-inspector")?.scrollTo({ top: 0 });
+  }, [id]);
   if (drawing === null || id === undefined) return <Nothing />;
   if (selection.length > 1) return <Many count={selection.length} />;
   const { start, stop } = drawing.structure;

@@ -200,6 +200,9 @@ export class Placer {
     );
     const bottom = ceilTo(8, inner.bottom + (inner.tail.lane ? EXIT_BELOW : 8));
     frame.h = bottom - middle;
+    const { plugs, fields } = shown.shape;
+    // A loop that nothing ends, neither a test or a number nor a part inside, is never done.
+    const ends = plugs.length + fields.length > 0 || this.draft.leaps.isOpen(leaps);
     this.draft.leaps.endAt(leaps, x + half);
     const left = x - half;
     this.close(
@@ -216,7 +219,7 @@ export class Placer {
     const leaving = startPiece(arcId(measured), "next", colour, { x: x + width / 2, y: middle });
     leaving.fixed = true;
     leaving.points.push({ x: x + half, y: middle });
-    leaving.label = { text: t("graph.done"), x: x + width / 2 + 8, y: middle - 11, anchor: "start" };
+    if (ends) leaving.label = { text: t("graph.done"), x: x + width / 2 + 8, y: middle - 11, anchor: "start" };
     return { tail: { pieces: [leaving], lane: true }, bottom, laneY: bottom + EXIT_BELOW, next: bottom + 56 };
   }
 
