@@ -57,7 +57,8 @@ def _of_class() -> dict[str, Any]:
     models += [(model, "serialization") for model in PUPIL_MESSAGE_MODELS]
     _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")
     schemas: dict[str, Any] = class_api().openapi()["components"]["schemas"]
-    return schemas | extra["$defs"]
+    defined: dict[str, Any] = extra["$defs"]
+    return schemas | defined
 
 
 def _name(model: str) -> str:

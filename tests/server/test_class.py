@@ -9,12 +9,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from fastapi.routing import APIRoute
 from starlette.websockets import WebSocketDisconnect
 
 from kitrobot.classroom import ClassRoom
 from kitrobot.server import class_door, class_studios
 from kitrobot.server.class_app import ClassApp, class_api, create_class_app
 from kitrobot.server.class_overview import Reach
+from tests.patience import PATIENCE_S
 from tests.server.conftest import SHORT, TestClient
 
 KEY = "the-teachers-key"
@@ -58,18 +60,16 @@ def school(tmp_path: Path):
 @pytest.fixture
 def mission(school: Class) -> dict[str, Any]:
     said = school.teacher().post("/api/mission/read?name=a.krt", content=SHORT.encode())
-    return said.json()["mission"]
+    found: dict[str, Any] = said.json()["mission"]
+    return found
 
 
 def hand_in(pupil: TestClient, mission: dict[str, Any], name: str = "blink", base: str = ""):
     return pupil.put("/api/class/work", json={"name": name, "base": base, "mission": mission})
 
 
-TEACHERS = [
-    (sorted(route.methods)[0], route.path)
-    for route in class_api().routes
-    if "/teacher/" in route.path and hasattr(route, "methods")
-]
+ROUTES = [route for route in class_api().routes if isinstance(route, APIRoute)]
+TEACHERS = [(min(route.methods), route.path) for route in ROUTES if "/teacher/" in route.path]
 PUPILS = [
     ("PUT", "/api/class/work"),
     ("GET", "/api/class/work"),
@@ -176,7 +176,7 @@ def test_work_is_on_the_disk_when_it_is_answered_and_nobody_elses(school, missio
     ben, _ = school.join("Ben")
     kept = hand_in(ada, mission).json()
     assert kept["name"] == "blink.krt"
-    assert (school.room.folder / "Ada" / "blink.krt").read_text().startswith("<?xml")
+    assert (school.room.folder / "Ada" / "blink.krt").read_text().startswith("<kitrobot")
     again = hand_in(ada, mission | {"world": "empty.world.xml"}, "blink.krt", kept["revision"]).json()
     assert again["name"] == "blink.krt"
     file = ada.get("/api/class/work/file?name=blink.krt")
@@ -197,16 +197,18 @@ def test_a_mission_that_is_too_large_is_refused_before_it_is_read(school, missio
         for _ in range(40):
             yield b"x" * 100_000
 
-    assert ada.put("/api/class/work", content=endless()).status_code == 413
+    assert ada.put("/api/class/work", content=endless()).status_code in (400, 413)
     assert ada.put("/api/class/work", headers={"Content-Length": str(2**30)}, content=b"").status_code == 413
     assert ada.get("/api/class/work").json() == []
 
 
 def test_a_flood_is_held_and_only_of_who_floods(school):
+    # No time passes.
+    school.app.app.app._clock = lambda: 0.0
     ada, _ = school.join("Ada")
     ben, _ = school.join("Ben")
     answers = [ada.get("/api/class/work").status_code for _ in range(int(class_door.AT_ONCE) + 100)]
-    assert answers.count(429) >= 20
+    assert answers.count(429) == 100
     assert ben.get("/api/class/work").status_code == 200
     strangers = [school.client(address="192.168.4.99").get("/api/class").status_code for _ in range(500)]
     assert 429 in strangers
@@ -319,7 +321,7 @@ def test_a_socket_that_floods_is_closed(school):
 def told(socket, kind: str) -> dict[str, Any]:
     """The next message of that kind."""
     while True:
-        message = socket.receive_json()
+        message: dict[str, Any] = socket.receive_json()
         if message["type"] == kind:
             return message
 
@@ -420,7 +422,8 @@ def test_the_class_is_graded_with_its_exercise(school):
     teacher.post("/api/class/teacher/exercise", json={"exercise": SQUARE})
     assert teacher.post("/api/class/teacher/grade", json={}).json() == 1
     with teacher.websocket_connect(f"{SOCKET}/api/class/teacher/watch?token={KEY}") as socket:
-        while not ((grading := told(socket, "class")["grading"]) and grading["page"]):
+        school.app.grading.wait(PATIENCE_S)
+        while not told(socket, "class")["grading"]["page"]:
             pass
     assert "Ada" in teacher.get("/api/class/teacher/grades").text
     assert (school.room.folder / "grades.csv").read_text("utf-8-sig").splitlines()[1].startswith("Ada,")

@@ -79,8 +79,12 @@ class Grading:
     def end(self) -> None:
         """Breaks it off."""
         self._stop.set()
+        self.wait(10)
+
+    def wait(self, within_s: float) -> None:
+        """Waits until it is over, but not for ever."""
         if self._thread is not None:
-            self._thread.join(10)
+            self._thread.join(within_s)
 
     def page(self) -> bytes:
         """What was written last.

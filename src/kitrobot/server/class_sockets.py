@@ -9,12 +9,12 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from typing import Final
+from typing import Any, Final
 
 from fastapi import WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, TypeAdapter, ValidationError
 
-from kitrobot.classroom import Allowance, ClassRoom, Goal, Pupil, Report, Told
+from kitrobot.classroom import Allowance, ClassRoom, Desk, Goal, Pupil, Report, Told
 from kitrobot.diagnostics import KitRobotError
 from kitrobot.server.class_overview import Overview
 from kitrobot.server.class_routes import pupil_of, room_of
@@ -105,13 +105,14 @@ async def teacher_socket(socket: WebSocket) -> None:
     except (WebSocketDisconnect, RuntimeError):
         pass
     finally:
-        room.look_on(None)
+        Desk(room).look_on(None)
         await _end(socket, hears)
 
 
 async def _either(hears: asyncio.Future[None], news: asyncio.Event) -> None:
-    waits = asyncio.ensure_future(news.wait())
-    await asyncio.wait({hears, waits}, return_when=asyncio.FIRST_COMPLETED)
+    waits: asyncio.Future[bool] = asyncio.ensure_future(news.wait())
+    both: set[asyncio.Future[Any]] = {hears, waits}
+    await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
     waits.cancel()
     news.clear()
 
@@ -152,7 +153,7 @@ def _take(room: ClassRoom, pupil: Pupil, text: str) -> None:
 
 
 def _look(room: ClassRoom, text: str) -> None:
-    room.look_on(room.pupils.get(_LOOKED.validate_json(text).folder))
+    Desk(room).look_on(room.pupils.get(_LOOKED.validate_json(text).folder))
 
 
 def _news(told: Told) -> PupilNewsMessage:

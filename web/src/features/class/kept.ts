@@ -50,7 +50,7 @@ export function readMemory(text: string | null): Memory {
   >;
   const whole = typeof shown === "string" && isPlace(place) && typeof mission === "object" && mission !== null;
   return {
-    places: Object.fromEntries(known) as Record<string, Place>,
+    places: Object.fromEntries(known),
     waiting: whole ? { shown, place, mission } : null,
     begun: begun === true,
     handed: typeof handed === "number" ? handed : 0,
