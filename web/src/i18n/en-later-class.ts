@@ -35,7 +35,7 @@ export const CLASS_EN = {
   "class.exercise-sent": "Your teacher gives you an exercise: {name}.",
   "class.open": "Open",
   "class.later": "Later",
-  "class.read": "Read",
+  "class.read": "I read it",
   "class.leave": "Leave the class",
 
   "teacher.title": "Class {name}",
