@@ -252,7 +252,7 @@ def test_a_pupil_on_the_teachers_machine_gets_neither_ports_nor_processes(school
         "speed": 1,
         "breakpoints": [],
     }
-    request |= {"addresses": {}} if kind == "robots" else {"seed": 1, "boards": {}}
+    request |= {"addresses": ["/dev/ttyACM0"]} if kind == "robots" else {"seed": 1, "boards": []}
     with client.websocket_connect(f"{SOCKET}/api/run?token={key}") as socket:
         socket.send_json(request)
         answer = socket.receive_json()

@@ -94,7 +94,7 @@ async def teacher_socket(socket: WebSocket) -> None:
     class_told: BaseModel | None = None
     try:
         while not hears.done():
-            whole, pupils = overview.whole(), overview.pupils()
+            whole, pupils = await asyncio.to_thread(lambda: (overview.whole(), overview.pupils()))
             if whole != class_told:
                 class_told = whole
                 await socket.send_text(whole.model_dump_json())

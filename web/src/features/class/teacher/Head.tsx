@@ -99,6 +99,11 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
   );
 }
 
+/** At once, so that a second press is the other one. */
+function heardFrozen(frozen: boolean): void {
+  useDesk.setState(({ news }) => ({ news: news === null ? null : { ...news, frozen } }));
+}
+
 export function Head({ open, folders, here, away }: HeadProps) {
   const news = useDesk((desk) => desk.news);
   const { menus } = useEntries(open);
@@ -124,7 +129,7 @@ export function Head({ open, folders, here, away }: HeadProps) {
           className="tool tool-named"
           data-testid="freeze"
           aria-pressed={frozen}
-          onClick={() => act(classApi.freeze(!frozen))}
+          onClick={() => act(classApi.freeze(!frozen).then(heardFrozen))}
         >
           <Icon name="snowflake" size={18} />
           {t(frozen ? "teacher.frozen" : "teacher.freeze")}
