@@ -1,14 +1,16 @@
 """A class of fifty: what it costs the teacher's process.
 
-The class is a process of its own, as `kitrobot class` starts it; the pupils are sockets and requests of this process that
-speak the class's protocol: each reports every two seconds and hands a mission of ten parts in every four. The teacher's
-page is a socket, too, which fetches a picture for each change. Programs are not run. Linux alone: it reads `/proc`.
+The class is a process of its own, as `kitrobot class` starts it; the pupils are sockets and requests of this process
+that speak the class's protocol: each reports every two seconds and hands a mission of ten parts in every
+four. The teacher's page is a socket, too, which fetches a picture for each change. Programs are not run. Linux alone:
+it reads `/proc`.
 No peer: no other tool shows a class in this way.
 """
 
 from __future__ import annotations
 
 import asyncio
+import itertools
 import json
 import os
 import subprocess
@@ -154,9 +156,9 @@ def _mission(edits: int) -> dict[str, Any]:
     def vertex(name: str) -> dict[str, Any]:
         element = {"start": "Start", "stop": "Stop"}.get(name, "Wait")
         settings = {"duration": str(1 + edits % 9)} if element == "Wait" else {}
-        return {"id": name, "element": element, "settings": settings, "notes": {}, "unknown": []}
+        return {"id": name, "element": element, "settings": settings, "notes": [], "unknown": ""}
 
-    arcs = [{"source": one, "target": other, "out": "", "at": ""} for one, other in zip(chain, chain[1:], strict=False)]
+    arcs = [{"source": one, "target": other, "out": "", "at": ""} for one, other in itertools.pairwise(chain)]
     program = {"name": "square", "robot": "mini-robot", "vertices": [vertex(one) for one in chain], "arcs": arcs}
     agents = [{"name": "robot-1", "program": "square", "start": ""}]
     return {"version": 1, "programs": [program], "agents": agents, "goals": [], "world": ""}

@@ -147,8 +147,7 @@ export function done(one: Offer): void {
 
 /** Opens it where nothing is unsaved, else offers it. */
 function openOrOffer(one: Offer): void {
-  const { dirty } = useStudio.getState();
-  if (one.open !== null && useDocument.getState().ready && !dirty) one.open();
+  if (one.open !== null && !useStudio.getState().dirty) one.open();
   else offer(one);
 }
 
@@ -182,8 +181,30 @@ async function beginFirst(news: PupilNewsMessage): Promise<void> {
   else if (news.exercise !== "") (await exerciseOffer(news.exercise))?.open?.();
 }
 
-async function hear(news: PupilNewsMessage): Promise<void> {
+/** Once the page's own first mission is there: what opens before would be taken for that. */
+function whenReady(): Promise<void> {
+  return new Promise((resolve) => {
+    if (useDocument.getState().ready) resolve();
+    const off = useDocument.subscribe(({ ready }) => {
+      if (!ready) return;
+      off();
+      resolve();
+    });
+  });
+}
+
+/** One after the other: each goes on from what the one before remembered. */
+let hearing: Promise<void> = Promise.resolve();
+
+function hear(news: PupilNewsMessage): void {
   set({ news, connected: true });
+  hearing = hearing
+    .then(whenReady)
+    .then(() => obey(news))
+    .catch(complain);
+}
+
+async function obey(news: PupilNewsMessage): Promise<void> {
   if (!memory.begun) {
     await beginFirst(news);
     return;
@@ -258,7 +279,7 @@ export function keepClass(): () => void {
       if (waiting !== null) later(0);
       else goOnWaiting();
     },
-    onMessage: (news) => void hear(news).catch(complain),
+    onMessage: hear,
     onLost: () => {
       set(({ kept }) => ({ connected: false, kept: kept === "waits" ? "here" : kept }));
       void expectIn();

@@ -100,7 +100,7 @@ async function fetchPicture({ folder, version }: Pupil): Promise<void> {
   fetching.add(folder);
   try {
     const found = await classApi.picture(folder);
-    const program = (found?.program ?? null);
+    const program = found?.program ?? null;
     set(({ pictures }) => ({ pictures: new Map(pictures).set(folder, { version, program }) }));
   } catch {
     // The next change asks again.
