@@ -42,7 +42,7 @@ class Size:
     seconds: float
 
 
-FULL = Size(50, 60)
+FULL = Size(50, 30)
 TINY = Size(2, 1)
 
 
