@@ -1,7 +1,10 @@
-import { expect, test } from "vitest";
+import { beforeAll, expect, test } from "vitest";
 
 import type { Pupil } from "../../../api/generated";
+import { moreWords } from "../../../i18n/words";
 import { counts, filterOf, shown, sorted, stateWords, walkCards } from "./order";
+
+beforeAll(moreWords);
 
 function pupil(name: string, more: Partial<Pupil> = {}): Pupil {
   const plain: Pupil = {
