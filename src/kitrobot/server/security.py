@@ -105,7 +105,7 @@ class Guard:
             nonlocal started
             if message["type"] == "http.response.start":
                 started = True
-                _dress(message, scope)
+                dress(message, scope)
             await send(message)
 
         if not _host_is_ours(headers):
@@ -224,7 +224,8 @@ def _cookies(headers: Headers) -> list[str]:
     return [value.strip().strip('"') for name, _, value in pairs if name.strip() == wanted]
 
 
-def _dress(message: Message, scope: Scope) -> None:
+def dress(message: Message, scope: Scope) -> None:
+    """Puts the headers of every answer onto this one."""
     headers = MutableHeaders(scope=message)
     for name, value in _HEADERS.items():
         headers.setdefault(name, value)

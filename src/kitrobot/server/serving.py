@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import gc
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
+from pathlib import Path
 
 import uvicorn
 from starlette.types import ASGIApp
@@ -17,18 +18,23 @@ END_WITHIN_S = 2
 """How long open connections may take to close after Ctrl-C."""
 
 
-def run_server(app: ASGIApp, listening: socket.socket, ready: Callable[[], None]) -> None:
-    """Serves until Ctrl-C; `ready` is called once it listens."""
-    config = server_config(app)
+def run_server(
+    app: ASGIApp, listening: Sequence[socket.socket], ready: Callable[[], None], tls: tuple[Path, Path] | None = None
+) -> None:
+    """Serves until Ctrl-C; `ready` is called once it listens, `tls` is a certificate and its key."""
+    config = server_config(app, tls)
     _calm_collector()
     with suppress(KeyboardInterrupt):
-        _Server(config, ready).run(sockets=[listening])
+        _Server(config, ready).run(sockets=list(listening))
 
 
-def server_config(app: ASGIApp) -> uvicorn.Config:
+def server_config(app: ASGIApp, tls: tuple[Path, Path] | None = None) -> uvicorn.Config:
     """How the studio is served. Nothing is compressed on a WebSocket: to the same machine that only costs time."""
+    certificate, key = (None, None) if tls is None else map(str, tls)
     return uvicorn.Config(
         app,
+        ssl_certfile=certificate,
+        ssl_keyfile=key,
         log_level="warning",
         access_log=False,
         server_header=False,

@@ -333,6 +333,85 @@ export interface Claimed {
   damaged: boolean;
 }
 
+/** What anybody may know of a class: its name, and whether a code lets new pupils in. */
+export interface Class {
+  name: string;
+  joining: boolean;
+}
+
+/** The answer: not yet, in with the key, or no. */
+export interface ClassAnswered {
+  state: "waiting" | "in" | "no";
+  key?: string;
+}
+
+/** The code, and as whom the teacher shall let somebody in. */
+export interface ClassAsk {
+  code: string;
+  name: string;
+}
+
+/** The name of a question to the teacher. */
+export interface ClassAsked {
+  asked: string;
+}
+
+/** Somebody asks to be let in as that pupil. */
+export interface ClassAsking {
+  asked: string;
+  folder: string;
+  name: string;
+}
+
+/** A goal as the pupil's page judged it; null: not yet. */
+export interface ClassGoal {
+  reached: boolean | null;
+  why?: string;
+}
+
+/** A goal of the exercise of the class, by language. */
+export interface ClassGoalName {
+  label: Record<string, string>;
+}
+
+/** How far grading is; `page` names what it wrote, "" until then. */
+export interface ClassGrading {
+  done: number;
+  total: number;
+  page: string;
+}
+
+/** The class as a whole; each time something of it changed. `kept_s`: how long ago work came in last. */
+export interface ClassNewsMessage {
+  type: "class";
+  name: string;
+  folder: string;
+  code: string;
+  address: string;
+  qr: string[];
+  reach: string;
+  frozen: boolean;
+  exercise: string;
+  exercise_label: Record<string, string>;
+  goals: ClassGoalName[];
+  asking: ClassAsking[];
+  grading: ClassGrading | null;
+  bytes: number;
+}
+
+/** What a card's picture is drawn from: the first program that an agent runs. */
+export interface ClassPicture {
+  version: number;
+  program: Program;
+}
+
+/** A file that the pupil handed in; `modified` is a moment in UTC (ISO 8601). */
+export interface ClassWork {
+  name: string;
+  bytes: number;
+  modified: string;
+}
+
 /** What befell an agent in a run of the simulator. */
 export interface ConfirmingFailure {
   agent: string;
@@ -628,6 +707,25 @@ export interface Guilty {
   repeats: boolean;
 }
 
+/** A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or "". */
+export interface HandIn {
+  name: string;
+  base?: string;
+  mission: Mission;
+}
+
+/** The pupil asks for help, or does not any more. */
+export interface HandMessage {
+  type: "hand";
+  up: boolean;
+}
+
+/** It is kept; the name is another one where that was taken. */
+export interface HandedIn {
+  name: string;
+  revision: string;
+}
+
 /** Let an agent fail for good, miss its ticks or lose its radio, or make it well again. */
 export interface HarmRequest {
   type: "harm";
@@ -660,6 +758,21 @@ export interface ImageAsk {
   mission: Mission;
   path: string;
   program: string;
+}
+
+/** The code of the class and the pupil's name; `word` from another computer. */
+export interface Join {
+  code: string;
+  name: string;
+  word?: string;
+}
+
+/** In, with the key that every later request brings along; or there is a pupil of that name already. */
+export interface Joined {
+  state: "in" | "taken";
+  key?: string;
+  name?: string;
+  word?: string;
 }
 
 /** A whole journal, to take the place of the one that the page writes; without records there is none any more. */
@@ -722,6 +835,12 @@ export interface Line {
   width_mm: number;
   closed: boolean;
   points: [number, number][];
+}
+
+/** The teacher looks on, or at nobody. */
+export interface LookMessage {
+  type: "look";
+  folder: string;
 }
 
 /** Of a run with very many agents: tell what these do; others are told only as poses. */
@@ -1242,6 +1361,48 @@ export interface ProjectionSpan {
   program: string;
 }
 
+/**
+ * A pupil as the overview shows them; `seconds` is how long the state lasts, where that counts. `version` is another
+ * one with each picture, 0 while there is none.
+ */
+export interface Pupil {
+  folder: string;
+  name: string;
+  word: string;
+  state: "asks" | "stuck" | "running" | "editing" | "done" | "away";
+  seconds: number | null;
+  running: boolean;
+  file: string;
+  version: number;
+  exercise: string;
+  goals: ClassGoal[];
+  pages: number;
+}
+
+/** What the pupil's page is to know. `handed` and `note` count: a higher number is a new one. */
+export interface PupilNewsMessage {
+  type: "pupil";
+  class_name: string;
+  name: string;
+  word: string;
+  frozen: boolean;
+  exercise: string;
+  handed: number;
+  handed_name: string;
+  note: number;
+  note_text: string;
+  looked: boolean;
+  hand: boolean;
+}
+
+/** Pupils that changed since the last message, and who is gone; `kept_s`: seconds since work came in last. */
+export interface PupilsMessage {
+  type: "pupils";
+  changed: Pupil[];
+  gone: string[];
+  kept_s: number | null;
+}
+
 /** How the robots hear each other: how far (null: everywhere), how late, how many messages of a hundred get lost. */
 export interface Radio {
   range_mm?: number | null;
@@ -1290,6 +1451,17 @@ export interface Report {
   programs: ProgramReport[];
   problems: Problem[];
   projections?: Projection[];
+}
+
+/** What the page says of itself. `edits` and `runs` count: another number is something that moved. */
+export interface ReportMessage {
+  type: "report";
+  running: boolean;
+  edits: number;
+  runs: number;
+  file: string;
+  exercise: string;
+  goals: ClassGoal[];
 }
 
 /** Go on; with `latest` from the latest tick, which with real robots is now. */
@@ -1706,6 +1878,63 @@ export interface TeacherPage {
   aim: Record<string, string>;
   troubles: (Record<string, string>)[];
   questions: (Record<string, string>)[];
+/** A pupil who comes later. */
+export interface TeacherAdd {
+  name: string;
+}
+
+/** The teacher's answer to who asks to be let in. */
+export interface TeacherAnswer {
+  asked: string;
+  yes: boolean;
+}
+
+/** A new code, or none. */
+export interface TeacherCode {
+  on: boolean;
+}
+
+/** The exercise of the class from now on, "" for none. */
+export interface TeacherExercise {
+  exercise: string;
+}
+
+/** Everybody is to look up, or goes on. */
+export interface TeacherFreeze {
+  on: boolean;
+}
+
+/** Whose work is to be graded with the exercise of the class; null: everybody's. */
+export interface TeacherGrade {
+  folders?: string[] | null;
+}
+
+/** A mission of the class's folder or of the examples for those pupils; null: for all. */
+export interface TeacherHandOut {
+  path: string;
+  to?: string[] | null;
+}
+
+/** The name it has, and how many got it. */
+export interface TeacherHandedOut {
+  name: string;
+  pupils: number;
+}
+
+/** The last lines of the log, the newest first. */
+export interface TeacherLog {
+  lines: string[];
+}
+
+/** A few words for one pupil. */
+export interface TeacherNote {
+  folder: string;
+  text: string;
+}
+
+/** One pupil. */
+export interface TeacherPupil {
+  folder: string;
 }
 
 /**

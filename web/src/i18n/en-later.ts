@@ -1,6 +1,7 @@
 /** English for the rooms of the team and the world, which are fetched later, and their words with them (`moreWords`). */
 import { ARENA_EN } from "./en-later-arena";
 import { CHECK_EN } from "./en-later-check";
+import { CLASS_EN } from "./en-later-class";
 import { LATER_TEAM_EN } from "./en-later-team";
 import { NEW_EN } from "./en-later-new";
 import { FIELDS_EN } from "./en-later-fields";
@@ -13,6 +14,7 @@ export const LATER_EN = {
   ...ARENA_EN,
   ...LATER_TEAM_EN,
   ...CHECK_EN,
+  ...CLASS_EN,
   ...NEW_EN,
   ...KITS_EN,
   ...FIELDS_EN,

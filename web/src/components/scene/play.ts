@@ -89,7 +89,7 @@ export function boxOf(world: World, { ways }: RunPreview): Box {
   const content = contentOf(world, places);
   // Walls alone say little: what is driven is seen closely.
   const has = world.roads.length + world.lines.length + world.floors.length + world.storehouses.length;
-  if (has > 0 || (world.things ?? []).length > 0 || points.length === 0) return content;
+  if (has > 0 || [...(world.things ?? []), ...(world.zones ?? [])].length > 0 || points.length === 0) return content;
   const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
   const around = Math.min(AROUND_MM, world.width_mm / 2);
   return {
