@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import socket
 from collections.abc import Callable
 from contextlib import suppress
@@ -10,6 +9,7 @@ from contextlib import suppress
 import uvicorn
 from starlette.types import ASGIApp
 
+from kitrobot.server.collector import calm_collector
 from kitrobot.server.connections import LARGEST_HEAD_BYTES, MOST_CONNECTIONS, BoundedConnection
 from kitrobot.server.runs import LARGEST_MESSAGE_BYTES
 
@@ -20,7 +20,7 @@ END_WITHIN_S = 2
 def run_server(app: ASGIApp, listening: socket.socket, ready: Callable[[], None]) -> None:
     """Serves until Ctrl-C; `ready` is called once it listens."""
     config = server_config(app)
-    _calm_collector()
+    calm_collector()
     with suppress(KeyboardInterrupt):
         _Server(config, ready).run(sockets=[listening])
 
@@ -42,17 +42,6 @@ def server_config(app: ASGIApp) -> uvicorn.Config:
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=END_WITHIN_S,
     )
-
-
-def _calm_collector() -> None:
-    """Has Python's garbage collector look at everything less often, and never at what is there now.
-
-    Hardly anything here is garbage that counting references does not find, and a look at a large mission's programs
-    takes longer than the answer that it delays.
-    """
-    gc.collect()
-    gc.freeze()
-    gc.set_threshold(100_000, 50, 100)
 
 
 class _Server(uvicorn.Server):

@@ -4,6 +4,7 @@ import { CHECK_EN } from "./en-later-check";
 import { LATER_TEAM_EN } from "./en-later-team";
 import { NEW_EN } from "./en-later-new";
 import { KITS_EN } from "./en-later-kits";
+import { SITE_EN } from "./en-later-site";
 
 export const LATER_EN = {
   ...ARENA_EN,
@@ -11,6 +12,7 @@ export const LATER_EN = {
   ...CHECK_EN,
   ...NEW_EN,
   ...KITS_EN,
+  ...SITE_EN,
   "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
   "exercise.broken": "This exercise cannot be used.",
