@@ -20,8 +20,7 @@ class InWorker:
 
     async def fetch(self, method: str, address: str, headers: Any, body: Any) -> Any:
         """As `InPage.fetch`; the answer is an array: status, headers as pairs, bytes."""
-        given = bytes(body.to_py()) if body is not None else b""
-        made = await self._studio.fetch(method, address, headers.to_py(), given)
+        made = await self._studio.fetch(method, address, headers.to_py(), bytes(body.to_py()))
         return to_js([made.status, [list(one) for one in made.headers], made.body])
 
     def open(self, address: str, heard: Any) -> Any:

@@ -7,34 +7,26 @@ Pyodide, whose version must be the installed one. Names, order and dates in the 
 from __future__ import annotations
 
 import io
+import re
 import tarfile
 import zipfile
 from collections.abc import Iterator
-from importlib.metadata import distribution
+from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 from typing import Final
 
 from kitrobot.files import examples_folder
 
-NEEDED: Final = (
-    "annotated-doc",
-    "annotated-types",
-    "anyio",
-    "fastapi",
-    "idna",
-    "pydantic",
-    "starlette",
-    "typing-extensions",
-    "typing-inspection",
-)
-"""What the server imports, and what that imports; none of it compiled."""
+SERVER: Final = "fastapi"
+COMPILED: Final = "pydantic-core"
 
 _ROOT = Path(__file__).resolve().parent.parent.parent
 _OURS: Final = ("kitrobot", "kitrobot_onboard")
 _LEFT_OUT: Final = ("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/workspace/site_files/")
 _NOT_USED: Final = ("anyio/pytest_plugin.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py", "idna/uts46data.py")
 """Large parts that a server never imports."""
-_LICENCES: Final = ("licen", "copying", "notice")
+_ABOUT: Final = ("licen", "copying", "notice", "/metadata", "/entry_points.txt")
+"""What is taken of what a package says of itself: licences, and what packages look one another up by."""
 
 
 def archive_of_packages(wheel: Path) -> bytes:
@@ -65,13 +57,30 @@ def _below(folder: Path, name: str, left_out: tuple[str, ...] = _LEFT_OUT) -> It
             yield inner, path.read_bytes()
 
 
+def needed() -> list[str]:
+    """What the server imports, and what that requires; not what is required of other Pythons only, which is not here."""
+    found: set[str] = set()
+    waiting = [SERVER]
+    while waiting:
+        name = waiting.pop()
+        if name in found or name == COMPILED:
+            continue
+        try:
+            required = distribution(name).requires or []
+        except PackageNotFoundError:
+            continue
+        found.add(name)
+        plain = [line for line in required if "extra ==" not in line]
+        waiting += [re.split(r"[^\w.-]", line, maxsplit=1)[0].lower().replace("_", "-") for line in plain]
+    return sorted(found)
+
+
 def _installed() -> Iterator[tuple[str, bytes]]:
-    for name in NEEDED:
+    for name in needed():
         for entry in distribution(name).files or ():
             inner = entry.as_posix()
-            licence = ".dist-info/" in inner and any(word in inner.lower() for word in _LICENCES)
-            metadata = inner.endswith(".dist-info/METADATA")
-            if (inner.endswith(".py") and not inner.startswith(_NOT_USED)) or licence or metadata:
+            about = ".dist-info/" in inner and any(word in inner.lower() for word in _ABOUT)
+            if about or (inner.endswith(".py") and not inner.startswith(_NOT_USED)):
                 yield inner, Path(str(entry.locate())).read_bytes()
 
 

@@ -29,7 +29,7 @@ interface Studio {
     method: string,
     address: string,
     headers: Record<string, string>,
-    body: Uint8Array | null,
+    body: Uint8Array,
   ) => Promise<[number, [string, string][], Uint8Array<ArrayBuffer>]>;
   open: (address: string, heard: (words: string | Uint8Array<ArrayBuffer> | undefined) => void) => Socket;
 }
@@ -193,12 +193,14 @@ let studio: Promise<Studio> | null = null;
 async function answer(message: ToWorker & { kind: "fetch" }): Promise<void> {
   const { id, method, address, headers, body } = message;
   try {
-    const bytes = typeof body === "string" ? new TextEncoder().encode(body) : body === null ? null : new Uint8Array(body);
+    const bytes = typeof body === "string" ? new TextEncoder().encode(body) : new Uint8Array(body ?? 0);
     const [status, told, made] = await (await ready()).fetch(method, address, headers, bytes);
     if (method === "PUT") await keep.write();
     else if (method !== "GET" && !ASKS.test(address)) void keep.write();
     tell({ kind: "answer", id, status, headers: told, body: made.buffer }, [made.buffer]);
   } catch (cause) {
+    // The page says that it has no answer; here stands why.
+    console.error(cause);
     tell({ kind: "failed", id, reason: String(cause) });
   }
 }
