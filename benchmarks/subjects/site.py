@@ -1,8 +1,8 @@
 """The static site as its user waits for it, in Chromium, from a plain file server on this machine.
 
-A first visit is one of a browser that has nothing of it; a second visit is another page of the same browser, whose service
-worker has the files. Both wait for the graph of the transport mission, then run it once at full speed. Memory is what the
-largest process of the browser keeps of the page with the worker in it after that run. There is no peer.
+A first visit is one of a browser that has nothing of it; a second visit is another page of the same browser, whose
+service worker has the files. Both wait for the graph of the transport mission, then run it once at full speed. Memory
+is what the largest process of the browser keeps after that run: page and worker are in it. There is no peer.
 """
 
 from __future__ import annotations

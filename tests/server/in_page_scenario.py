@@ -10,8 +10,8 @@ import threading
 from pathlib import Path
 
 BANNED = frozenset(
-    "numpy numba llvmlite orjson uvicorn uvloop websockets h11 serial mpremote zenoh rich typer python_minifier"
-    " multiprocessing _multiprocessing concurrent.futures.process".split()
+    {"numpy", "numba", "llvmlite", "orjson", "uvicorn", "uvloop", "websockets", "h11", "serial", "mpremote", "zenoh"}
+    | {"rich", "typer", "python_minifier", "multiprocessing", "_multiprocessing", "concurrent.futures.process"}
 )
 
 
@@ -42,7 +42,12 @@ async def scenario(folder: Path) -> dict:
 
     async def heard(address, first, until):
         said, news = [], asyncio.Event()
-        socket = studio.open(f"/api/{address}?language=en", lambda words: (said.append(words), news.set()))
+
+        def hear(words):
+            said.append(words)
+            news.set()
+
+        socket = studio.open(f"/api/{address}?language=en", hear)
         socket.say(json.dumps(first))
         at = 0
         while True:
@@ -68,7 +73,7 @@ async def scenario(folder: Path) -> dict:
     )
     told["run"] = messages[-1]["status"]
     told["frames"] = sum(isinstance(one, bytes) for one in every)
-    status, saved = await ask("PUT", "mission", {"path": "mine.krt", "revision": "", "mission": mission})
+    status, _ = await ask("PUT", "mission", {"path": "mine.krt", "revision": "", "mission": mission})
     told["saved"] = [status, (folder / "mine.krt").is_file()]
     _, missions = await ask("GET", "missions")
     told["own"] = [one["path"] for one in missions if not one["example"]]
@@ -100,7 +105,7 @@ async def scenario(folder: Path) -> dict:
 def main() -> None:
     # What a site does without is not looked for; the interpreter's own threads are of no matter.
     sys.meta_path.insert(0, Ban())
-    threading.Thread.start = no_thread
+    threading.Thread.start = no_thread  # type: ignore[method-assign]
     print(json.dumps(asyncio.run(scenario(Path(sys.argv[1])))))
 
 

@@ -15,7 +15,7 @@ def write_site(
     parts: Annotated[
         list[Path] | None,
         typer.Option(
-            help="A folder with the package `pyodide` of npm, or with pydantic_core's wheel for it. Can be given twice.",
+            help="A folder with npm's package `pyodide`, or with pydantic_core's wheel for it. Can be given twice.",
         ),
     ] = None,
 ) -> None:

@@ -7,7 +7,6 @@ elsewhere is refused, unless the studio was started for that.
 
 from __future__ import annotations
 
-import asyncio
 import logging
 import os
 import shutil

@@ -43,5 +43,3 @@ def _breathe() -> None:
     # Where the browser can put a call to sleep (JSPI).
     if can_run_sync():
         run_sync(asyncio.sleep(0))
-
-

@@ -1,7 +1,7 @@
-"""JSON to and from bytes: through orjson, and where there is none through the standard library, with the same meaning.
+r"""JSON to and from bytes: through orjson, and where there is none through the standard library, with the same meaning.
 
-Either reads what RFC 8259 allows and nothing else: no NaN, no half of a character (`"\\ud800"`). Left to others: mending
-what an editor sends that is no JSON by that (`json_bodies`).
+Either reads what RFC 8259 allows and nothing else: no NaN, no half of a character (`"\ud800"`). Left to others:
+mending what an editor sends that is no JSON by that (`json_bodies`).
 """
 
 from __future__ import annotations
@@ -11,14 +11,16 @@ from json import JSONDecodeError
 from typing import Any
 
 try:
-    import orjson
+    import orjson as fast
 except ImportError:
-    orjson = None  # type: ignore[assignment]
+    HAS_ORJSON = False
+else:
+    HAS_ORJSON = True
 
 
 def to_json(value: Any) -> bytes:
     """A value of plain types as JSON in UTF-8, without spaces."""
-    return orjson.dumps(value) if orjson is not None else plain_to_json(value)
+    return fast.dumps(value) if HAS_ORJSON else plain_to_json(value)
 
 
 def from_json(text: bytes | str) -> Any:
@@ -27,7 +29,7 @@ def from_json(text: bytes | str) -> Any:
     Raises:
         JSONDecodeError: it is none, or nested too deeply.
     """
-    return orjson.loads(text) if orjson is not None else plain_from_json(text)
+    return fast.loads(text) if HAS_ORJSON else plain_from_json(text)
 
 
 def plain_to_json(value: Any) -> bytes:

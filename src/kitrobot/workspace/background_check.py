@@ -195,9 +195,7 @@ def _verify_here(prepared: PreparedRun, options: VerificationOptions, told: Told
     return end
 
 
-def _whole_check(
-    parts: tuple[Any, ...], seed: int, options: VerificationOptions, tell: Callable[[Any], None]
-) -> None:
+def _whole_check(parts: tuple[Any, ...], seed: int, options: VerificationOptions, tell: Callable[[Any], None]) -> None:
     """Tells how far it is, what came of it, and at last an `Ended` or a `_Refused`."""
     began = time.monotonic()
     assumption: list[tuple[Timing, int]] = []

@@ -110,7 +110,7 @@ def _index(text: str) -> bytes:
     policy = f'<meta http-equiv="Content-Security-Policy" content="{POLICY}" />'
     head = text.replace("<html ", '<html data-place="page" ', 1)
     found = re.sub(r'(<meta charset="[^"]*" />)', lambda one: f"{one[0]}\n    {policy}", head, count=1)
-    assert found.count(policy) == 1 and 'data-place="page"' in found, "index.html has another form"
+    assert found.count(policy) == found.count('data-place="page"') == 1, "index.html has another form"
     return found.encode()
 
 
@@ -151,7 +151,7 @@ def _wheel_in(places: Iterable[Path]) -> Path:
     wanted = f"pydantic_core-{version('pydantic_core')}-{WHEEL_TAGS}.whl"
     found = next((place / wanted for place in places if (place / wanted).is_file()), None)
     if found is None:
-        python, abi, platform = WHEEL_TAGS.split("-")
+        _, abi, platform = WHEEL_TAGS.split("-")
         message = Sentence("the wheel `{wheel}` is not here, which was compiled for Pyodide", wanted)
         command = (
             f"pip download --no-deps --only-binary :all: --implementation cp --python-version {PYTHON} --abi {abi}"

@@ -1,7 +1,7 @@
 """The Python packages of a static site as one archive (tar): KitRobot with its examples, and what its server imports.
 
-Packages without compiled parts are taken as they are installed here, with their licences; of pydantic_core the wheel for
-Pyodide, whose version must be the installed one. Names, order and dates in the archive depend on nothing but the files.
+Packages without compiled parts are taken as they are installed here, with their licences; of pydantic_core the wheel
+for Pyodide, whose version must be the installed one. Names, order and dates in the archive depend on the files alone.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def _below(folder: Path, name: str, left_out: tuple[str, ...] = _LEFT_OUT) -> It
 
 
 def needed() -> list[str]:
-    """What the server imports, and what that requires; not what is required of other Pythons only, which is not here."""
+    """What the server imports, and what that requires; what only other Pythons require is not here."""
     found: set[str] = set()
     waiting = [SERVER]
     while waiting:
