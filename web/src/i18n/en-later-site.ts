@@ -7,9 +7,11 @@ export const SITE_EN = {
   "site.unfetched": "A part of KitRobot could not be fetched.",
   "site.unfetched-help": "Look whether you are online, then load the page again.",
   "site.broken": "KitRobot cannot start in this browser.",
-  "site.broken-help": "Load the page again. If that does not help, use a newer version of Chrome, Edge, Firefox or Safari.",
+  "site.broken-help":
+    "Load the page again. If that does not help, use a newer version of Chrome, Edge, Firefox or Safari.",
   "site.full": "This browser has no room left for your work.",
-  "site.full-help": "Nothing is lost while this page stays open: choose Download .krt in the menu File before you close it.",
+  "site.full-help":
+    "Nothing is lost while this page stays open: choose Download .krt in the menu File before you close it.",
   "site.denied": "This browser keeps nothing of this page; perhaps it is a private window.",
   "site.denied-help": "Choose Download .krt in the menu File before you close the page.",
   "site.newer": "There is a new version of KitRobot.",

@@ -46,7 +46,11 @@ export async function missionOf(hash: string): Promise<LinkedMission> {
   if (said.length > MOST_LETTERS + 1000) throw new LinkError("site.link-long");
   const found = new URLSearchParams(said);
   const name = (found.get("name") ?? "").replace(/[^\p{L}\p{N} ._-]/gu, "").slice(0, MOST_NAME);
-  const bytes = await through(fromLetters(found.get("mission") ?? ""), new DecompressionStream("deflate-raw"), MOST_BYTES);
+  const bytes = await through(
+    fromLetters(found.get("mission") ?? ""),
+    new DecompressionStream("deflate-raw"),
+    MOST_BYTES,
+  );
   return { name: /\.krt$/i.test(name) ? name : `${name || "mission"}.krt`, bytes };
 }
 

@@ -5,7 +5,7 @@
  * of missions lies in the browser's storage (IndexedDB behind Pyodide's file system): read once at the start, written after
  * each request that may have changed something; a save is answered once it is kept. One worker at a time has it (`open`).
  */
-import type { PyodideInterface } from "pyodide";
+import type { loadPyodide as Load, PyodideInterface } from "pyodide";
 
 import type { FromWorker, Keeping, ToWorker } from "./messages";
 
@@ -16,6 +16,14 @@ interface Parts {
   /** Where packages belong in Pyodide. */
   place: string;
   files: Record<string, number>;
+}
+
+/** What is used of Emscripten's file system. */
+interface Files {
+  mkdirTree: (path: string) => void;
+  mount: (kind: unknown, options: object, path: string) => void;
+  syncfs: (reads: boolean, done: (cause: unknown) => void) => void;
+  filesystems: { IDBFS: unknown };
 }
 
 interface Socket {
@@ -108,7 +116,7 @@ async function load(base: string): Promise<[PyodideInterface, Studio]> {
   bytes.catch(() => undefined);
   const indexURL = base + place;
   const home = `/home/${encodeURIComponent(new URL(base).pathname)}`;
-  const { loadPyodide } = (await import(/* @vite-ignore */ `${indexURL}pyodide.mjs`)) as typeof import("pyodide");
+  const { loadPyodide } = (await import(/* @vite-ignore */ `${indexURL}pyodide.mjs`)) as { loadPyodide: typeof Load };
   const pyodide = await loadPyodide({
     indexURL,
     env: { HOME: home, KITROBOT_STATE: `${home}/state`, KITROBOT_COMPILE: "no" },
@@ -124,16 +132,17 @@ async function load(base: string): Promise<[PyodideInterface, Studio]> {
 
 /** The part of Pyodide's file system that the browser keeps. */
 class Kept {
-  #pyodide: PyodideInterface | null = null;
+  #files: Files | null = null;
   #changed = false;
   #writing: Promise<void> | null = null;
   #keeping: Keeping = "kept";
 
   begin(pyodide: PyodideInterface, home: string): void {
-    this.#pyodide = pyodide;
-    pyodide.FS.mkdirTree(home);
+    const files = pyodide.FS as unknown as Files;
+    this.#files = files;
+    files.mkdirTree(home);
     try {
-      pyodide.FS.mount(pyodide.FS.filesystems.IDBFS, {}, home);
+      files.mount(files.filesystems.IDBFS, {}, home);
     } catch (cause) {
       this.#failed(cause);
     }
@@ -162,7 +171,7 @@ class Kept {
   #sync(reads: boolean): Promise<unknown> {
     return new Promise((resolve) => {
       try {
-        this.#pyodide?.FS.syncfs(reads, (cause: unknown) => resolve(cause ?? null));
+        this.#files?.syncfs(reads, (cause) => resolve(cause ?? null));
       } catch (cause) {
         resolve(cause);
       }
@@ -193,7 +202,7 @@ let studio: Promise<Studio> | null = null;
 async function answer(message: ToWorker & { kind: "fetch" }): Promise<void> {
   const { id, method, address, headers, body } = message;
   try {
-    const bytes = typeof body === "string" ? new TextEncoder().encode(body) : new Uint8Array(body ?? 0);
+    const bytes = typeof body === "string" ? new TextEncoder().encode(body) : new Uint8Array(body ?? []);
     const [status, told, made] = await (await ready()).fetch(method, address, headers, bytes);
     if (method === "PUT") await keep.write();
     else if (method !== "GET" && !ASKS.test(address)) void keep.write();
