@@ -1,13 +1,15 @@
 """The static site from a plain file server, under a path: nothing but files is asked for, and Python runs in the page.
 
-Two tests, because a page with Python in it takes seconds to begin: what a person does with it on two visits, and what
-goes wrong. Building the folder has tests of its own (`tests/workspace/test_site.py`).
+One test, because a page with Python in it takes seconds to begin. Building the folder has tests of its own
+(`tests/workspace/test_site.py`), and so have what is said in each state and links (`web/src/site`).
 """
 
 from __future__ import annotations
 
+import base64
 import re
 import threading
+import zlib
 from collections.abc import Iterator
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -24,6 +26,28 @@ from tools.site_parts import PARTS, ROOT
 pytestmark = [pytest.mark.browser, pytest.mark.site]
 
 PATH = "/school/kit/"
+
+
+BLINK = """<kitrobot version="1">
+  <program name="blink" robot="mini-robot">
+    <vertex id="start" element="Start"/>
+    <vertex id="v1" element="Wait"><set name="duration">17</set></vertex>
+    <vertex id="stop" element="Stop"/>
+    <arc from="start" to="v1"/>
+    <arc from="v1" to="stop"/>
+  </program>
+  <team>
+    <agent name="robot-1" program="blink"/>
+  </team>
+</kitrobot>
+"""
+
+
+def link(text: str, name: str) -> str:
+    """The part of a link behind its `#`, made without the page's own code."""
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    packed = packer.compress(text.encode()) + packer.flush()
+    return f"mission={base64.urlsafe_b64encode(packed).decode().rstrip('=')}&name={name}"
 
 
 class Files(SimpleHTTPRequestHandler):
@@ -116,9 +140,25 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     other.wait_for_function(IS_OPEN)
     studio = Studio(other, Path(), [])
 
-    # A mission in a link is opened; ports and processes are not to be had, and it is said where they are looked for.
+    # A mission in a link is opened, a damaged one is told; where robots are looked for it is said why none are there.
     other.evaluate("location.hash = 'mission=AAAA&name=x'")
     expect(studio.at("banner")).to_contain_text("The mission in this link is damaged.")
+    other.evaluate("hash => location.hash = hash", link(BLINK, "linked"))
+    expect(other).to_have_title(re.compile("linked"))
+    studio.expect_code("WAIT(17);")
+    studio.at("run-on-robot").click()
+    expect(studio.at("robots-barred")).to_contain_text("This page cannot reach robots that are plugged in.")
+    studio.at("robots-close").click()
+
+    # A new version is offered, and comes when somebody wants it.
+    worker = server.folder / "service-worker.js"
+    worker.write_text(worker.read_text().replace('const VERSION = "', 'const VERSION = "newer-'))
+    other.evaluate("navigator.serviceWorker.ready.then((found) => found.update()).then(() => null)")
+    expect(studio.at("site")).to_contain_text("There is a new version")
+    with other.expect_navigation():
+        studio.at("site").get_by_role("button").click()
+    studio.expect_code("WAIT(17);")
+    assert "newer-" in other.evaluate("caches.keys().then((names) => names.join())")
 
     # The server is gone: the page is still there, with what was saved.
     server.end()

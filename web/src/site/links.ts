@@ -17,8 +17,6 @@ export function openLinked(): void {
   const look = () => {
     const { hash } = window.location;
     if (!holdsMission(hash)) return;
-    // It is in the address once: what is opened is changed and saved like any mission.
-    window.history.replaceState(window.history.state, "", window.location.pathname + window.location.search);
     void whenReady().then(() => open(hash));
   };
   look();
@@ -28,10 +26,29 @@ export function openLinked(): void {
 async function open(hash: string): Promise<void> {
   try {
     const { name, bytes } = await missionOf(hash);
+    forgetOnceChanged(name);
     openFromComputer(new File([bytes], name));
   } catch (cause) {
+    forget();
     complain(told(cause));
   }
+}
+
+function forget(): void {
+  window.history.replaceState(window.history.state, "", window.location.pathname + window.location.search);
+}
+
+/** Loading the page again opens the link again, until the mission was changed: then the journal has it. */
+function forgetOnceChanged(name: string): void {
+  let there = false;
+  const end = useStudio.subscribe(({ dirty, file }) => {
+    const ours = file.path === "" && file.name === name;
+    if (!there && ours && !dirty) there = true;
+    else if (there && (dirty || !ours)) {
+      end();
+      forget();
+    }
+  });
 }
 
 /** Once the first mission is there. */
