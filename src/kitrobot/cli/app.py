@@ -38,6 +38,7 @@ from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.output import NobodyReadsError, begin, complain, failure, give, remember, tell, use_utf8
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
+from kitrobot.cli.site import write_site
 from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.sweep import with_moments
@@ -88,6 +89,7 @@ app.command("format")(format_files)
 app.command("maze")(give_maze)
 app.command("diff")(diff_files)
 app.command("merge")(merge_missions_of_files)
+app.command("site")(write_site)
 
 
 def _say_version(wanted: bool) -> None:

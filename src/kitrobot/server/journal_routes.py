@@ -12,6 +12,7 @@ import contextlib
 from fastapi import WebSocket, WebSocketDisconnect
 
 from kitrobot.files import Journal, MissionNameError
+from kitrobot.server.beside_loop import beside_loop
 from kitrobot.server.routing import ThisStudio, api_router, studio_of
 from kitrobot.server.shapes import (
     ClaimShape,
@@ -130,7 +131,7 @@ async def watch(socket: WebSocket) -> None:
         await socket.send_text(HelloMessage(tab=tab).model_dump_json())
         told: object = None
         while not closed.done():
-            message = await asyncio.to_thread(_news, studio, tab)
+            message = await beside_loop(_news, studio, tab)
             if message != told:
                 told = message
                 await socket.send_text(message.model_dump_json())

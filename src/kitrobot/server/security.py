@@ -25,11 +25,11 @@ import os
 from typing import Any
 from urllib.parse import parse_qs
 
-import orjson
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kitrobot.server import pages
+from kitrobot.server.json_text import to_json
 from kitrobot.server.sentences import spoken
 from kitrobot.text import Sentence
 
@@ -240,7 +240,7 @@ async def refuse(scope: Scope, send: Send, status: int, message: str, help: str)
     """An answer without the application: a page for people, JSON for the page's own requests."""
     if scope["path"].startswith("/api"):
         body, kind = (
-            orjson.dumps({"message": spoken(message), "help": spoken(help)}),
+            to_json({"message": spoken(message), "help": spoken(help)}),
             "application/json",
         )
     else:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import socket
 from collections.abc import Callable, Sequence
 from contextlib import suppress
@@ -11,6 +10,7 @@ from pathlib import Path
 import uvicorn
 from starlette.types import ASGIApp
 
+from kitrobot.server.collector import calm_collector
 from kitrobot.server.connections import LARGEST_HEAD_BYTES, MOST_CONNECTIONS, BoundedConnection
 from kitrobot.server.runs import LARGEST_MESSAGE_BYTES
 
@@ -23,7 +23,7 @@ def run_server(
 ) -> None:
     """Serves until Ctrl-C; `ready` is called once it listens, `tls` is a certificate and its key."""
     config = server_config(app, tls)
-    _calm_collector()
+    calm_collector()
     with suppress(KeyboardInterrupt):
         _Server(config, ready).run(sockets=list(listening))
 
@@ -48,17 +48,6 @@ def server_config(app: ASGIApp, tls: tuple[Path, Path] | None = None) -> uvicorn
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=END_WITHIN_S,
     )
-
-
-def _calm_collector() -> None:
-    """Has Python's garbage collector look at everything less often, and never at what is there now.
-
-    Hardly anything here is garbage that counting references does not find, and a look at a large mission's programs
-    takes longer than the answer that it delays.
-    """
-    gc.collect()
-    gc.freeze()
-    gc.set_threshold(100_000, 50, 100)
 
 
 class _Server(uvicorn.Server):

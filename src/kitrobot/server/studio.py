@@ -76,6 +76,8 @@ class Studio:
         """The real robots."""
         self.boards_for_visitors = False
         """Whether pages on other machines may use the ports of this one."""
+        self.in_page = False
+        """Whether it runs in the page itself, which reaches neither ports nor a network (`in_page`)."""
         self.recordings = Recordings(self._recordings_are_in)
         self.saving = threading.Lock()
         """Held while a run is recorded once more: one at a time is quick enough."""

@@ -9,6 +9,7 @@ import { KEYS_EN } from "./en-later-keys";
 import { KITS_EN } from "./en-later-kits";
 import { LATER_WORLD_EN } from "./en-later-world";
 import { GALLERY_EN } from "./en-later-gallery";
+import { SITE_EN } from "./en-later-site";
 
 export const LATER_EN = {
   ...ARENA_EN,
@@ -37,6 +38,7 @@ export const LATER_EN = {
   "merge.step": "Merge with the file",
   "merge.no-base": "What both began with is not known any more, so they cannot be merged.",
 
+  ...SITE_EN,
   "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
   "exercise.broken": "This exercise cannot be used.",
