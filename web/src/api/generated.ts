@@ -1872,12 +1872,6 @@ export interface SweepStopRequest {
   type: "stop";
 }
 
-/** What a teacher wants to know of a tutorial; each text by language. */
-export interface TeacherPage {
-  minutes: number;
-  aim: Record<string, string>;
-  troubles: (Record<string, string>)[];
-  questions: (Record<string, string>)[];
 /** A pupil who comes later. */
 export interface TeacherAdd {
   name: string;
@@ -1930,6 +1924,14 @@ export interface TeacherLog {
 export interface TeacherNote {
   folder: string;
   text: string;
+}
+
+/** What a teacher wants to know of a tutorial; each text by language. */
+export interface TeacherPage {
+  minutes: number;
+  aim: Record<string, string>;
+  troubles: Record<string, string>[];
+  questions: Record<string, string>[];
 }
 
 /** One pupil. */
