@@ -203,8 +203,10 @@ def test_edits_of_two_people_come_together() -> None:
 def test_zones_of_two_people_come_together_and_one_that_says_no_shape_is_kept_word_for_word() -> None:
     zone = '<zone kind="{}" x="9" y="9" {} value="30" falloff="0"/></world>'
     one, other = (zone.format(kind, 'radius="9"') for kind in ("warm", "loud"))
-    base, ours, theirs = (RING, RING.replace("</world>", one), RING.replace("</world>", other))
-    merged = merge_missions(*(Mission(own_world=own(text)) for text in (base, ours, theirs)))
+    base, ours, theirs = (
+        Mission(own_world=own(text)) for text in (RING, RING.replace("</world>", one), RING.replace("</world>", other))
+    )
+    merged = merge_missions(base, ours, theirs)
     assert merged.conflicts == ()
     assert merged.mission.own_world is not None
     assert [found.kind for found in merged.mission.own_world.zones] == ["warm", "loud"]
