@@ -97,10 +97,10 @@ def context(browser: Browser) -> Iterator[BrowserContext]:
 
 
 def wait_for(page: Page, value: int) -> None:
-    """Sets the duration of the one Wait."""
+    """Sets the duration of the one Wait, in tenths of a second."""
     page.locator(".vertex", has_text="Wait").first.click()
-    page.get_by_test_id("inspector").locator('input:not([type="range"])').first.fill(str(value))
-    page.keyboard.press("Escape")
+    page.get_by_test_id("inspector").locator('input:not([type="range"])').first.fill(f"{value / 10} s")
+    page.keyboard.press("Enter")
     expect(page.get_by_test_id("code")).to_contain_text(f"WAIT({value})")
 
 

@@ -133,7 +133,7 @@ def test_what_happens_is_said(open_studio: OpenStudio) -> None:
     here = studio.at("canvas").get_attribute("aria-activedescendant")
     expect(studio.page.locator(f"#{here}")).to_have_attribute("aria-label", re.compile("Wheels Stop"))
     keys.press("a")
-    expect(said).to_contain_text("Arc after Wheel Stop")
+    expect(said).to_contain_text("Arc after Wheels Stop")
     keys.press("ArrowUp")
     keys.press("Shift+ArrowDown")
     expect(said).to_contain_text("2 parts selected")

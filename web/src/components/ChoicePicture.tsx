@@ -1,4 +1,6 @@
 /** The picture of a choice: an icon, five by five lights, or a patch of its colour. */
+import "./choice-picture.css";
+
 import { lightsPath } from "../model/meaning";
 import type { Choice } from "../model/types";
 import { Icon } from "../theme";

@@ -2,6 +2,8 @@
  * What a mission does, as a small picture that moves while it is seen: the first seconds of a run, over and over, drawn as
  * the arena draws them. A mission that cannot run is shown as its graph.
  */
+import "./run-picture.css";
+
 import { useEffect, useRef } from "react";
 
 import type { RunPreview } from "../api/generated";
