@@ -126,6 +126,10 @@ def test_a_site_runs_keeps_what_is_saved_and_works_without_its_server(
     page.get_by_test_id("save-name").fill("mine")
     page.get_by_test_id("save-name").press("Enter")
     expect(studio.at("saved-state")).to_have_text("saved")
+    # Answered after the journal was told of the new name.
+    page.keyboard.press("Control+o")
+    expect(studio.at("open-dialog")).to_contain_text("mine")
+    page.keyboard.press("Escape")
     page.reload()
     page.wait_for_function(IS_OPEN)
     studio.expect_code("WAIT(10);")
