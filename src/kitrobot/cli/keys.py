@@ -1,0 +1,44 @@
+"""Keys of a terminal as they are pressed, without waiting for Enter; the terminal is as it was afterwards."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+ESCAPE = "\x1b"
+_MOST = 32
+
+
+@contextmanager
+def pressed_keys() -> Iterator[Callable[[], str]]:
+    """What gives the key that was pressed, as its character, or "" for none. Ctrl+C ends as ever."""
+    if sys.platform == "win32":
+        yield _windows_key
+        return
+    import select
+    import termios
+    import tty
+
+    terminal = sys.stdin.fileno()
+    before = termios.tcgetattr(terminal)
+
+    def key() -> str:
+        if not select.select([terminal], [], [], 0)[0]:
+            return ""
+        data = os.read(terminal, _MOST).decode(errors="replace")
+        # The terminal's end of file; a key that sends several characters (an arrow) is one that nobody knows.
+        return data[:1] if data and not (data.startswith(ESCAPE) and len(data) > 1) else ("" if data else ESCAPE)
+
+    try:
+        tty.setcbreak(terminal)
+        yield key
+    finally:
+        termios.tcsetattr(terminal, termios.TCSADRAIN, before)
+
+
+def _windows_key() -> str:
+    import msvcrt
+
+    return msvcrt.getwch() if msvcrt.kbhit() else ""  # type: ignore[attr-defined, unused-ignore]
