@@ -2,9 +2,9 @@
 
     python -m benchmarks.gallery
 
-Its drivers are those of the kit, with pins that only remember. A sensor of time is added (`peers/clock.driver.py`), which
-tells when ticks begin, on the board's own clock. A kit of a board with the module `machine` runs on a current MicroPython
-as WebAssembly, with a heap of so many kilobytes; one of the micro:bit on the real firmware of 2016 in QEMU.
+Its drivers are those of the kit, with pins that only remember. A sensor of time is added (`peers/clock.driver.py`),
+which tells when ticks begin, on the board's own clock. A kit of a board with the module `machine` runs on a current
+MicroPython as WebAssembly, with a heap of so many kilobytes; one of the micro:bit on the firmware of 2016 in QEMU.
 """
 
 from __future__ import annotations

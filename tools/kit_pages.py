@@ -37,8 +37,9 @@ the documents that are named. What is not in a document stands in no file: the A
 motors and sensors are spoken to over a protocol of its own, for which there is no driver here yet.
 
 The rate of a turn by the clock (`rate`, degrees a second at full speed) is a guess until you measure it:
-[`kitrobot calibrate`](boards.md#measured) asks, and writes a file of your own. The kits of a micro:bit are for a V2, which was not
-tried, and for small programs on that of 2016, whose memory is short: `kitrobot deploy` says when one does not fit.
+[`kitrobot calibrate`](boards.md#measured) asks, and writes a file of your own. The kits of a micro:bit are for a V2,
+which was not tried, and for small programs on that of 2016, whose memory is short: `kitrobot deploy` says when one does
+not fit.
 """
 
 

@@ -53,8 +53,8 @@ def test_a_wiring_that_cannot_be_is_told(parts: str, says: str) -> None:
     ("chip", "parts", "says"),
     [
         ("rp2040", '<actuator device="door" driver="servo" pin="18"/>', "pins that are 16 apart have one wave"),
-        ("rp2040", '<actuator device="door" driver="servo" pin="19"/>', "pins that are 16 apart have one wave"),
-        ("rp2040", '<actuator device="music" driver="buzzer" pin="21"/>', "pins that are 16 apart have one wave"),
+        ("rp2040", '<actuator device="door" driver="servo" pin="19"/>', "the two pins have one frequency"),
+        ("rp2040", '<actuator device="music" driver="buzzer" pin="21"/>', "the two pins have one frequency"),
         ("rp2350", '<actuator device="door" driver="servo" pin="18"/>', "pins that are 16 apart have one wave"),
         ("rp2350", '<actuator device="door" driver="servo" pin="34"/>', ""),
         ("rp2040", '<actuator device="door" driver="servo" pin="22"/>', ""),
@@ -68,7 +68,8 @@ def test_a_wiring_that_cannot_be_is_told(parts: str, says: str) -> None:
     ],
 )
 def test_square_waves_that_a_chip_cannot_give_at_once_are_told(chip: str, parts: str, says: str) -> None:
-    text = f'<board name="k" version="1" chip="{chip}" pins="0..47"><actuator device="drive turn" {MOTORS}/>{parts}</board>'
+    motors = f'<actuator device="drive turn" {MOTORS}/>'
+    text = f'<board name="k" version="1" chip="{chip}" pins="0..47">{motors}{parts}</board>'
     kit, found = read_kit(text.encode(), "k.board.xml")
     assert kit is not None, found
     told = [(problem.message, problem.help) for _, problem in kit_problems(kit, Package())]
@@ -85,7 +86,8 @@ def test_a_motor_whose_inputs_are_levels_has_a_wave_at_its_power_only() -> None:
         ("right", "forward", 6), ("right", "backward", 7), ("right", "power", 8),
     ))  # fmt: skip
     for pin, works in ((18, True), (23, True), (20, False), (9, False)):
-        text = f'<board name="k" version="1" chip="rp2040"><actuator device="drive" {wires}/><actuator device="door" driver="servo" pin="{pin}"/></board>'
+        parts = f'<actuator device="drive" {wires}/><actuator device="door" driver="servo" pin="{pin}"/>'
+        text = f'<board name="k" version="1" chip="rp2040">{parts}</board>'
         kit, _ = read_kit(text.encode(), "k.board.xml")
         assert kit is not None
         assert (kit_problems(kit, Package()) == []) is works, pin

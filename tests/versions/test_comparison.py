@@ -81,7 +81,8 @@ def test_another_level_of_a_program_is_told():
 def test_two_kits_are_told_apart_by_parts_settings_and_what_was_measured(tmp_path):
     one, other = tmp_path / "one.board.xml", tmp_path / "other.board.xml"
     head = '<board name="k" version="1" micropython="{}" pins="{}">'
-    parts = '<actuator device="turn" rate="180"/><sensor device="sign" driver="marks" pin="1"/><actuator device="pen" pin="4"/>'
+    parts = '<actuator device="turn" rate="180"/><sensor device="sign" driver="marks" pin="1"/>'
+    parts += '<actuator device="pen" pin="4"/>'
     one.write_text(head.format("1.20", "0..5") + parts + "</board>")
     parts = (
         '<actuator device="turn" rate="150" bus="1"/><sensor device="sign" driver="line" pin="1"/>'

@@ -35,7 +35,10 @@ def test_all_that_a_kit_has_can_be_tried_and_each_part_says_what_is_to_be_seen(p
         keys = {step.key for step in bench.steps}
         assert len(keys) + len(bench.left_out) == len(robot.actuators) + len(robot.sensors)
         assert all(step.seen.get("") for step in bench.steps), [step.part.name for step in bench.steps]
-        assert bench.program(keys).names.variables[bench.variable]
+        there = bench.together(list(keys))
+        assert bench.program(there).names.variables[bench.variable]
+        for key in keys - set(there):
+            assert key in bench.together(list(keys), key)
 
 
 def test_a_step_calls_its_part_until_the_variable_says_another_one_and_then_ends_it() -> None:

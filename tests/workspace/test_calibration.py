@@ -137,7 +137,11 @@ def test_a_measured_value_that_is_no_number_is_told_and_the_file_gives_no_kit(te
 
 def floor() -> Kit:
     """The body as it is, whatever a kit's file says of it."""
-    return Kit("floor", "machine", measured=(Measured(("drive",), {"speed": str(SPEED)}), Measured(("turn",), {"rate": str(RATE)})))
+    return Kit(
+        "floor",
+        "machine",
+        measured=(Measured(("drive",), {"speed": str(SPEED)}), Measured(("turn",), {"rate": str(RATE)})),
+    )
 
 
 def end_of(tmp_path: Path, text: str, kit: Kit) -> tuple[float, float, float]:

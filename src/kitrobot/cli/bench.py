@@ -10,7 +10,6 @@ import typer
 
 from kitrobot.cli.output import clean, complain, error_object, give, json_text, tell
 from kitrobot.diagnostics import KitRobotError
-from kitrobot.text import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.workspace.bench import Bench, BenchStep
@@ -44,7 +43,9 @@ def try_parts(
     robot: Annotated[
         str | None,
         typer.Option(
-            metavar="NAME|FILE.robot.xml", help="The robot; without it all parts that a kit may have.", show_default=False
+            metavar="NAME|FILE.robot.xml",
+            help="The robot; without it all parts that a kit may have.",
+            show_default=False,
         ),
     ] = None,
     board: KitName = None,

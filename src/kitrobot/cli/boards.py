@@ -47,7 +47,9 @@ def list_boards(
         tell("no robot is plugged in")
         tell("  help: plug one in with a USB cable that carries data, or name its address with --to")
         return
-    rows: list[tuple[str, ...]] = [("port", "board", "state", "program", "KitRobot", "MicroPython", "generation", "memory left")]
+    rows: list[tuple[str, ...]] = [
+        ("port", "board", "state", "program", "KitRobot", "MicroPython", "generation", "memory left")
+    ]
     rows += [_row(one) for one in seen]
     widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
     for row in rows:

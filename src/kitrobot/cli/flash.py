@@ -24,9 +24,9 @@ def flash_board(
 ) -> None:
     """Put MicroPython on a board by copying it to the drive that the board shows.
 
-    For boards that take UF2 files, such as a Raspberry Pi Pico: hold its button BOOTSEL while you plug it in. The file is
-    looked through first; one that is damaged, cut off, or for another chip is not copied. Nothing is fetched from the
-    network: `kitrobot boards` says where a board's maker has it.
+    For boards that take UF2 files, such as a Raspberry Pi Pico: hold its button BOOTSEL while you plug it in. The file
+    is looked through first; one that is damaged, cut off, or for another chip is not copied. Nothing is fetched from
+    the network: `kitrobot boards` says where a board's maker has it.
     """
     from kitrobot.deploy.uf2 import chosen_drive, flash, read_firmware
 
@@ -46,5 +46,7 @@ def flash_board(
         give(json_text(found, 2) + "\n")
         return
     named = f"MicroPython {firmware.micropython}" if firmware.micropython else "the firmware"
-    give(f"{clean(str(target.folder))}: {clean(named)} is on the board ({clean(target.board) or 'which says no name'})\n")
+    give(
+        f"{clean(str(target.folder))}: {clean(named)} is on the board ({clean(target.board) or 'which says no name'})\n"
+    )
     tell("it restarts by itself; then `kitrobot boards` lists it")

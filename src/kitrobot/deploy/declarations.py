@@ -37,7 +37,8 @@ _KIND = re.compile(
 class Setting:
     """One setting: a whole number from `least` to `most`, one of `words`, or, without either, any word.
 
-    `usual`: what it is when it is not given. `joined`: how other parts may be wired to the same pin, `shared`, `input` or "" for not at all.
+    `usual`: what it is when it is not given. `joined`: how other parts may be wired to the same pin, `shared`, `input`
+    or "" for not at all.
     """
 
     is_pin: bool

@@ -16,9 +16,9 @@ from kitrobot.deploy.board import Board, Hello
 from kitrobot.deploy.boot_records import LAST_GENERATION, MAIN, SLOTS, StartLine, is_ours, needed, newest, read_line
 from kitrobot.deploy.connecting import STARTS, greet
 from kitrobot.deploy.errors import BoardError, ForeignError, FullError, NoMemoryError, SilentError
+from kitrobot.deploy.firmware import Needs
 from kitrobot.deploy.fitting import refuse_misfits
 from kitrobot.deploy.flash_code import sign_of
-from kitrobot.deploy.firmware import Needs
 from kitrobot.deploy.flash_install import freeze
 from kitrobot.deploy.line import Line
 from kitrobot.deploy.memory import WORKING, refuse_what_does_not_fit
@@ -47,8 +47,8 @@ _MEMORY, _DAMAGED, _NO_DRIVER = 3, 4, 5
 class Deployed:
     """What was done: `free` bytes of memory are left while the program runs.
 
-    `program` and `package` by eight digits, as in `Hello`; files by their names on the board; `micropython` is the version
-    that the board has.
+    `program` and `package` by eight digits, as in `Hello`; files by their names on the board; `micropython` is the
+    version that the board has.
     """
 
     name: str
@@ -234,12 +234,12 @@ class _Job:
                 Sentence("the program needs more memory than the board has"),
                 Sentence("make the program smaller, use fewer devices in it, or take a board with more memory"),
             )
-        error = BoardError(
+        refused = BoardError(
             Sentence("the board cannot run the program: {reason}", said),
             Sentence("look at the settings in the robot's XML"),
         )
-        error.said = self._fault
-        raise error
+        refused.said = self._fault
+        raise refused
 
     def _greeting(self) -> Hello | None:
         """How it greets; None when it has no memory for that."""

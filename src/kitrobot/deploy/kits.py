@@ -182,9 +182,7 @@ def _refuse_pin(
     wired[pin] = part, name, setting
 
 
-def _refuse_waves(
-    part: KitPart, said: Mapping[str, Declared], kit: Kit, waves: list[tuple[KitPart, Wave]]
-) -> None:
+def _refuse_waves(part: KitPart, said: Mapping[str, Declared], kit: Kit, waves: list[tuple[KitPart, Wave]]) -> None:
     """Raises a PackageError when the chip cannot give the waves of a part beside those before."""
     if kit.chip not in SLICES:
         return
@@ -201,7 +199,7 @@ def _refuse_waves(
                     )
                     raise PackageError(
                         Sentence(
-                            "`{part}` at the pin `{pin}` and `{other}` at the pin `{beside}` cannot both have a square wave",
+                            "`{part}` at pin `{pin}` and `{other}` at pin `{beside}` cannot both have a square wave",
                             _name(part),
                             str(wave.pin),
                             _name(other),

@@ -5,8 +5,8 @@ pins that are 16 apart have one wave. A driver says at its top level which of it
 
     WAVES = {"pin": "50", "left-forward": "frequency !left-power"}
 
-with the frequency in Hz (0: one that changes) or the setting that says it; `!name` or `!name=value`: it is no wave where
-that is given.
+with the frequency in Hz (0: one that changes) or the setting that says it; `!name` or `!name=value`: it is no wave
+where that is given.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def _is_given(word: str, settings: Mapping[str, str]) -> bool:
 
 
 def clash(one: Wave, other: Wave, chip: str) -> str:
-    """Why two waves cannot be at once on a chip: `wave` they would be one, `frequency` they would have one; "" they can."""
+    """Why a chip cannot give both waves: `wave` they would be one, `frequency` they would have one; "" for it can."""
     slice_of = SLICES[chip]
     if one.pin == other.pin or slice_of(one.pin) != slice_of(other.pin):
         return ""

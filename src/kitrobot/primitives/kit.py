@@ -133,7 +133,9 @@ def as_measured(robot: Robot, kit: Kit) -> Robot:
     """The robot whose parts are, for the simulator, as they were measured on the kit."""
 
     def on_floor(part: RobotObject) -> RobotObject:
-        known = {name: value for one in kit.measured if part.device in one.devices for name, value in one.settings.items()}
+        known = {
+            name: value for one in kit.measured if part.device in one.devices for name, value in one.settings.items()
+        }
         return replace(part, settings={**part.settings, **known}) if known and part.model == part.device else part
 
     actuators = tuple(map(on_floor, robot.actuators))

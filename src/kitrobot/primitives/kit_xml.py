@@ -289,8 +289,8 @@ def write_kit(kit: Kit) -> str:
         lines += [text_element(name, language, text) for each in texts for language, text in each.items()]
     for part in kit.parts:
         lines += _part_written(part)
-    for one in kit.measured:
-        lines.append(f"<measured{attributes(('device', ' '.join(one.devices)), *one.settings.items())}/>")
+    for known in kit.measured:
+        lines.append(f"<measured{attributes(('device', ' '.join(known.devices)), *known.settings.items())}/>")
     inside = [f"  {line}" for line in lines[1:]]
     return "\n".join([lines[0], *inside, "</board>"]) + "\n"
 

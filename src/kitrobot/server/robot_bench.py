@@ -1,4 +1,4 @@
-"""The parts of a robot that a page tries: which step is done, what failed. It lives on the thread of the robot's worker."""
+"""The parts of a robot that a page tries: which step is done, what failed. It lives on the thread of its worker."""
 
 from __future__ import annotations
 
@@ -101,7 +101,5 @@ def steps_message(address: str, bench: Bench) -> BoardStepsMessage:
             )
             for step in bench.steps
         ],
-        left_out=[
-            BenchLeftOutShape(part=part.name, label=dict(part.label), why=why) for part, why in bench.left_out
-        ],
+        left_out=[BenchLeftOutShape(part=part.name, label=dict(part.label), why=why) for part, why in bench.left_out],
     )

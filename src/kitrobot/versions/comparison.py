@@ -339,7 +339,8 @@ def compare_files(before: Path, after: Path) -> list[Difference]:
     kits = [path for path in (before, after) if path.name.lower().endswith(KIT_SUFFIX)]
     if len(kits) == 1:
         raise CompareError(
-            Sentence("expected two kits, found one and something else"), Sentence("name two files that end in .board.xml")
+            Sentence("expected two kits, found one and something else"),
+            Sentence("name two files that end in .board.xml"),
         )
     if kits:
         return [Difference(kind, words) for kind, words in kit_differences(_kit(before), _kit(after))]

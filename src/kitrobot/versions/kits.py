@@ -21,7 +21,10 @@ def kit_differences(before: Kit, after: Kit) -> Iterator[tuple[str, str]]:
         one, other = getattr(before, field.name), getattr(after, field.name)
         if field.name not in _PARTS and one != other:
             if isinstance(one, str) and isinstance(other, str):
-                yield "board", Sentence("the kit: {what} {before} → {after}", Word(field.name), one or "–", other or "–")
+                yield (
+                    "board",
+                    Sentence("the kit: {what} {before} → {after}", Word(field.name), one or "–", other or "–"),
+                )
             else:
                 yield "board", Sentence("the kit: its {what} changed", Word(field.name))
     parts, others = _by_name(before), _by_name(after)
@@ -45,9 +48,7 @@ def kit_differences(before: Kit, after: Kit) -> Iterator[tuple[str, str]]:
 
 
 def _by_name(kit: Kit) -> dict[str, KitPart]:
-    return {
-        " ".join(filter(None, (part.category, *part.devices, *part.names, part.when))): part for part in kit.parts
-    }
+    return {" ".join(filter(None, (part.category, *part.devices, *part.names, part.when))): part for part in kit.parts}
 
 
 def _measured(kit: Kit) -> dict[str, Mapping[str, str]]:

@@ -1,14 +1,15 @@
 """The parts of a robot tried by hand, one step after the other: the steps, and the program that waits for them.
 
 The program has a variable of its own. What that holds is the number of the step that is done: the part's procedure is
-called, and ended as soon as the variable holds something else. Sensors are all sampled, and those that are not looked at
-are held (`force`), so one that is not plugged in spoils nothing but its own step. Left to others: the robot at the
+called, and ended as soon as the variable holds something else. Sensors are all sampled, and those that are not looked
+at are held (`force`), so one that is not plugged in spoils nothing but its own step. Left to others: the robot at the
 other end (bench_run), keys and tables (cli), the page.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -87,8 +88,29 @@ class Bench:
         found = tuple(one for one in compiled.diagnostics if one.is_error)
         return ready_program(PROGRAM, robot, compiled, found, (source,), self.folder, kit=self.kit)
 
+    def together(self, parts: Sequence[PartKey], needed: PartKey | None = None) -> list[PartKey]:
+        """As many of these parts as can be on the robot at once, the needed one among them: some share a pin.
 
-def bench_of(robot: Robot, kit: Kit | None, folder: Path | None = None, notes: Sequence[BenchNote] | None = None) -> Bench:
+        Raises:
+            KitRobotError: a driver is missing or not told what it needs.
+        """
+        try:
+            self.program(parts)
+        except PackageError:
+            found: list[PartKey] = []
+            for key in [*([needed] if needed is not None else []), *(one for one in parts if one != needed)]:
+                with suppress(PackageError):
+                    self.program([*found, key])
+                    found.append(key)
+            if not found or (needed is not None and needed not in found):
+                raise
+            return found
+        return list(parts)
+
+
+def bench_of(
+    robot: Robot, kit: Kit | None, folder: Path | None = None, notes: Sequence[BenchNote] | None = None
+) -> Bench:
     """All that can be tried of a robot on a kit (None: wired as its own file says), in the order of its file.
 
     Raises:

@@ -1,8 +1,8 @@
 """How a part of a robot is tried by hand: what is called, what is seen then, what to look for when nothing happens; and
 what a kit is measured with.
 
-`shipped/bench.xml` says so by devices, as kits do. A part whose device it does not name is tried with all its procedures
-and their usual values, and its own texts say what it does. Left to others: running it (bench, calibration).
+`shipped/bench.xml` says so by devices, as kits do. A part whose device it does not name is tried with all its
+procedures and their usual values, and its own texts say what it does. Left to others: running it (bench, calibration).
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def _note(element: Element) -> BenchNote:
     call = _CALL.fullmatch(element.matching("call", ""))
     measures = element.choice("of", "") if element.name == "measure" else ""
     return BenchNote(
-        Category.ACTUATOR if measures else Category(element.name),
+        Category.SENSOR if element.name == "sensor" else Category.ACTUATOR,
         tuple(element.required("device").split()),
         call[1] if call else "",
         tuple(int(number) for number in call[2].split(",")) if call and call[2] else (),
@@ -97,7 +97,9 @@ BENCH = {
                     **_TRIED,
                     "of": needed(one(*MEASURES), about="What is measured."),
                     "part": optional(IDENTIFIER, about="The name of the part."),
-                    "lasts": optional(whole(0, LONGEST_WAIT), "0", about="Units of WAIT; 0: until it is done by itself."),
+                    "lasts": optional(
+                        whole(0, LONGEST_WAIT), "0", about="Units of WAIT; 0: until it is done by itself."
+                    ),
                 },
                 TEXTS,
                 about="What a kit is measured with. label: what is asked. help: what to do before.",
@@ -145,7 +147,9 @@ def fits(part: RobotObject, note: BenchNote) -> bool:
     return (
         method is not None
         and len(method.parameters) == len(note.arguments)
-        and all(one.minimum <= value <= one.maximum for one, value in zip(method.parameters, note.arguments, strict=True))
+        and all(
+            one.minimum <= value <= one.maximum for one, value in zip(method.parameters, note.arguments, strict=True)
+        )
     )
 
 

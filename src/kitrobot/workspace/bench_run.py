@@ -1,8 +1,8 @@
 """The robot whose parts are tried: the program for as many parts as fit and start, steps begun and ended, values told.
 
 Everything stops when a step ends, when the run is closed, and on the robot itself when it hears nothing from here for
-0.8 s, since it is held. Where the memory of a board is too short for all parts, it gets a program for half of them, and so
-on. A part whose driver does not start is left out, and the rest is tried without it.
+0.8 s, since it is held. Where the memory of a board is too short for all parts, it gets a program for half of them, and
+so on. A part whose driver does not start is left out, and the rest is tried without it.
 
 `BenchHand` works on a session that somebody owns (the studio's worker, or `BenchRun`, which has one of its own).
 """
@@ -59,7 +59,8 @@ def load_parts(
         PartError: the needed part does not start.
         KitRobotError: what `send` raises.
     """
-    parts = list(dict.fromkeys(one.key for one in bench.steps if one.key not in broken))
+    keys = dict.fromkeys(one.key for one in bench.steps if one.key not in broken)
+    parts = bench.together(list(keys), needed)
     while True:
         program = bench.program(parts)
         try:

@@ -2,8 +2,8 @@
 
 Wheels that turn the wrong way, or that are each other's, are written down as such (`left-flipped`, settings of left and
 right exchanged). The distance that it drove gives its full speed, the angle that it turned corrects what its driver counts
-with (`rate`, `counts`); how far the answers to one question lie apart is the noise. The simulator is given speed, rate
-and noise (`Kit.measured`). Left to others: asking (cli), moving the robot (bench_run).
+with (`rate`, `counts`); how far answers lie apart is the noise. The simulator is given speed, rate and noise
+(`Kit.measured`). Left to others: asking (cli), moving the robot (bench_run).
 """
 
 from __future__ import annotations
@@ -150,7 +150,9 @@ def _wheels(kit: Kit, turned: Mapping[str, Turned]) -> Kit:
     parts = tuple(_rewired(part, bool(swapped), backward) if _has_motors(part) else part for part in kit.parts)
     if parts == kit.parts:
         raise MeasureError(
-            Sentence("a wheel is wired the other way round, and the file of the kit `{kit}` has no word for that", kit.name),
+            Sentence(
+                "a wheel is wired the other way round, and the file of the kit `{kit}` has no word for that", kit.name
+            ),
             Sentence("exchange the wires of its motor"),
         )
     return replace(kit, parts=parts)
@@ -174,7 +176,7 @@ def _rewired(part: KitPart, swapped: bool, backward: set[str]) -> KitPart:
 
 
 def _turning(kit: Kit, part_turned: float) -> tuple[Kit, dict[str, str]]:
-    """The kit whose driver counts right, after it turned that part of what it should have; what the simulator is told."""
+    """The kit whose driver counts right, after it turned that part of what it should; what the simulator is told."""
     parts, rate = [], {}
     for part in kit.parts:
         if part.category is not Category.ACTUATOR or part.is_missing or not _turns(part):

@@ -1,7 +1,7 @@
 """Which MicroPython the boards have that something was sent to from here, in the user's state folder.
 
-A board that runs does not say it, and asking at its prompt would stop it. So what it said when it was last sent to is kept, by its
-address, and holds as long as what is on it is what was sent then.
+A board that runs does not say it, and asking at its prompt would stop it. So what it said when it was last sent to is
+kept, by its address, and holds as long as what is on it is what was sent then.
 """
 
 from __future__ import annotations

@@ -76,8 +76,8 @@ class BoardSendRequest(BaseModel):
 
 
 class BoardBenchRequest(BaseModel):
-    """Put the program that tries parts on the robot: those of the robot that the program is for. The answer is a message
-    with the steps; what becomes of them is told with the robot.
+    """Put the program that tries parts on the robot: those of the robot that the program is for. The answer is a
+    message with the steps; what becomes of them is told with the robot.
     """
 
     type: Literal["bench"]
@@ -197,7 +197,7 @@ class BoardsWelcomeMessage(_Message):
 
 
 class BoardPortShape(BaseModel):
-    """A port of this machine where a robot may be; `firmware`: the page with MicroPython for it, "" where none is known."""
+    """A port of this machine where a robot may be; `firmware`: the page with MicroPython for it, "" for none."""
 
     address: str
     name: str
@@ -244,7 +244,7 @@ class BoardBenchFailureShape(BaseModel):
 
 
 class BoardBenchShape(BaseModel):
-    """Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before it is told."""
+    """Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None for no value yet."""
 
     step: int | None
     value: int | None
@@ -252,8 +252,8 @@ class BoardBenchShape(BaseModel):
 
 
 class BenchStepShape(BaseModel):
-    """One thing to try, in texts by language: what is to be seen, and what to look for when it does not happen. `call` is
-    what the part is told, "" for a sensor, whose value is looked at.
+    """One thing to try, in texts by language: what is to be seen, and what to look for when it does not happen.
+    `call` is what the part is told, "" for a sensor, whose value is looked at.
     """
 
     part: str
@@ -381,6 +381,12 @@ BOARD_MESSAGE_MODELS: tuple[type[BaseModel], ...] = (
     TeamMessage,
 )
 BoardsMessage = Annotated[
-    BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage | BoardStepsMessage | TeamMessage,
+    BoardsWelcomeMessage
+    | BoardPortsMessage
+    | BoardMessage
+    | BoardGoneMessage
+    | BoardRefusedMessage
+    | BoardStepsMessage
+    | TeamMessage,
     Field(discriminator="type"),
 ]

@@ -1,6 +1,6 @@
-# A time-of-flight range finder VL53L0X (ST) with the settings that it has when the power comes on: good to about a metre.
-# The sensor's least value is touching, its largest is `reach` or more, or nothing seen. It measures by itself, which takes
-# some 30 ms; it is looked at in each tick, and never waited for.
+# A time-of-flight range finder VL53L0X (ST) with the settings that it has when the power comes on: good to about a
+# metre. The sensor's least value is touching, its largest is `reach` or more, or nothing seen. It measures by itself,
+# which takes some 30 ms; it is looked at in each tick, and never waited for.
 
 import time
 
