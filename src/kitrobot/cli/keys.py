@@ -24,12 +24,16 @@ def pressed_keys() -> Iterator[Callable[[], str]]:
     terminal = sys.stdin.fileno()
     before = termios.tcgetattr(terminal)
 
+    waiting: list[str] = []
+
     def key() -> str:
-        if not select.select([terminal], [], [], 0)[0]:
-            return ""
-        data = os.read(terminal, _MOST).decode(errors="replace")
-        # The terminal's end of file; a key that sends several characters (an arrow) is one that nobody knows.
-        return data[:1] if data and not (data.startswith(ESCAPE) and len(data) > 1) else ("" if data else ESCAPE)
+        if not waiting and select.select([terminal], [], [], 0)[0]:
+            data = os.read(terminal, _MOST).decode(errors="replace")
+            if not data:
+                return ESCAPE  # the terminal is gone
+            if not (data.startswith(ESCAPE) and len(data) > 1):  # an arrow and the like, which nobody knows here
+                waiting.extend(data)
+        return waiting.pop(0) if waiting else ""
 
     try:
         tty.setcbreak(terminal)

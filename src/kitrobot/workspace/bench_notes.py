@@ -114,7 +114,7 @@ def read_bench(data: bytes, name: str) -> tuple[tuple[BenchNote, ...] | None, li
     """Reads a list of notes; None when it has an error, which the diagnostics tell."""
     reader = Reader(data, name)
     root = reader.read(BENCH)
-    if root is None or root.faulty:
+    if root is None or any(one.is_error for one in reader.diagnostics):
         return None, reader.diagnostics
     return tuple(root.found(BenchNote)), reader.diagnostics
 

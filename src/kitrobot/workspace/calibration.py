@@ -1,8 +1,8 @@
 """What a person measured of a robot on the floor → its kit, as it is.
 
 Wheels that turn the wrong way, or that are each other's, are written down as such (`left-flipped`, settings of left and
-right exchanged). The distance that it drove gives its full speed, the angle that it turned corrects what its driver counts
-with (`rate`, `counts`); how far answers lie apart is the noise. The simulator is given speed, rate and noise
+right exchanged). The distance that it drove gives its full speed, the angle that it turned corrects what its driver
+counts with (`rate`, `counts`); how far answers lie apart is the noise. The simulator is given speed, rate and noise
 (`Kit.measured`). Left to others: asking (cli), moving the robot (bench_run).
 """
 

@@ -197,7 +197,7 @@ class BoardsWelcomeMessage(_Message):
 
 
 class BoardPortShape(BaseModel):
-    """A port of this machine where a robot may be; `firmware`: the page with MicroPython for it, "" for none."""
+    """A port of this machine where a robot may be; `firmware`: the page with its MicroPython, "" for none."""
 
     address: str
     name: str
@@ -244,7 +244,7 @@ class BoardBenchFailureShape(BaseModel):
 
 
 class BoardBenchShape(BaseModel):
-    """Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None for no value yet."""
+    """Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before."""
 
     step: int | None
     value: int | None
