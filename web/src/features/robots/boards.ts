@@ -186,7 +186,13 @@ export function placesOf({ ports, boards, typed }: Pick<BoardsState, "ports" | "
   for (const address of others) {
     if (there.has(address)) continue;
     const board = boards[address] ?? null;
-    found.push({ address, name: board?.name ?? address.replace(/^\w+:\/\//, ""), description: "", firmware: "", board });
+    found.push({
+      address,
+      name: board?.name ?? address.replace(/^\w+:\/\//, ""),
+      description: "",
+      firmware: "",
+      board,
+    });
   }
   return found;
 }

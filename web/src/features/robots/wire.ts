@@ -31,7 +31,13 @@ export type Steps = BoardStepsMessage;
 export type { TeamAgent };
 export type Team = TeamMessage;
 export type BoardsMessage =
-  BoardsWelcomeMessage | BoardPortsMessage | BoardMessage | BoardGoneMessage | BoardRefusedMessage | BoardStepsMessage | TeamMessage;
+  | BoardsWelcomeMessage
+  | BoardPortsMessage
+  | BoardMessage
+  | BoardGoneMessage
+  | BoardRefusedMessage
+  | BoardStepsMessage
+  | TeamMessage;
 export type BoardsRequest =
   | BoardsLookRequest
   | BoardConnectRequest
