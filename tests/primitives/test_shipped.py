@@ -17,6 +17,7 @@ REPOSITORY = Path(__file__).parents[2]
 SCHEMAS = PRIMITIVES / "schemas"
 KINDS = {
     "beginnings.xml": "beginnings",
+    "bench.xml": "bench",
     ".tutorial.xml": "tutorial",
     ".exercise.xml": "exercise",
     "constructors.xml": "constructors",
