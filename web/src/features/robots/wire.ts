@@ -1,6 +1,6 @@
 /** What travels over the socket of real robots; the server's models say what each means. */
 import type {
-  BenchStepShape,
+  BenchStep as BenchStepOf,
   BoardBenchRequest,
   BoardCancelRequest,
   BoardConnectRequest,
@@ -26,7 +26,7 @@ import type {
 
 export type Board = BoardMessage;
 export type Port = BoardPort;
-export type BenchStep = BenchStepShape;
+export type BenchStep = BenchStepOf;
 export type Steps = BoardStepsMessage;
 export type { TeamAgent };
 export type Team = TeamMessage;
