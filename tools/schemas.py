@@ -24,12 +24,14 @@ from kitrobot.primitives.robot_xml import ROBOT
 from kitrobot.tutorial.reading import TUTORIAL
 from kitrobot.workspace.beginnings import BEGINNINGS
 from kitrobot.workspace.example_list import EXAMPLES
+from kitrobot.workspace.bench_notes import BENCH
 from kitrobot.world.reading import WORLD
 from kitrobot.xml import LANGUAGE, TEXT_VALUE, Attribute, Kind, Tag, attributes, escape_text
 
 FOLDER = Path(__file__).resolve().parents[1] / "src" / "kitrobot" / "primitives" / "schemas"
 TABLES = {
     "beginnings": BEGINNINGS,
+    "bench": BENCH,
     "board": KIT,
     "constructors": CONSTRUCTORS,
     "examples": EXAMPLES,
