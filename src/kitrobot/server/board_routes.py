@@ -158,7 +158,7 @@ class BoardSession:
             case BoardBenchRequest():
                 from kitrobot.server.robot_bench import steps_message
 
-                bench = await asyncio.to_thread(self._bench, request)
+                bench = await beside_loop(self._bench, request)
                 worker = await room.session(subscriber.name, request.address)
                 subscriber.tell(steps_message(request.address, bench))
                 worker.bench(bench, request.replace)

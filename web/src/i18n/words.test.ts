@@ -66,6 +66,7 @@ const NAMES: Key[] = [
   "graph.action",
   "graph.condition",
   "graph.zoom",
+  "gallery.robot",
   "parts.robot",
   "parts.variables",
   "inspector.note",
