@@ -124,7 +124,7 @@ def _type(schema: Mapping[str, Any]) -> str:
         if "prefixItems" in schema:
             return f"[{', '.join(_type(item) for item in schema['prefixItems'])}]"
         inner = _type(schema["items"])
-        return f"({inner})[]" if " " in re.sub(r"\[.*\]", "", inner) else f"{inner}[]"
+        return f"({inner})[]" if " " in re.sub(r"\[.*\]|<.*>", "", inner) else f"{inner}[]"
     if kind == "object" and "additionalProperties" in schema:
         return f"Record<string, {_type(schema['additionalProperties'])}>"
     if kind in _PLAIN:
