@@ -3,7 +3,7 @@ import { partsApi } from "../api/parts";
 import { t } from "../i18n/words";
 import type { Command } from "../model/command";
 import { bringWorld, changeOwnWorld, isFreeName, isNamed, removeThings } from "../model/commands/changeOwnWorld";
-import { startOf } from "../model/commands/changeAgents";
+import { startOf } from "../model/starts";
 import { changeWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
 import type { OwnWorld } from "../model/types";

@@ -1,7 +1,7 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
 import { type KeyboardEvent, type MouseEvent, type PointerEvent, useEffect, useRef, useState } from "react";
 
-import { startOf } from "../../model/commands/changeAgents";
+import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
 import { GRID_MM } from "../../model/world/thing";
 import { ARENA_KEYS, keyFor, keyIn } from "../../session/key-table";

@@ -9,7 +9,7 @@ import { toScreen, toWorld } from "../../components/scene/camera";
 import type { Painter } from "../../components/scene/painter";
 import { sceneBefore } from "../../components/scene/scene";
 import { t } from "../../i18n/words";
-import { startOf } from "../../model/commands/changeAgents";
+import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
 import type { Mission, OwnWorld } from "../../model/types";
 import { drawnWorld } from "../../model/world/drawn";

@@ -1,6 +1,6 @@
 /** Drawn over the world: free starts, what is chosen with its grips, and places of problems. */
 import { type Camera, toScreen } from "../../components/scene/camera";
-import { startOf } from "../../model/commands/changeAgents";
+import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
 import type { Mission, OwnWorld } from "../../model/types";
 import { dockPlace, lineOf, startPlace } from "../../model/world/drawn";
